@@ -71,6 +71,30 @@ pub fn uniform_boxes(n: usize) -> Vec<Aabb<f32>> {
     (0..n as u32).map(make).collect()
 }
 
+/// Debris that falls from the walls of a corridor, after the scene of [Karras 2012b], which is not
+/// published: as many boxes, 12,486, of which about as many pairs overlap, 73,701 (there 73,704).
+///
+/// Pieces are of any size from an eighth to the whole of the largest, the smaller the more; of any
+/// shape up to three to one; denser near the walls and towards the floor.
+pub fn debris_boxes() -> Vec<Aabb<f32>> {
+    /// Found by bisection, for the number of pairs. The corridor is 1 wide, 1 high and 8 long.
+    const LARGEST: f32 = 0.3372;
+    let make = |i: u32| {
+        let of = |k: u32| unit(origin(7).wrapping_add(16 * i + k));
+        // Inward from either wall, up from the floor, along the corridor.
+        let inward = 0.5 * of(0) * of(1);
+        let x = if of(2) < 0.5 { inward } else { 1.0 - inward };
+        let centre = [x, of(3) * of(4), 8.0 * of(5)];
+        let size = LARGEST / (1.0 + 7.0 * of(6));
+        let half: [f32; 3] = std::array::from_fn(|k| size * (1.0 + 2.0 * of(7 + k as u32)) / 6.0);
+        Aabb {
+            min: std::array::from_fn(|k| centre[k] - half[k]),
+            max: std::array::from_fn(|k| centre[k] + half[k]),
+        }
+    };
+    (0..12_486).map(make).collect()
+}
+
 /// The cube root of a number in `(0, 1]`, to a unit or two in the last place, by Newton-Raphson
 /// from 1: always from above, a third of the way down a round at first, then quadratically.
 fn cube_root(x: f64) -> f64 {
@@ -187,6 +211,12 @@ mod tests {
         assert!(found == want, "{found:#x}, elsewhere {want:#x}");
     }
 
+    fn check_boxes(boxes: &[Aabb<f32>], want: u32) {
+        let words = boxes.iter().flat_map(|b| b.min.into_iter().chain(b.max));
+        let found = hash(words.map(|c| c.to_bits() as u64));
+        assert!(found == want, "{} boxes: {found:#x}, elsewhere {want:#x}", boxes.len());
+    }
+
     #[test]
     fn scenes_have_the_same_bits_everywhere() {
         let sheet = crumpled_sheet(40, 3);
@@ -196,15 +226,23 @@ mod tests {
         check_points(&sphere(32), 0x1847_f18a);
         for (n, want) in [(1000, 0x6f15_8b17), (150_000, 0x1617_7c44)] {
             let boxes = uniform_boxes(n);
-            let words = boxes.iter().flat_map(|b| b.min.into_iter().chain(b.max));
-            let found = hash(words.map(|c| c.to_bits() as u64));
-            assert!(found == want, "{n} boxes: {found:#x}, elsewhere {want:#x}");
+            check_boxes(&boxes, want);
         }
+        check_boxes(&debris_boxes(), 0x6cab_3532);
         // The control: the last bit of one coordinate.
         let mut other = sheet.x0.clone();
         other[700][2] = other[700][2].next_up();
         let bits = |x: &[[f64; 3]]| hash(x.iter().flatten().map(|c| c.to_bits()));
         assert_ne!(bits(&other), bits(&sheet.x0));
+    }
+
+    #[test]
+    fn debris_has_as_many_pairs_as_it_says() {
+        let boxes = debris_boxes();
+        let after =
+            |(i, a): (usize, &Aabb<f32>)| boxes[i + 1..].iter().filter(|b| a.overlaps(b)).count();
+        let n_pairs: usize = boxes.iter().enumerate().map(after).sum();
+        assert_eq!((boxes.len(), n_pairs), (12_486, 73_701));
     }
 
     #[test]

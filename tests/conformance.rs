@@ -13,7 +13,7 @@
 
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
-use ccd::scenes::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
+use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
 use ccd::{
     Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
     State,
@@ -61,8 +61,9 @@ enum Source {
     Real(&'static data::Scene),
 }
 
-const GENERATED: [(&str, Source); 8] = [
+const GENERATED: [(&str, Source); 9] = [
     ("uniform", Source::Boxes(|| uniform_boxes(20_000))),
+    ("debris", Source::Boxes(debris_boxes)),
     ("crowded", Source::Boxes(|| inflated(&uniform_boxes(2000), 0.05))),
     ("equal", Source::Boxes(|| vec![Aabb { min: [0.5; 3], max: [0.5; 3] }; 300])),
     ("huge", Source::Boxes(huge)),

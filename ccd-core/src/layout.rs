@@ -76,6 +76,53 @@ pub struct Branch {
     pub last: u32,
 }
 
+/// An internal node of a binary tree with the boxes of both children: see
+/// [`wide_nodes`](crate::broad_phase::wide_nodes).
+///
+/// | field | bytes | | field | bytes |
+/// |---|---|---|---|---|
+/// | `left_min` | 0..12 | | `right_min` | 32..44 |
+/// | `left` | 12..16 | | `split` | 44..48 |
+/// | `left_max` | 16..28 | | `right_max` | 48..60 |
+/// | `right` | 28..32 | | `last` | 60..64 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct WideNode {
+    /// Smallest corner of the left child's box.
+    pub left_min: [f32; 3],
+    /// The left child: an internal node, or, with [`WideNode::MARK`], a leaf.
+    pub left: u32,
+    /// Greatest corner of the left child's box.
+    pub left_max: [f32; 3],
+    /// The right child, likewise.
+    pub right: u32,
+    /// Smallest corner of the right child's box.
+    pub right_min: [f32; 3],
+    /// Last leaf below the left child.
+    pub split: u32,
+    /// Greatest corner of the right child's box.
+    pub right_max: [f32; 3],
+    /// Last leaf below the node; with [`WideNode::MARK`] if the left child has fewer leaves.
+    pub last: u32,
+}
+
+impl WideNode {
+    /// The bit that numbers of nodes do not use.
+    pub const MARK: u32 = 1 << 31;
+
+    /// The box of the left child.
+    #[inline(always)]
+    pub fn left_box(&self) -> Aabb<f32> {
+        Aabb { min: self.left_min, max: self.left_max }
+    }
+
+    /// The box of the right child.
+    #[inline(always)]
+    pub fn right_box(&self) -> Aabb<f32> {
+        Aabb { min: self.right_min, max: self.right_max }
+    }
+}
+
 /// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is
 /// not used.
 ///
@@ -365,6 +412,7 @@ pub struct ContactSort {
     pub pass: u32,
 }
 
+const _: () = assert!(size_of::<WideNode>() == 64);
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);

@@ -66,26 +66,32 @@ struct type_25 {
 }
 
 struct type_27 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_29 {
     member: array<type_27>,
 }
 
-struct type_35 {
-    member: array<array<array<u32, 2>, 6>>,
+struct type_31 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_37 {
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_39 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -97,658 +103,658 @@ var<storage> leaves: type_25;
 var<storage> nodes: type_29;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_27, 128>;
+var<workgroup> columns: array<type_31, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_35;
+var<storage> keys: type_37;
 @group(0) @binding(5) 
 var<storage> paths: type_22;
 @group(0) @binding(6) 
 var<storage> input: type_11;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_41;
+var<storage, read_write> output: type_43;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_172_: bool;
-    var phi_173_: bool;
-    var phi_177_: array<u32, 2>;
+    var phi_174_: bool;
+    var phi_175_: bool;
+    var phi_179_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_173_ = true;
+        phi_175_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_172_ = (param[0] > param_1[0]);
+            phi_174_ = (param[0] > param_1[0]);
         } else {
-            phi_172_ = false;
+            phi_174_ = false;
         }
-        let _e14 = phi_172_;
-        phi_173_ = _e14;
+        let _e14 = phi_174_;
+        phi_175_ = _e14;
     }
-    let _e16 = phi_173_;
+    let _e16 = phi_175_;
     if _e16 {
-        phi_177_ = param_1;
+        phi_179_ = param_1;
     } else {
-        phi_177_ = param;
+        phi_179_ = param;
     }
-    let _e18 = phi_177_;
+    let _e18 = phi_179_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_196_: bool;
-    var phi_197_: bool;
-    var phi_201_: array<u32, 2>;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_203_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_197_ = true;
+        phi_199_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_196_ = (param_3[0] > param_2[0]);
+            phi_198_ = (param_3[0] > param_2[0]);
         } else {
-            phi_196_ = false;
+            phi_198_ = false;
         }
-        let _e14 = phi_196_;
-        phi_197_ = _e14;
+        let _e14 = phi_198_;
+        phi_199_ = _e14;
     }
-    let _e16 = phi_197_;
+    let _e16 = phi_199_;
     if _e16 {
-        phi_201_ = param_3;
+        phi_203_ = param_3;
     } else {
-        phi_201_ = param_2;
+        phi_203_ = param_2;
     }
-    let _e18 = phi_201_;
+    let _e18 = phi_203_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_220_: bool;
-    var phi_221_: bool;
-    var phi_225_: array<u32, 2>;
+    var phi_222_: bool;
+    var phi_223_: bool;
+    var phi_227_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_221_ = true;
+        phi_223_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_220_ = (param_4[0] > param_5[0]);
+            phi_222_ = (param_4[0] > param_5[0]);
         } else {
-            phi_220_ = false;
+            phi_222_ = false;
         }
-        let _e14 = phi_220_;
-        phi_221_ = _e14;
+        let _e14 = phi_222_;
+        phi_223_ = _e14;
     }
-    let _e16 = phi_221_;
+    let _e16 = phi_223_;
     if _e16 {
-        phi_225_ = param_5;
+        phi_227_ = param_5;
     } else {
-        phi_225_ = param_4;
+        phi_227_ = param_4;
     }
-    let _e18 = phi_225_;
+    let _e18 = phi_227_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_249_: array<u32, 2>;
+    var phi_246_: bool;
+    var phi_247_: bool;
+    var phi_251_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_245_ = true;
+        phi_247_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_244_ = (param_7[0] > param_6[0]);
+            phi_246_ = (param_7[0] > param_6[0]);
         } else {
-            phi_244_ = false;
+            phi_246_ = false;
         }
-        let _e14 = phi_244_;
-        phi_245_ = _e14;
+        let _e14 = phi_246_;
+        phi_247_ = _e14;
     }
-    let _e16 = phi_245_;
+    let _e16 = phi_247_;
     if _e16 {
-        phi_249_ = param_7;
+        phi_251_ = param_7;
     } else {
-        phi_249_ = param_6;
+        phi_251_ = param_6;
     }
-    let _e18 = phi_249_;
+    let _e18 = phi_251_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_268_: bool;
-    var phi_269_: bool;
-    var phi_273_: array<u32, 2>;
+    var phi_270_: bool;
+    var phi_271_: bool;
+    var phi_275_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_269_ = true;
+        phi_271_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_268_ = (param_8[0] > param_9[0]);
+            phi_270_ = (param_8[0] > param_9[0]);
         } else {
-            phi_268_ = false;
+            phi_270_ = false;
         }
-        let _e14 = phi_268_;
-        phi_269_ = _e14;
+        let _e14 = phi_270_;
+        phi_271_ = _e14;
     }
-    let _e16 = phi_269_;
+    let _e16 = phi_271_;
     if _e16 {
-        phi_273_ = param_9;
+        phi_275_ = param_9;
     } else {
-        phi_273_ = param_8;
+        phi_275_ = param_8;
     }
-    let _e18 = phi_273_;
+    let _e18 = phi_275_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_292_: bool;
-    var phi_293_: bool;
-    var phi_297_: array<u32, 2>;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_299_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_293_ = true;
+        phi_295_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_292_ = (param_11[0] > param_10[0]);
+            phi_294_ = (param_11[0] > param_10[0]);
         } else {
-            phi_292_ = false;
+            phi_294_ = false;
         }
-        let _e14 = phi_292_;
-        phi_293_ = _e14;
+        let _e14 = phi_294_;
+        phi_295_ = _e14;
     }
-    let _e16 = phi_293_;
+    let _e16 = phi_295_;
     if _e16 {
-        phi_297_ = param_11;
+        phi_299_ = param_11;
     } else {
-        phi_297_ = param_10;
+        phi_299_ = param_10;
     }
-    let _e18 = phi_297_;
+    let _e18 = phi_299_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_37;
-    var local_1: type_37;
-    var local_2: type_37;
-    var phi_344_: u32;
-    var phi_385_: u32;
-    var phi_386_: u32;
-    var phi_394_: u32;
-    var phi_410_: u32;
-    var phi_431_: u32;
-    var phi_432_: u32;
-    var phi_435_: type_9;
-    var phi_436_: type_9;
-    var phi_459_: type_9;
-    var phi_500_: u32;
-    var phi_501_: u32;
-    var phi_509_: u32;
-    var phi_521_: u32;
-    var phi_606_: array<u32, 2>;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_809_: type_27;
-    var phi_822_: type_9;
-    var phi_825_: u32;
-    var phi_823_: type_9;
-    var phi_848_: type_9;
-    var phi_914_: bool;
-    var phi_915_: bool;
-    var phi_916_: bool;
-    var phi_920_: bool;
-    var phi_938_: u32;
-    var phi_939_: u32;
-    var phi_940_: u32;
-    var phi_826_: u32;
-    var phi_943_: type_9;
+    var local: type_39;
+    var local_1: type_39;
+    var local_2: type_39;
+    var phi_346_: u32;
+    var phi_387_: u32;
+    var phi_388_: u32;
+    var phi_396_: u32;
+    var phi_412_: u32;
+    var phi_433_: u32;
+    var phi_434_: u32;
+    var phi_437_: type_9;
+    var phi_438_: type_9;
+    var phi_461_: type_9;
+    var phi_502_: u32;
+    var phi_503_: u32;
+    var phi_511_: u32;
+    var phi_523_: u32;
+    var phi_608_: array<u32, 2>;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_817_: type_31;
+    var phi_830_: type_9;
+    var phi_833_: u32;
+    var phi_831_: type_9;
+    var phi_856_: type_9;
+    var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_928_: bool;
     var phi_946_: u32;
-    var phi_944_: type_9;
-    var phi_969_: type_9;
-    var phi_1077_: bool;
-    var phi_1083_: bool;
-    var phi_1089_: bool;
-    var phi_1090_: bool;
-    var phi_1136_: bool;
-    var phi_1143_: bool;
-    var phi_1147_: bool;
-    var phi_1283_: bool;
-    var phi_1284_: bool;
-    var phi_1377_: bool;
-    var phi_1378_: bool;
-    var phi_1472_: bool;
-    var phi_1473_: bool;
-    var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_834_: u32;
+    var phi_951_: type_9;
+    var phi_954_: u32;
+    var phi_952_: type_9;
+    var phi_977_: type_9;
+    var phi_1097_: bool;
+    var phi_1103_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1156_: bool;
+    var phi_1163_: bool;
+    var phi_1167_: bool;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1670_: bool;
+    var phi_1671_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
     var phi_1769_: bool;
     var phi_1770_: bool;
     var phi_1771_: bool;
     var phi_1775_: bool;
-    var phi_1794_: type_9;
-    var phi_1837_: u32;
-    var phi_1838_: bool;
-    var phi_947_: u32;
-    var phi_1839_: bool;
-    var phi_1846_: u32;
-    var phi_1849_: type_9;
-    var phi_1850_: type_9;
-    var phi_1873_: type_9;
-    var phi_1989_: bool;
-    var phi_1995_: bool;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
-    var phi_2048_: bool;
-    var phi_2055_: bool;
-    var phi_2059_: bool;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2289_: bool;
-    var phi_2290_: bool;
-    var phi_2384_: bool;
-    var phi_2385_: bool;
-    var phi_2478_: bool;
-    var phi_2479_: bool;
-    var phi_2574_: bool;
-    var phi_2575_: bool;
-    var phi_2668_: bool;
-    var phi_2669_: bool;
-    var phi_2673_: bool;
-    var phi_2674_: bool;
-    var phi_2675_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1783_: bool;
+    var phi_1802_: type_9;
+    var phi_1845_: u32;
+    var phi_1846_: bool;
+    var phi_955_: u32;
+    var phi_1847_: bool;
+    var phi_1854_: u32;
+    var phi_1857_: type_9;
+    var phi_1858_: type_9;
+    var phi_1881_: type_9;
+    var phi_2009_: bool;
+    var phi_2015_: bool;
+    var phi_2021_: bool;
+    var phi_2022_: bool;
+    var phi_2068_: bool;
+    var phi_2075_: bool;
+    var phi_2079_: bool;
+    var phi_2203_: bool;
+    var phi_2204_: bool;
+    var phi_2297_: bool;
+    var phi_2298_: bool;
+    var phi_2392_: bool;
+    var phi_2393_: bool;
+    var phi_2486_: bool;
+    var phi_2487_: bool;
+    var phi_2582_: bool;
+    var phi_2583_: bool;
+    var phi_2676_: bool;
+    var phi_2677_: bool;
     var phi_2681_: bool;
     var phi_2682_: bool;
     var phi_2683_: bool;
     var phi_2687_: bool;
-    var phi_2700_: type_23;
-    var phi_2701_: type_23;
-    var phi_3090_: f32;
-    var phi_3097_: f32;
-    var phi_3102_: f32;
-    var phi_3109_: f32;
-    var phi_3114_: f32;
-    var phi_3127_: f32;
-    var phi_3134_: f32;
-    var phi_3139_: f32;
-    var phi_3146_: f32;
-    var phi_3151_: f32;
-    var phi_3156_: f32;
-    var phi_3173_: f32;
-    var phi_3180_: f32;
-    var phi_3185_: f32;
-    var phi_3192_: f32;
-    var phi_3197_: f32;
-    var phi_3211_: f32;
-    var phi_3218_: f32;
-    var phi_3223_: f32;
-    var phi_3230_: f32;
-    var phi_3235_: f32;
-    var phi_3240_: f32;
-    var phi_3257_: f32;
-    var phi_3264_: f32;
-    var phi_3269_: f32;
-    var phi_3276_: f32;
-    var phi_3281_: f32;
-    var phi_3295_: f32;
-    var phi_3302_: f32;
-    var phi_3307_: f32;
-    var phi_3314_: f32;
-    var phi_3319_: f32;
-    var phi_3324_: f32;
-    var phi_3355_: f32;
-    var phi_3361_: f32;
-    var phi_3368_: f32;
-    var phi_3375_: f32;
-    var phi_3381_: f32;
-    var phi_3388_: f32;
-    var phi_3394_: f32;
-    var phi_3400_: f32;
-    var phi_3406_: f32;
-    var phi_3413_: f32;
-    var phi_3420_: f32;
-    var phi_3444_: f32;
-    var phi_3449_: f32;
-    var phi_3454_: f32;
-    var phi_3459_: f32;
-    var phi_3464_: f32;
-    var phi_3469_: f32;
-    var phi_3479_: f32;
-    var phi_3682_: f32;
-    var phi_3689_: f32;
-    var phi_3694_: f32;
-    var phi_3701_: f32;
-    var phi_3706_: f32;
-    var phi_3719_: f32;
-    var phi_3726_: f32;
-    var phi_3731_: f32;
-    var phi_3738_: f32;
-    var phi_3743_: f32;
-    var phi_3748_: f32;
-    var phi_3765_: f32;
-    var phi_3772_: f32;
-    var phi_3777_: f32;
-    var phi_3784_: f32;
-    var phi_3789_: f32;
-    var phi_3803_: f32;
-    var phi_3810_: f32;
-    var phi_3815_: f32;
-    var phi_3822_: f32;
-    var phi_3827_: f32;
-    var phi_3832_: f32;
-    var phi_3849_: f32;
-    var phi_3856_: f32;
-    var phi_3861_: f32;
-    var phi_3868_: f32;
-    var phi_3873_: f32;
-    var phi_3887_: f32;
-    var phi_3894_: f32;
-    var phi_3899_: f32;
-    var phi_3906_: f32;
-    var phi_3911_: f32;
-    var phi_3916_: f32;
-    var phi_3995_: f32;
-    var phi_4000_: f32;
-    var phi_4005_: f32;
-    var phi_4010_: f32;
-    var phi_4015_: f32;
-    var phi_4020_: f32;
-    var phi_4025_: f32;
-    var phi_4030_: f32;
-    var phi_4035_: f32;
-    var phi_4040_: f32;
-    var phi_4045_: f32;
-    var phi_4050_: f32;
-    var phi_4055_: f32;
-    var phi_4060_: f32;
-    var phi_4066_: f32;
-    var phi_4072_: f32;
-    var phi_4079_: f32;
-    var phi_4090_: f32;
-    var phi_4161_: f32;
-    var phi_4166_: f32;
-    var phi_4171_: f32;
-    var phi_4176_: f32;
-    var phi_4181_: f32;
-    var phi_4186_: f32;
-    var phi_4191_: f32;
-    var phi_4196_: f32;
-    var phi_4201_: f32;
-    var phi_4206_: f32;
-    var phi_4211_: f32;
-    var phi_4216_: f32;
-    var phi_4221_: f32;
-    var phi_4226_: f32;
-    var phi_4232_: f32;
-    var phi_4238_: f32;
-    var phi_4245_: f32;
-    var phi_4256_: f32;
-    var phi_4266_: f32;
-    var phi_4448_: bool;
-    var phi_4900_: f32;
-    var phi_4907_: f32;
-    var phi_4912_: f32;
-    var phi_4919_: f32;
-    var phi_4924_: f32;
-    var phi_4937_: f32;
-    var phi_4944_: f32;
-    var phi_4949_: f32;
-    var phi_4956_: f32;
-    var phi_4961_: f32;
-    var phi_4966_: f32;
-    var phi_4983_: f32;
-    var phi_4990_: f32;
-    var phi_4995_: f32;
-    var phi_5002_: f32;
-    var phi_5007_: f32;
-    var phi_5021_: f32;
-    var phi_5028_: f32;
-    var phi_5033_: f32;
-    var phi_5040_: f32;
-    var phi_5045_: f32;
-    var phi_5050_: f32;
-    var phi_5067_: f32;
-    var phi_5074_: f32;
-    var phi_5079_: f32;
-    var phi_5086_: f32;
-    var phi_5091_: f32;
-    var phi_5105_: f32;
-    var phi_5112_: f32;
-    var phi_5117_: f32;
-    var phi_5124_: f32;
-    var phi_5129_: f32;
-    var phi_5134_: f32;
-    var phi_5165_: f32;
-    var phi_5171_: f32;
-    var phi_5178_: f32;
-    var phi_5185_: f32;
-    var phi_5191_: f32;
-    var phi_5198_: f32;
-    var phi_5204_: f32;
-    var phi_5210_: f32;
-    var phi_5216_: f32;
-    var phi_5223_: f32;
-    var phi_5230_: f32;
-    var phi_5254_: f32;
-    var phi_5259_: f32;
-    var phi_5264_: f32;
-    var phi_5269_: f32;
-    var phi_5274_: f32;
-    var phi_5279_: f32;
-    var phi_5289_: f32;
-    var phi_5492_: f32;
-    var phi_5499_: f32;
-    var phi_5504_: f32;
-    var phi_5511_: f32;
-    var phi_5516_: f32;
-    var phi_5529_: f32;
-    var phi_5536_: f32;
-    var phi_5541_: f32;
-    var phi_5548_: f32;
-    var phi_5553_: f32;
-    var phi_5558_: f32;
-    var phi_5575_: f32;
-    var phi_5582_: f32;
-    var phi_5587_: f32;
-    var phi_5594_: f32;
-    var phi_5599_: f32;
-    var phi_5613_: f32;
-    var phi_5620_: f32;
-    var phi_5625_: f32;
-    var phi_5632_: f32;
-    var phi_5637_: f32;
-    var phi_5642_: f32;
-    var phi_5659_: f32;
-    var phi_5666_: f32;
-    var phi_5671_: f32;
-    var phi_5678_: f32;
-    var phi_5683_: f32;
-    var phi_5697_: f32;
-    var phi_5704_: f32;
-    var phi_5709_: f32;
-    var phi_5716_: f32;
-    var phi_5721_: f32;
-    var phi_5726_: f32;
-    var phi_5805_: f32;
-    var phi_5810_: f32;
-    var phi_5815_: f32;
-    var phi_5820_: f32;
-    var phi_5825_: f32;
-    var phi_5830_: f32;
-    var phi_5835_: f32;
-    var phi_5840_: f32;
-    var phi_5845_: f32;
-    var phi_5850_: f32;
-    var phi_5855_: f32;
-    var phi_5860_: f32;
-    var phi_5865_: f32;
-    var phi_5870_: f32;
-    var phi_5876_: f32;
-    var phi_5882_: f32;
-    var phi_5889_: f32;
-    var phi_5900_: f32;
-    var phi_5971_: f32;
-    var phi_5976_: f32;
-    var phi_5981_: f32;
-    var phi_5986_: f32;
-    var phi_5991_: f32;
-    var phi_5996_: f32;
-    var phi_6001_: f32;
-    var phi_6006_: f32;
-    var phi_6011_: f32;
-    var phi_6016_: f32;
-    var phi_6021_: f32;
-    var phi_6026_: f32;
-    var phi_6031_: f32;
-    var phi_6036_: f32;
-    var phi_6042_: f32;
-    var phi_6048_: f32;
-    var phi_6055_: f32;
-    var phi_6066_: f32;
-    var phi_6076_: f32;
-    var phi_6258_: bool;
-    var phi_6503_: f32;
-    var phi_6510_: f32;
-    var phi_6515_: f32;
-    var phi_6522_: f32;
-    var phi_6527_: f32;
-    var phi_6540_: f32;
-    var phi_6547_: f32;
-    var phi_6552_: f32;
-    var phi_6559_: f32;
-    var phi_6564_: f32;
-    var phi_6569_: f32;
-    var phi_6586_: f32;
-    var phi_6593_: f32;
-    var phi_6598_: f32;
-    var phi_6605_: f32;
-    var phi_6610_: f32;
-    var phi_6624_: f32;
-    var phi_6631_: f32;
-    var phi_6636_: f32;
-    var phi_6643_: f32;
-    var phi_6648_: f32;
-    var phi_6653_: f32;
-    var phi_6670_: f32;
-    var phi_6677_: f32;
-    var phi_6682_: f32;
-    var phi_6689_: f32;
-    var phi_6694_: f32;
-    var phi_6708_: f32;
-    var phi_6715_: f32;
-    var phi_6720_: f32;
-    var phi_6727_: f32;
-    var phi_6732_: f32;
-    var phi_6737_: f32;
-    var phi_6768_: f32;
-    var phi_6774_: f32;
-    var phi_6781_: f32;
-    var phi_6788_: f32;
-    var phi_6794_: f32;
-    var phi_6801_: f32;
-    var phi_6807_: f32;
-    var phi_6813_: f32;
-    var phi_6819_: f32;
-    var phi_6826_: f32;
-    var phi_6833_: f32;
-    var phi_6857_: f32;
-    var phi_6862_: f32;
-    var phi_6867_: f32;
-    var phi_6872_: f32;
-    var phi_6877_: f32;
-    var phi_6882_: f32;
-    var phi_6892_: f32;
-    var phi_7095_: f32;
-    var phi_7102_: f32;
-    var phi_7107_: f32;
-    var phi_7114_: f32;
-    var phi_7119_: f32;
-    var phi_7132_: f32;
-    var phi_7139_: f32;
-    var phi_7144_: f32;
-    var phi_7151_: f32;
-    var phi_7156_: f32;
-    var phi_7161_: f32;
-    var phi_7178_: f32;
-    var phi_7185_: f32;
-    var phi_7190_: f32;
-    var phi_7197_: f32;
-    var phi_7202_: f32;
-    var phi_7216_: f32;
-    var phi_7223_: f32;
-    var phi_7228_: f32;
-    var phi_7235_: f32;
-    var phi_7240_: f32;
-    var phi_7245_: f32;
-    var phi_7262_: f32;
-    var phi_7269_: f32;
-    var phi_7274_: f32;
-    var phi_7281_: f32;
-    var phi_7286_: f32;
-    var phi_7300_: f32;
-    var phi_7307_: f32;
-    var phi_7312_: f32;
-    var phi_7319_: f32;
-    var phi_7324_: f32;
-    var phi_7329_: f32;
-    var phi_7408_: f32;
-    var phi_7413_: f32;
-    var phi_7418_: f32;
-    var phi_7423_: f32;
-    var phi_7428_: f32;
-    var phi_7433_: f32;
-    var phi_7438_: f32;
-    var phi_7443_: f32;
-    var phi_7448_: f32;
-    var phi_7453_: f32;
-    var phi_7458_: f32;
-    var phi_7463_: f32;
-    var phi_7468_: f32;
-    var phi_7473_: f32;
-    var phi_7479_: f32;
-    var phi_7485_: f32;
-    var phi_7492_: f32;
-    var phi_7503_: f32;
-    var phi_7574_: f32;
-    var phi_7579_: f32;
-    var phi_7584_: f32;
-    var phi_7589_: f32;
-    var phi_7594_: f32;
-    var phi_7599_: f32;
-    var phi_7604_: f32;
-    var phi_7609_: f32;
-    var phi_7614_: f32;
-    var phi_7619_: f32;
-    var phi_7624_: f32;
-    var phi_7629_: f32;
-    var phi_7634_: f32;
-    var phi_7639_: f32;
-    var phi_7645_: f32;
-    var phi_7651_: f32;
-    var phi_7658_: f32;
-    var phi_7669_: f32;
-    var phi_7679_: f32;
-    var phi_7861_: bool;
-    var phi_7863_: bool;
-    var phi_7865_: bool;
-    var phi_7876_: bool;
-    var phi_7877_: bool;
-    var phi_7927_: type_9;
-    var phi_7928_: type_9;
-    var phi_7951_: type_9;
-    var phi_7974_: u32;
-    var phi_8029_: type_9;
-    var phi_8048_: bool;
-    var phi_8049_: bool;
+    var phi_2688_: bool;
+    var phi_2689_: bool;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2695_: bool;
+    var phi_2708_: type_23;
+    var phi_2709_: type_23;
+    var phi_3098_: f32;
+    var phi_3105_: f32;
+    var phi_3110_: f32;
+    var phi_3117_: f32;
+    var phi_3122_: f32;
+    var phi_3135_: f32;
+    var phi_3142_: f32;
+    var phi_3147_: f32;
+    var phi_3154_: f32;
+    var phi_3159_: f32;
+    var phi_3164_: f32;
+    var phi_3181_: f32;
+    var phi_3188_: f32;
+    var phi_3193_: f32;
+    var phi_3200_: f32;
+    var phi_3205_: f32;
+    var phi_3219_: f32;
+    var phi_3226_: f32;
+    var phi_3231_: f32;
+    var phi_3238_: f32;
+    var phi_3243_: f32;
+    var phi_3248_: f32;
+    var phi_3265_: f32;
+    var phi_3272_: f32;
+    var phi_3277_: f32;
+    var phi_3284_: f32;
+    var phi_3289_: f32;
+    var phi_3303_: f32;
+    var phi_3310_: f32;
+    var phi_3315_: f32;
+    var phi_3322_: f32;
+    var phi_3327_: f32;
+    var phi_3332_: f32;
+    var phi_3363_: f32;
+    var phi_3369_: f32;
+    var phi_3376_: f32;
+    var phi_3383_: f32;
+    var phi_3389_: f32;
+    var phi_3396_: f32;
+    var phi_3402_: f32;
+    var phi_3408_: f32;
+    var phi_3414_: f32;
+    var phi_3421_: f32;
+    var phi_3428_: f32;
+    var phi_3452_: f32;
+    var phi_3457_: f32;
+    var phi_3462_: f32;
+    var phi_3467_: f32;
+    var phi_3472_: f32;
+    var phi_3477_: f32;
+    var phi_3487_: f32;
+    var phi_3690_: f32;
+    var phi_3697_: f32;
+    var phi_3702_: f32;
+    var phi_3709_: f32;
+    var phi_3714_: f32;
+    var phi_3727_: f32;
+    var phi_3734_: f32;
+    var phi_3739_: f32;
+    var phi_3746_: f32;
+    var phi_3751_: f32;
+    var phi_3756_: f32;
+    var phi_3773_: f32;
+    var phi_3780_: f32;
+    var phi_3785_: f32;
+    var phi_3792_: f32;
+    var phi_3797_: f32;
+    var phi_3811_: f32;
+    var phi_3818_: f32;
+    var phi_3823_: f32;
+    var phi_3830_: f32;
+    var phi_3835_: f32;
+    var phi_3840_: f32;
+    var phi_3857_: f32;
+    var phi_3864_: f32;
+    var phi_3869_: f32;
+    var phi_3876_: f32;
+    var phi_3881_: f32;
+    var phi_3895_: f32;
+    var phi_3902_: f32;
+    var phi_3907_: f32;
+    var phi_3914_: f32;
+    var phi_3919_: f32;
+    var phi_3924_: f32;
+    var phi_4003_: f32;
+    var phi_4008_: f32;
+    var phi_4013_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4028_: f32;
+    var phi_4033_: f32;
+    var phi_4038_: f32;
+    var phi_4043_: f32;
+    var phi_4048_: f32;
+    var phi_4053_: f32;
+    var phi_4058_: f32;
+    var phi_4063_: f32;
+    var phi_4068_: f32;
+    var phi_4074_: f32;
+    var phi_4080_: f32;
+    var phi_4087_: f32;
+    var phi_4098_: f32;
+    var phi_4169_: f32;
+    var phi_4174_: f32;
+    var phi_4179_: f32;
+    var phi_4184_: f32;
+    var phi_4189_: f32;
+    var phi_4194_: f32;
+    var phi_4199_: f32;
+    var phi_4204_: f32;
+    var phi_4209_: f32;
+    var phi_4214_: f32;
+    var phi_4219_: f32;
+    var phi_4224_: f32;
+    var phi_4229_: f32;
+    var phi_4234_: f32;
+    var phi_4240_: f32;
+    var phi_4246_: f32;
+    var phi_4253_: f32;
+    var phi_4264_: f32;
+    var phi_4274_: f32;
+    var phi_4456_: bool;
+    var phi_4908_: f32;
+    var phi_4915_: f32;
+    var phi_4920_: f32;
+    var phi_4927_: f32;
+    var phi_4932_: f32;
+    var phi_4945_: f32;
+    var phi_4952_: f32;
+    var phi_4957_: f32;
+    var phi_4964_: f32;
+    var phi_4969_: f32;
+    var phi_4974_: f32;
+    var phi_4991_: f32;
+    var phi_4998_: f32;
+    var phi_5003_: f32;
+    var phi_5010_: f32;
+    var phi_5015_: f32;
+    var phi_5029_: f32;
+    var phi_5036_: f32;
+    var phi_5041_: f32;
+    var phi_5048_: f32;
+    var phi_5053_: f32;
+    var phi_5058_: f32;
+    var phi_5075_: f32;
+    var phi_5082_: f32;
+    var phi_5087_: f32;
+    var phi_5094_: f32;
+    var phi_5099_: f32;
+    var phi_5113_: f32;
+    var phi_5120_: f32;
+    var phi_5125_: f32;
+    var phi_5132_: f32;
+    var phi_5137_: f32;
+    var phi_5142_: f32;
+    var phi_5173_: f32;
+    var phi_5179_: f32;
+    var phi_5186_: f32;
+    var phi_5193_: f32;
+    var phi_5199_: f32;
+    var phi_5206_: f32;
+    var phi_5212_: f32;
+    var phi_5218_: f32;
+    var phi_5224_: f32;
+    var phi_5231_: f32;
+    var phi_5238_: f32;
+    var phi_5262_: f32;
+    var phi_5267_: f32;
+    var phi_5272_: f32;
+    var phi_5277_: f32;
+    var phi_5282_: f32;
+    var phi_5287_: f32;
+    var phi_5297_: f32;
+    var phi_5500_: f32;
+    var phi_5507_: f32;
+    var phi_5512_: f32;
+    var phi_5519_: f32;
+    var phi_5524_: f32;
+    var phi_5537_: f32;
+    var phi_5544_: f32;
+    var phi_5549_: f32;
+    var phi_5556_: f32;
+    var phi_5561_: f32;
+    var phi_5566_: f32;
+    var phi_5583_: f32;
+    var phi_5590_: f32;
+    var phi_5595_: f32;
+    var phi_5602_: f32;
+    var phi_5607_: f32;
+    var phi_5621_: f32;
+    var phi_5628_: f32;
+    var phi_5633_: f32;
+    var phi_5640_: f32;
+    var phi_5645_: f32;
+    var phi_5650_: f32;
+    var phi_5667_: f32;
+    var phi_5674_: f32;
+    var phi_5679_: f32;
+    var phi_5686_: f32;
+    var phi_5691_: f32;
+    var phi_5705_: f32;
+    var phi_5712_: f32;
+    var phi_5717_: f32;
+    var phi_5724_: f32;
+    var phi_5729_: f32;
+    var phi_5734_: f32;
+    var phi_5813_: f32;
+    var phi_5818_: f32;
+    var phi_5823_: f32;
+    var phi_5828_: f32;
+    var phi_5833_: f32;
+    var phi_5838_: f32;
+    var phi_5843_: f32;
+    var phi_5848_: f32;
+    var phi_5853_: f32;
+    var phi_5858_: f32;
+    var phi_5863_: f32;
+    var phi_5868_: f32;
+    var phi_5873_: f32;
+    var phi_5878_: f32;
+    var phi_5884_: f32;
+    var phi_5890_: f32;
+    var phi_5897_: f32;
+    var phi_5908_: f32;
+    var phi_5979_: f32;
+    var phi_5984_: f32;
+    var phi_5989_: f32;
+    var phi_5994_: f32;
+    var phi_5999_: f32;
+    var phi_6004_: f32;
+    var phi_6009_: f32;
+    var phi_6014_: f32;
+    var phi_6019_: f32;
+    var phi_6024_: f32;
+    var phi_6029_: f32;
+    var phi_6034_: f32;
+    var phi_6039_: f32;
+    var phi_6044_: f32;
+    var phi_6050_: f32;
+    var phi_6056_: f32;
+    var phi_6063_: f32;
+    var phi_6074_: f32;
+    var phi_6084_: f32;
+    var phi_6266_: bool;
+    var phi_6511_: f32;
+    var phi_6518_: f32;
+    var phi_6523_: f32;
+    var phi_6530_: f32;
+    var phi_6535_: f32;
+    var phi_6548_: f32;
+    var phi_6555_: f32;
+    var phi_6560_: f32;
+    var phi_6567_: f32;
+    var phi_6572_: f32;
+    var phi_6577_: f32;
+    var phi_6594_: f32;
+    var phi_6601_: f32;
+    var phi_6606_: f32;
+    var phi_6613_: f32;
+    var phi_6618_: f32;
+    var phi_6632_: f32;
+    var phi_6639_: f32;
+    var phi_6644_: f32;
+    var phi_6651_: f32;
+    var phi_6656_: f32;
+    var phi_6661_: f32;
+    var phi_6678_: f32;
+    var phi_6685_: f32;
+    var phi_6690_: f32;
+    var phi_6697_: f32;
+    var phi_6702_: f32;
+    var phi_6716_: f32;
+    var phi_6723_: f32;
+    var phi_6728_: f32;
+    var phi_6735_: f32;
+    var phi_6740_: f32;
+    var phi_6745_: f32;
+    var phi_6776_: f32;
+    var phi_6782_: f32;
+    var phi_6789_: f32;
+    var phi_6796_: f32;
+    var phi_6802_: f32;
+    var phi_6809_: f32;
+    var phi_6815_: f32;
+    var phi_6821_: f32;
+    var phi_6827_: f32;
+    var phi_6834_: f32;
+    var phi_6841_: f32;
+    var phi_6865_: f32;
+    var phi_6870_: f32;
+    var phi_6875_: f32;
+    var phi_6880_: f32;
+    var phi_6885_: f32;
+    var phi_6890_: f32;
+    var phi_6900_: f32;
+    var phi_7103_: f32;
+    var phi_7110_: f32;
+    var phi_7115_: f32;
+    var phi_7122_: f32;
+    var phi_7127_: f32;
+    var phi_7140_: f32;
+    var phi_7147_: f32;
+    var phi_7152_: f32;
+    var phi_7159_: f32;
+    var phi_7164_: f32;
+    var phi_7169_: f32;
+    var phi_7186_: f32;
+    var phi_7193_: f32;
+    var phi_7198_: f32;
+    var phi_7205_: f32;
+    var phi_7210_: f32;
+    var phi_7224_: f32;
+    var phi_7231_: f32;
+    var phi_7236_: f32;
+    var phi_7243_: f32;
+    var phi_7248_: f32;
+    var phi_7253_: f32;
+    var phi_7270_: f32;
+    var phi_7277_: f32;
+    var phi_7282_: f32;
+    var phi_7289_: f32;
+    var phi_7294_: f32;
+    var phi_7308_: f32;
+    var phi_7315_: f32;
+    var phi_7320_: f32;
+    var phi_7327_: f32;
+    var phi_7332_: f32;
+    var phi_7337_: f32;
+    var phi_7416_: f32;
+    var phi_7421_: f32;
+    var phi_7426_: f32;
+    var phi_7431_: f32;
+    var phi_7436_: f32;
+    var phi_7441_: f32;
+    var phi_7446_: f32;
+    var phi_7451_: f32;
+    var phi_7456_: f32;
+    var phi_7461_: f32;
+    var phi_7466_: f32;
+    var phi_7471_: f32;
+    var phi_7476_: f32;
+    var phi_7481_: f32;
+    var phi_7487_: f32;
+    var phi_7493_: f32;
+    var phi_7500_: f32;
+    var phi_7511_: f32;
+    var phi_7582_: f32;
+    var phi_7587_: f32;
+    var phi_7592_: f32;
+    var phi_7597_: f32;
+    var phi_7602_: f32;
+    var phi_7607_: f32;
+    var phi_7612_: f32;
+    var phi_7617_: f32;
+    var phi_7622_: f32;
+    var phi_7627_: f32;
+    var phi_7632_: f32;
+    var phi_7637_: f32;
+    var phi_7642_: f32;
+    var phi_7647_: f32;
+    var phi_7653_: f32;
+    var phi_7659_: f32;
+    var phi_7666_: f32;
+    var phi_7677_: f32;
+    var phi_7687_: f32;
+    var phi_7869_: bool;
+    var phi_7871_: bool;
+    var phi_7873_: bool;
+    var phi_7884_: bool;
+    var phi_7885_: bool;
+    var phi_7935_: type_9;
+    var phi_7936_: type_9;
+    var phi_7959_: type_9;
+    var phi_7982_: u32;
+    var phi_8037_: type_9;
+    var phi_8056_: bool;
+    var phi_8057_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -765,11 +771,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e86 = params.member.member_1.member_2;
     let _e88 = input.member[0u];
     if (_e86 < _e88) {
-        phi_344_ = _e86;
+        phi_346_ = _e86;
     } else {
-        phi_344_ = _e88;
+        phi_346_ = _e88;
     }
-    let _e91 = phi_344_;
+    let _e91 = phi_346_;
     let _e92 = (_e67 / 32u);
     let _e93 = (_e67 % 32u);
     let _e96 = params.member.member_1.member_1;
@@ -785,30 +791,30 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e101 % _e104) > 0u) {
-            phi_385_ = (_e106 + 1u);
+            phi_387_ = (_e106 + 1u);
         } else {
-            phi_385_ = _e106;
+            phi_387_ = _e106;
         }
-        let _e112 = phi_385_;
-        phi_386_ = _e112;
+        let _e112 = phi_387_;
+        phi_388_ = _e112;
     } else {
-        phi_386_ = 0u;
+        phi_388_ = 0u;
     }
-    let _e114 = phi_386_;
+    let _e114 = phi_388_;
     let _e117 = params.member.member_2.member_4;
     if (_e117 < _e114) {
-        phi_394_ = _e117;
+        phi_396_ = _e117;
     } else {
-        phi_394_ = _e114;
+        phi_396_ = _e114;
     }
-    let _e120 = phi_394_;
+    let _e120 = phi_396_;
     let _e121 = (_e120 / 4u);
     if ((_e120 % 4u) > 0u) {
-        phi_410_ = (_e121 + 1u);
+        phi_412_ = (_e121 + 1u);
     } else {
-        phi_410_ = _e121;
+        phi_412_ = _e121;
     }
-    let _e126 = phi_410_;
+    let _e126 = phi_412_;
     if (_e126 > _e80) {
         let _e128 = (_e126 - _e80);
         if (_e83 == 0u) {
@@ -819,28 +825,28 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e128 % _e83) > 0u) {
-            phi_431_ = (_e130 + 1u);
+            phi_433_ = (_e130 + 1u);
         } else {
-            phi_431_ = _e130;
+            phi_433_ = _e130;
         }
-        let _e136 = phi_431_;
-        phi_432_ = _e136;
+        let _e136 = phi_433_;
+        phi_434_ = _e136;
     } else {
-        phi_432_ = 0u;
+        phi_434_ = 0u;
     }
-    let _e138 = phi_432_;
-    phi_435_ = type_9(0u, _e138);
+    let _e138 = phi_434_;
+    phi_437_ = type_9(0u, _e138);
     loop {
-        let _e141 = phi_435_;
+        let _e141 = phi_437_;
         if (_e141.member < _e141.member_1) {
-            phi_436_ = type_9((_e141.member + 1u), _e141.member_1);
-            phi_459_ = type_9(1u, _e141.member);
+            phi_438_ = type_9((_e141.member + 1u), _e141.member_1);
+            phi_461_ = type_9(1u, _e141.member);
         } else {
-            phi_436_ = _e141;
-            phi_459_ = type_9(0u, type_9().member_1);
+            phi_438_ = _e141;
+            phi_461_ = type_9(0u, type_9().member_1);
         }
-        let _e153 = phi_436_;
-        let _e155 = phi_459_;
+        let _e153 = phi_438_;
+        let _e155 = phi_461_;
         let _e159 = (bitcast<i32>(_e155.member) != 0i);
         if _e159 {
             let _e163 = (((_e80 + (_e155.member_1 * _e83)) * 4u) + _e92);
@@ -857,32 +863,32 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e171 % _e174) > 0u) {
-                    phi_500_ = (_e176 + 1u);
+                    phi_502_ = (_e176 + 1u);
                 } else {
-                    phi_500_ = _e176;
+                    phi_502_ = _e176;
                 }
-                let _e182 = phi_500_;
-                phi_501_ = _e182;
+                let _e182 = phi_502_;
+                phi_503_ = _e182;
             } else {
-                phi_501_ = 0u;
+                phi_503_ = 0u;
             }
-            let _e184 = phi_501_;
+            let _e184 = phi_503_;
             let _e187 = params.member.member_2.member_4;
             if (_e187 < _e184) {
-                phi_509_ = _e187;
+                phi_511_ = _e187;
             } else {
-                phi_509_ = _e184;
+                phi_511_ = _e184;
             }
-            let _e190 = phi_509_;
+            let _e190 = phi_511_;
             let _e191 = (_e163 < _e190);
             let _e194 = params.member.member_1.member_1;
             if _e191 {
                 let _e197 = params.member.member_2.member_3;
-                phi_521_ = (_e163 * _e197);
+                phi_523_ = (_e163 * _e197);
             } else {
-                phi_521_ = 0u;
+                phi_523_ = 0u;
             }
-            let _e200 = phi_521_;
+            let _e200 = phi_523_;
             let _e202 = (2u * (_e194 + _e200));
             let _e205 = input.member[(4u + _e202)];
             let _e208 = input.member[(_e202 + 5u)];
@@ -900,3413 +906,3413 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e233 = params.member.member_2.member_1;
             if (_e233 == 0u) {
-                phi_606_ = array<u32, 2>(0u, 2u);
+                phi_608_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_606_ = array<u32, 2>(1u, 1u);
+                phi_608_ = array<u32, 2>(1u, 1u);
             }
-            let _e236 = phi_606_;
+            let _e236 = phi_608_;
             let _e239 = (_e67 / 32u);
             let _e240 = (_e67 % 32u);
             let _e244 = params.member.member_2.member_2;
             let _e248 = params.member.member_2.member[_e244][_e236[0]];
             let _e251 = nodes.member[(_e248 + _e205)];
-            let _e255 = params.member.member_2.member_2;
-            let _e259 = params.member.member_2.member[_e255][_e236[1]];
-            let _e262 = nodes.member[(_e259 + _e208)];
-            let _e266 = params.member.member_2.member_2;
-            let _e273 = params.member.member_2.member[(_e266 - 1u)][_e236[0]];
-            let _e276 = nodes.member[(_e273 + ((_e205 * 32u) + _e240))];
-            let _e280 = params.member.member_2.member_2;
-            let _e287 = params.member.member_2.member[(_e280 - 1u)][_e236[1]];
-            let _e290 = nodes.member[(_e287 + ((_e208 * 32u) + _e240))];
+            let _e267 = params.member.member_2.member_2;
+            let _e271 = params.member.member_2.member[_e267][_e236[1]];
+            let _e274 = nodes.member[(_e271 + _e208)];
+            let _e290 = params.member.member_2.member_2;
+            let _e297 = params.member.member_2.member[(_e290 - 1u)][_e236[0]];
+            let _e300 = nodes.member[(_e297 + ((_e205 * 32u) + _e240))];
+            let _e319 = params.member.member_2.member_2;
+            let _e326 = params.member.member_2.member[(_e319 - 1u)][_e236[1]];
+            let _e329 = nodes.member[(_e326 + ((_e208 * 32u) + _e240))];
             if _e191 {
-                if ((((((_e290.member[0] <= _e251.member_1[0]) && (_e251.member[0] <= _e290.member_1[0])) && (_e290.member[1] <= _e251.member_1[1])) && (_e251.member[1] <= _e290.member_1[1])) && (_e290.member[2] <= _e251.member_1[2])) && (_e251.member[2] <= _e290.member_1[2])) {
-                    let _e328 = atomicAdd((&counters[_e239]), 1u);
-                    let _e329 = ((_e239 * 32u) + _e328);
-                    columns[_e329] = type_27(array<f32, 3>(_e290.member[0], _e290.member[1], _e290.member[2]), array<f32, 3>(_e290.member_1[0], _e290.member_1[1], _e290.member_1[2]));
-                    names[_e329] = _e240;
+                if ((((((_e329.member.x <= _e251.member_1.y) && (_e251.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e251.member_2.x)) && (_e251.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e251.member_2.y)) && (_e251.member_1.x <= _e329.member_2.y)) {
+                    let _e355 = atomicAdd((&counters[_e239]), 1u);
+                    let _e356 = ((_e239 * 32u) + _e355);
+                    columns[_e356] = type_31(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
+                    names[_e356] = _e240;
                 }
             }
             workgroupBarrier();
             if _e191 {
-                if ((((((_e276.member[0] <= _e262.member_1[0]) && (_e262.member[0] <= _e276.member_1[0])) && (_e276.member[1] <= _e262.member_1[1])) && (_e262.member[1] <= _e276.member_1[1])) && (_e276.member[2] <= _e262.member_1[2])) && (_e262.member[2] <= _e276.member_1[2])) {
-                    phi_804_ = false;
+                if ((((((_e300.member.x <= _e274.member_1.y) && (_e274.member.x <= _e300.member_1.y)) && (_e300.member.y <= _e274.member_2.x)) && (_e274.member.y <= _e300.member_2.x)) && (_e300.member_1.x <= _e274.member_2.y)) && (_e274.member_1.x <= _e300.member_2.y)) {
+                    phi_812_ = false;
                 } else {
-                    phi_804_ = true;
+                    phi_812_ = true;
                 }
-                let _e379 = phi_804_;
-                phi_805_ = _e379;
+                let _e374 = phi_812_;
+                phi_813_ = _e374;
             } else {
-                phi_805_ = true;
+                phi_813_ = true;
             }
-            let _e381 = phi_805_;
-            if _e381 {
-                phi_809_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e376 = phi_813_;
+            if _e376 {
+                phi_817_ = type_31(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_809_ = _e276;
+                phi_817_ = type_31(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
             }
-            let _e383 = phi_809_;
-            let _e385 = (_e67 / 32u);
-            let _e386 = (_e67 % 32u);
-            let _e388 = atomicLoad((&counters[_e385]));
-            phi_822_ = type_9(0u, _e388);
-            phi_825_ = 0u;
+            let _e378 = phi_817_;
+            let _e380 = (_e67 / 32u);
+            let _e381 = (_e67 % 32u);
+            let _e383 = atomicLoad((&counters[_e380]));
+            phi_830_ = type_9(0u, _e383);
+            phi_833_ = 0u;
             loop {
-                let _e391 = phi_822_;
-                let _e393 = phi_825_;
-                local_3 = _e393;
-                if (_e391.member < _e391.member_1) {
-                    phi_823_ = type_9((_e391.member + 1u), _e391.member_1);
-                    phi_848_ = type_9(1u, _e391.member);
+                let _e386 = phi_830_;
+                let _e388 = phi_833_;
+                local_3 = _e388;
+                if (_e386.member < _e386.member_1) {
+                    phi_831_ = type_9((_e386.member + 1u), _e386.member_1);
+                    phi_856_ = type_9(1u, _e386.member);
                 } else {
-                    phi_823_ = _e391;
-                    phi_848_ = type_9(0u, type_9().member_1);
+                    phi_831_ = _e386;
+                    phi_856_ = type_9(0u, type_9().member_1);
                 }
-                let _e405 = phi_823_;
-                let _e407 = phi_848_;
-                let _e411 = (bitcast<i32>(_e407.member) != 0i);
-                if _e411 {
-                    let _e415 = names[((_e385 * 32u) + _e407.member_1)];
-                    let _e419 = columns[((_e385 * 32u) + _e407.member_1)];
-                    if ((((((_e383.member[0] <= _e419.member_1[0]) && (_e419.member[0] <= _e383.member_1[0])) && (_e383.member[1] <= _e419.member_1[1])) && (_e419.member[1] <= _e383.member_1[1])) && (_e383.member[2] <= _e419.member_1[2])) && (_e419.member[2] <= _e383.member_1[2])) {
+                let _e400 = phi_831_;
+                let _e402 = phi_856_;
+                let _e406 = (bitcast<i32>(_e402.member) != 0i);
+                if _e406 {
+                    let _e410 = names[((_e380 * 32u) + _e402.member_1)];
+                    let _e414 = columns[((_e380 * 32u) + _e402.member_1)];
+                    if ((((((_e378.member[0] <= _e414.member_1[0]) && (_e414.member[0] <= _e378.member_1[0])) && (_e378.member[1] <= _e414.member_1[1])) && (_e414.member[1] <= _e378.member_1[1])) && (_e378.member[2] <= _e414.member_1[2])) && (_e414.member[2] <= _e378.member_1[2])) {
                         if (_e205 == _e208) {
-                            let _e451 = (_e386 < _e415);
-                            if _e451 {
-                                phi_914_ = bool();
+                            let _e446 = (_e381 < _e410);
+                            if _e446 {
+                                phi_922_ = bool();
                             } else {
-                                phi_914_ = false;
+                                phi_922_ = false;
                             }
-                            let _e453 = phi_914_;
-                            phi_915_ = _e453;
-                            phi_916_ = _e451;
+                            let _e448 = phi_922_;
+                            phi_923_ = _e448;
+                            phi_924_ = _e446;
                         } else {
-                            phi_915_ = bool();
-                            phi_916_ = true;
+                            phi_923_ = bool();
+                            phi_924_ = true;
                         }
-                        let _e455 = phi_915_;
-                        let _e457 = phi_916_;
-                        if _e457 {
-                            phi_920_ = true;
+                        let _e450 = phi_923_;
+                        let _e452 = phi_924_;
+                        if _e452 {
+                            phi_928_ = true;
                         } else {
-                            phi_920_ = _e455;
+                            phi_928_ = _e450;
                         }
-                        let _e459 = phi_920_;
-                        if _e459 {
-                            let _e461 = atomicAdd((&counters[4u]), 1u);
-                            if (_e461 < 2048u) {
-                                hits[_e461] = (((_e385 << bitcast<u32>(10i)) | (_e386 << bitcast<u32>(5i))) | _e415);
-                                phi_938_ = _e393;
+                        let _e454 = phi_928_;
+                        if _e454 {
+                            let _e456 = atomicAdd((&counters[4u]), 1u);
+                            if (_e456 < 2048u) {
+                                hits[_e456] = (((_e380 << bitcast<u32>(10i)) | (_e381 << bitcast<u32>(5i))) | _e410);
+                                phi_946_ = _e388;
                             } else {
-                                phi_938_ = (_e393 | (1u << bitcast<u32>((_e407.member_1 & 31u))));
+                                phi_946_ = (_e388 | (1u << bitcast<u32>((_e402.member_1 & 31u))));
                             }
-                            let _e475 = phi_938_;
-                            phi_939_ = _e475;
+                            let _e470 = phi_946_;
+                            phi_947_ = _e470;
                         } else {
-                            phi_939_ = _e393;
+                            phi_947_ = _e388;
                         }
-                        let _e477 = phi_939_;
-                        phi_940_ = _e477;
+                        let _e472 = phi_947_;
+                        phi_948_ = _e472;
                     } else {
-                        phi_940_ = _e393;
+                        phi_948_ = _e388;
                     }
-                    let _e479 = phi_940_;
-                    phi_826_ = _e479;
+                    let _e474 = phi_948_;
+                    phi_834_ = _e474;
                 } else {
-                    phi_826_ = u32();
+                    phi_834_ = u32();
                 }
-                let _e481 = phi_826_;
+                let _e476 = phi_834_;
                 continue;
                 continuing {
-                    phi_822_ = _e405;
-                    phi_825_ = _e481;
-                    break if !(_e411);
+                    phi_830_ = _e400;
+                    phi_833_ = _e476;
+                    break if !(_e406);
                 }
             }
-            phi_943_ = type_9(0u, 32u);
-            let _e4604 = local_3;
-            phi_946_ = _e4604;
+            phi_951_ = type_9(0u, 32u);
+            let _e4599 = local_3;
+            phi_954_ = _e4599;
             loop {
-                let _e484 = phi_943_;
-                let _e486 = phi_946_;
-                if (_e484.member < _e484.member_1) {
-                    phi_944_ = type_9((_e484.member + 1u), _e484.member_1);
-                    phi_969_ = type_9(1u, _e484.member);
+                let _e479 = phi_951_;
+                let _e481 = phi_954_;
+                if (_e479.member < _e479.member_1) {
+                    phi_952_ = type_9((_e479.member + 1u), _e479.member_1);
+                    phi_977_ = type_9(1u, _e479.member);
                 } else {
-                    phi_944_ = _e484;
-                    phi_969_ = type_9(0u, type_9().member_1);
+                    phi_952_ = _e479;
+                    phi_977_ = type_9(0u, type_9().member_1);
                 }
-                let _e498 = phi_944_;
-                let _e500 = phi_969_;
-                if (bitcast<i32>(_e500.member) != 0i) {
-                    if (_e486 == 0u) {
-                        phi_1837_ = u32();
-                        phi_1838_ = false;
+                let _e493 = phi_952_;
+                let _e495 = phi_977_;
+                if (bitcast<i32>(_e495.member) != 0i) {
+                    if (_e481 == 0u) {
+                        phi_1845_ = u32();
+                        phi_1846_ = false;
                     } else {
-                        let _e511 = names[((_e92 * 32u) + select(firstTrailingBit(_e486), 32u, (_e486 == 0u)))];
-                        let _e514 = (_e217 + _e93);
-                        let _e515 = (_e224 + _e511);
-                        let _e517 = leaves.member[_e514];
-                        let _e519 = leaves.member[_e515];
-                        let _e521 = nodes.member[_e514];
-                        let _e523 = nodes.member[_e515];
-                        let _e526 = params.member.member.member_1;
-                        if ((_e526 & 1u) != 0u) {
-                            if (_e519.member[0] == _e517.member[0]) {
-                                phi_1077_ = true;
+                        let _e506 = names[((_e92 * 32u) + select(firstTrailingBit(_e481), 32u, (_e481 == 0u)))];
+                        let _e509 = (_e217 + _e93);
+                        let _e510 = (_e224 + _e506);
+                        let _e512 = leaves.member[_e509];
+                        let _e514 = leaves.member[_e510];
+                        let _e516 = nodes.member[_e509];
+                        let _e530 = nodes.member[_e510];
+                        let _e545 = params.member.member.member_1;
+                        if ((_e545 & 1u) != 0u) {
+                            if (_e514.member[0] == _e512.member[0]) {
+                                phi_1097_ = true;
                             } else {
-                                phi_1077_ = (_e519.member[0] == _e517.member[1]);
+                                phi_1097_ = (_e514.member[0] == _e512.member[1]);
                             }
-                            let _e540 = phi_1077_;
-                            if (_e519.member[1] == _e517.member[0]) {
-                                phi_1083_ = true;
+                            let _e559 = phi_1097_;
+                            if (_e514.member[1] == _e512.member[0]) {
+                                phi_1103_ = true;
                             } else {
-                                phi_1083_ = (_e519.member[1] == _e517.member[1]);
+                                phi_1103_ = (_e514.member[1] == _e512.member[1]);
                             }
-                            let _e544 = phi_1083_;
-                            if (_e540 || _e544) {
-                                phi_1089_ = false;
+                            let _e563 = phi_1103_;
+                            if (_e559 || _e563) {
+                                phi_1109_ = false;
                             } else {
-                                phi_1089_ = true;
+                                phi_1109_ = true;
                             }
-                            let _e547 = phi_1089_;
-                            phi_1090_ = _e547;
+                            let _e566 = phi_1109_;
+                            phi_1110_ = _e566;
                         } else {
-                            phi_1090_ = true;
+                            phi_1110_ = true;
                         }
-                        let _e549 = phi_1090_;
-                        if _e549 {
-                            let _e551 = params.member.member.member_1;
-                            if ((_e551 & 2u) != 0u) {
-                                let _e555 = params.member.member.member_1;
-                                let _e561 = bodies.member[_e517.member[0]];
-                                let _e565 = bodies.member[_e519.member[0]];
-                                if ((_e561 / 2u) != (_e565 / 2u)) {
-                                    phi_1136_ = true;
+                        let _e568 = phi_1110_;
+                        if _e568 {
+                            let _e570 = params.member.member.member_1;
+                            if ((_e570 & 2u) != 0u) {
+                                let _e574 = params.member.member.member_1;
+                                let _e580 = bodies.member[_e512.member[0]];
+                                let _e584 = bodies.member[_e514.member[0]];
+                                if ((_e580 / 2u) != (_e584 / 2u)) {
+                                    phi_1156_ = true;
                                 } else {
-                                    phi_1136_ = ((_e555 & 4u) != 0u);
+                                    phi_1156_ = ((_e574 & 4u) != 0u);
                                 }
-                                let _e570 = phi_1136_;
-                                if _e570 {
-                                    phi_1143_ = (((_e561 & _e565) & 1u) == 0u);
+                                let _e589 = phi_1156_;
+                                if _e589 {
+                                    phi_1163_ = (((_e580 & _e584) & 1u) == 0u);
                                 } else {
-                                    phi_1143_ = false;
+                                    phi_1163_ = false;
                                 }
-                                let _e575 = phi_1143_;
-                                phi_1147_ = _e575;
+                                let _e594 = phi_1163_;
+                                phi_1167_ = _e594;
                             } else {
-                                phi_1147_ = true;
+                                phi_1167_ = true;
                             }
-                            let _e577 = phi_1147_;
-                            if _e577 {
-                                let _e579 = params.member.member.member_1;
-                                if ((_e579 & 32u) != 0u) {
-                                    let _e583 = params.member.member.member_6;
-                                    let _e624 = (((((_e521.member_1[0] - _e523.member[0]) > _e583) && ((_e523.member_1[0] - _e521.member[0]) > _e583)) && (((_e521.member_1[1] - _e523.member[1]) > _e583) && ((_e523.member_1[1] - _e521.member[1]) > _e583))) && (((_e521.member_1[2] - _e523.member[2]) > _e583) && ((_e523.member_1[2] - _e521.member[2]) > _e583)));
-                                    if _e624 {
-                                        phi_1761_ = bool();
+                            let _e596 = phi_1167_;
+                            if _e596 {
+                                let _e598 = params.member.member.member_1;
+                                if ((_e598 & 32u) != 0u) {
+                                    let _e602 = params.member.member.member_6;
+                                    let _e619 = (((((_e516.member_1.y - _e530.member.x) > _e602) && ((_e530.member_1.y - _e516.member.x) > _e602)) && (((_e516.member_2.x - _e530.member.y) > _e602) && ((_e530.member_2.x - _e516.member.y) > _e602))) && (((_e516.member_2.y - _e530.member_1.x) > _e602) && ((_e530.member_2.y - _e516.member_1.x) > _e602)));
+                                    if _e619 {
+                                        phi_1769_ = bool();
                                     } else {
-                                        let _e628 = keys.member[_e517.member[0]];
-                                        let _e633 = keys.member[_e517.member[1]];
-                                        let _e635 = function_(_e628[0], _e633[0]);
-                                        let _e639 = keys.member[_e517.member[2]];
-                                        let _e641 = function_(_e635, _e639[0]);
-                                        let _e645 = keys.member[_e519.member[0]];
-                                        let _e650 = keys.member[_e519.member[1]];
-                                        let _e652 = function_1(_e645[3], _e650[3]);
-                                        let _e656 = keys.member[_e519.member[2]];
-                                        let _e658 = function_1(_e652, _e656[3]);
-                                        if (_e641[1] > _e658[1]) {
-                                            phi_1284_ = true;
+                                        let _e623 = keys.member[_e512.member[0]];
+                                        let _e628 = keys.member[_e512.member[1]];
+                                        let _e630 = function_(_e623[0], _e628[0]);
+                                        let _e634 = keys.member[_e512.member[2]];
+                                        let _e636 = function_(_e630, _e634[0]);
+                                        let _e640 = keys.member[_e514.member[0]];
+                                        let _e645 = keys.member[_e514.member[1]];
+                                        let _e647 = function_1(_e640[3], _e645[3]);
+                                        let _e651 = keys.member[_e514.member[2]];
+                                        let _e653 = function_1(_e647, _e651[3]);
+                                        if (_e636[1] > _e653[1]) {
+                                            phi_1292_ = true;
                                         } else {
-                                            if (_e641[1] == _e658[1]) {
-                                                phi_1283_ = (_e641[0] > _e658[0]);
+                                            if (_e636[1] == _e653[1]) {
+                                                phi_1291_ = (_e636[0] > _e653[0]);
                                             } else {
-                                                phi_1283_ = false;
+                                                phi_1291_ = false;
                                             }
-                                            let _e669 = phi_1283_;
-                                            phi_1284_ = _e669;
+                                            let _e664 = phi_1291_;
+                                            phi_1292_ = _e664;
                                         }
-                                        let _e671 = phi_1284_;
-                                        let _e676 = keys.member[_e519.member[0]];
-                                        let _e681 = keys.member[_e519.member[1]];
-                                        let _e683 = function_(_e676[0], _e681[0]);
-                                        let _e687 = keys.member[_e519.member[2]];
-                                        let _e689 = function_(_e683, _e687[0]);
-                                        let _e693 = keys.member[_e517.member[0]];
-                                        let _e698 = keys.member[_e517.member[1]];
-                                        let _e700 = function_1(_e693[3], _e698[3]);
-                                        let _e704 = keys.member[_e517.member[2]];
-                                        let _e706 = function_1(_e700, _e704[3]);
-                                        if (_e689[1] > _e706[1]) {
-                                            phi_1378_ = true;
+                                        let _e666 = phi_1292_;
+                                        let _e671 = keys.member[_e514.member[0]];
+                                        let _e676 = keys.member[_e514.member[1]];
+                                        let _e678 = function_(_e671[0], _e676[0]);
+                                        let _e682 = keys.member[_e514.member[2]];
+                                        let _e684 = function_(_e678, _e682[0]);
+                                        let _e688 = keys.member[_e512.member[0]];
+                                        let _e693 = keys.member[_e512.member[1]];
+                                        let _e695 = function_1(_e688[3], _e693[3]);
+                                        let _e699 = keys.member[_e512.member[2]];
+                                        let _e701 = function_1(_e695, _e699[3]);
+                                        if (_e684[1] > _e701[1]) {
+                                            phi_1386_ = true;
                                         } else {
-                                            if (_e689[1] == _e706[1]) {
-                                                phi_1377_ = (_e689[0] > _e706[0]);
+                                            if (_e684[1] == _e701[1]) {
+                                                phi_1385_ = (_e684[0] > _e701[0]);
                                             } else {
-                                                phi_1377_ = false;
+                                                phi_1385_ = false;
                                             }
-                                            let _e717 = phi_1377_;
-                                            phi_1378_ = _e717;
+                                            let _e712 = phi_1385_;
+                                            phi_1386_ = _e712;
                                         }
-                                        let _e719 = phi_1378_;
-                                        let _e725 = keys.member[_e517.member[0]];
-                                        let _e730 = keys.member[_e517.member[1]];
-                                        let _e732 = function_2(_e725[1], _e730[1]);
-                                        let _e736 = keys.member[_e517.member[2]];
-                                        let _e738 = function_2(_e732, _e736[1]);
-                                        let _e742 = keys.member[_e519.member[0]];
-                                        let _e747 = keys.member[_e519.member[1]];
-                                        let _e749 = function_3(_e742[4], _e747[4]);
-                                        let _e753 = keys.member[_e519.member[2]];
-                                        let _e755 = function_3(_e749, _e753[4]);
-                                        if (_e738[1] > _e755[1]) {
-                                            phi_1473_ = true;
+                                        let _e714 = phi_1386_;
+                                        let _e720 = keys.member[_e512.member[0]];
+                                        let _e725 = keys.member[_e512.member[1]];
+                                        let _e727 = function_2(_e720[1], _e725[1]);
+                                        let _e731 = keys.member[_e512.member[2]];
+                                        let _e733 = function_2(_e727, _e731[1]);
+                                        let _e737 = keys.member[_e514.member[0]];
+                                        let _e742 = keys.member[_e514.member[1]];
+                                        let _e744 = function_3(_e737[4], _e742[4]);
+                                        let _e748 = keys.member[_e514.member[2]];
+                                        let _e750 = function_3(_e744, _e748[4]);
+                                        if (_e733[1] > _e750[1]) {
+                                            phi_1481_ = true;
                                         } else {
-                                            if (_e738[1] == _e755[1]) {
-                                                phi_1472_ = (_e738[0] > _e755[0]);
+                                            if (_e733[1] == _e750[1]) {
+                                                phi_1480_ = (_e733[0] > _e750[0]);
                                             } else {
-                                                phi_1472_ = false;
+                                                phi_1480_ = false;
                                             }
-                                            let _e766 = phi_1472_;
-                                            phi_1473_ = _e766;
+                                            let _e761 = phi_1480_;
+                                            phi_1481_ = _e761;
                                         }
-                                        let _e768 = phi_1473_;
-                                        let _e773 = keys.member[_e519.member[0]];
-                                        let _e778 = keys.member[_e519.member[1]];
-                                        let _e780 = function_2(_e773[1], _e778[1]);
-                                        let _e784 = keys.member[_e519.member[2]];
-                                        let _e786 = function_2(_e780, _e784[1]);
-                                        let _e790 = keys.member[_e517.member[0]];
-                                        let _e795 = keys.member[_e517.member[1]];
-                                        let _e797 = function_3(_e790[4], _e795[4]);
-                                        let _e801 = keys.member[_e517.member[2]];
-                                        let _e803 = function_3(_e797, _e801[4]);
-                                        if (_e786[1] > _e803[1]) {
-                                            phi_1567_ = true;
+                                        let _e763 = phi_1481_;
+                                        let _e768 = keys.member[_e514.member[0]];
+                                        let _e773 = keys.member[_e514.member[1]];
+                                        let _e775 = function_2(_e768[1], _e773[1]);
+                                        let _e779 = keys.member[_e514.member[2]];
+                                        let _e781 = function_2(_e775, _e779[1]);
+                                        let _e785 = keys.member[_e512.member[0]];
+                                        let _e790 = keys.member[_e512.member[1]];
+                                        let _e792 = function_3(_e785[4], _e790[4]);
+                                        let _e796 = keys.member[_e512.member[2]];
+                                        let _e798 = function_3(_e792, _e796[4]);
+                                        if (_e781[1] > _e798[1]) {
+                                            phi_1575_ = true;
                                         } else {
-                                            if (_e786[1] == _e803[1]) {
-                                                phi_1566_ = (_e786[0] > _e803[0]);
+                                            if (_e781[1] == _e798[1]) {
+                                                phi_1574_ = (_e781[0] > _e798[0]);
                                             } else {
-                                                phi_1566_ = false;
+                                                phi_1574_ = false;
                                             }
-                                            let _e814 = phi_1566_;
-                                            phi_1567_ = _e814;
+                                            let _e809 = phi_1574_;
+                                            phi_1575_ = _e809;
                                         }
-                                        let _e816 = phi_1567_;
-                                        let _e823 = keys.member[_e517.member[0]];
-                                        let _e828 = keys.member[_e517.member[1]];
-                                        let _e830 = function_4(_e823[2], _e828[2]);
-                                        let _e834 = keys.member[_e517.member[2]];
-                                        let _e836 = function_4(_e830, _e834[2]);
-                                        let _e840 = keys.member[_e519.member[0]];
-                                        let _e845 = keys.member[_e519.member[1]];
-                                        let _e847 = function_5(_e840[5], _e845[5]);
-                                        let _e851 = keys.member[_e519.member[2]];
-                                        let _e853 = function_5(_e847, _e851[5]);
-                                        if (_e836[1] > _e853[1]) {
-                                            phi_1663_ = true;
+                                        let _e811 = phi_1575_;
+                                        let _e818 = keys.member[_e512.member[0]];
+                                        let _e823 = keys.member[_e512.member[1]];
+                                        let _e825 = function_4(_e818[2], _e823[2]);
+                                        let _e829 = keys.member[_e512.member[2]];
+                                        let _e831 = function_4(_e825, _e829[2]);
+                                        let _e835 = keys.member[_e514.member[0]];
+                                        let _e840 = keys.member[_e514.member[1]];
+                                        let _e842 = function_5(_e835[5], _e840[5]);
+                                        let _e846 = keys.member[_e514.member[2]];
+                                        let _e848 = function_5(_e842, _e846[5]);
+                                        if (_e831[1] > _e848[1]) {
+                                            phi_1671_ = true;
                                         } else {
-                                            if (_e836[1] == _e853[1]) {
-                                                phi_1662_ = (_e836[0] > _e853[0]);
+                                            if (_e831[1] == _e848[1]) {
+                                                phi_1670_ = (_e831[0] > _e848[0]);
                                             } else {
-                                                phi_1662_ = false;
+                                                phi_1670_ = false;
                                             }
-                                            let _e864 = phi_1662_;
-                                            phi_1663_ = _e864;
+                                            let _e859 = phi_1670_;
+                                            phi_1671_ = _e859;
                                         }
-                                        let _e866 = phi_1663_;
-                                        let _e871 = keys.member[_e519.member[0]];
-                                        let _e876 = keys.member[_e519.member[1]];
-                                        let _e878 = function_4(_e871[2], _e876[2]);
-                                        let _e882 = keys.member[_e519.member[2]];
-                                        let _e884 = function_4(_e878, _e882[2]);
-                                        let _e888 = keys.member[_e517.member[0]];
-                                        let _e893 = keys.member[_e517.member[1]];
-                                        let _e895 = function_5(_e888[5], _e893[5]);
-                                        let _e899 = keys.member[_e517.member[2]];
-                                        let _e901 = function_5(_e895, _e899[5]);
-                                        if (_e884[1] > _e901[1]) {
-                                            phi_1757_ = true;
+                                        let _e861 = phi_1671_;
+                                        let _e866 = keys.member[_e514.member[0]];
+                                        let _e871 = keys.member[_e514.member[1]];
+                                        let _e873 = function_4(_e866[2], _e871[2]);
+                                        let _e877 = keys.member[_e514.member[2]];
+                                        let _e879 = function_4(_e873, _e877[2]);
+                                        let _e883 = keys.member[_e512.member[0]];
+                                        let _e888 = keys.member[_e512.member[1]];
+                                        let _e890 = function_5(_e883[5], _e888[5]);
+                                        let _e894 = keys.member[_e512.member[2]];
+                                        let _e896 = function_5(_e890, _e894[5]);
+                                        if (_e879[1] > _e896[1]) {
+                                            phi_1765_ = true;
                                         } else {
-                                            if (_e884[1] == _e901[1]) {
-                                                phi_1756_ = (_e884[0] > _e901[0]);
+                                            if (_e879[1] == _e896[1]) {
+                                                phi_1764_ = (_e879[0] > _e896[0]);
                                             } else {
-                                                phi_1756_ = false;
+                                                phi_1764_ = false;
                                             }
-                                            let _e912 = phi_1756_;
-                                            phi_1757_ = _e912;
+                                            let _e907 = phi_1764_;
+                                            phi_1765_ = _e907;
                                         }
-                                        let _e914 = phi_1757_;
-                                        phi_1761_ = (((!(_e671) && !(_e719)) && (!(_e768) && !(_e816))) && (!(_e866) && !(_e914)));
+                                        let _e909 = phi_1765_;
+                                        phi_1769_ = (((!(_e666) && !(_e714)) && (!(_e763) && !(_e811))) && (!(_e861) && !(_e909)));
                                     }
-                                    let _e919 = phi_1761_;
-                                    phi_1762_ = _e919;
-                                    phi_1763_ = _e624;
+                                    let _e914 = phi_1769_;
+                                    phi_1770_ = _e914;
+                                    phi_1771_ = _e619;
                                 } else {
-                                    phi_1762_ = bool();
-                                    phi_1763_ = true;
+                                    phi_1770_ = bool();
+                                    phi_1771_ = true;
                                 }
-                                let _e921 = phi_1762_;
-                                let _e923 = phi_1763_;
-                                if _e923 {
-                                    phi_1767_ = false;
+                                let _e916 = phi_1770_;
+                                let _e918 = phi_1771_;
+                                if _e918 {
+                                    phi_1775_ = false;
                                 } else {
-                                    phi_1767_ = true;
+                                    phi_1775_ = true;
                                 }
-                                let _e925 = phi_1767_;
-                                phi_1768_ = _e921;
-                                phi_1769_ = _e925;
+                                let _e920 = phi_1775_;
+                                phi_1776_ = _e916;
+                                phi_1777_ = _e920;
                             } else {
-                                phi_1768_ = false;
-                                phi_1769_ = true;
+                                phi_1776_ = false;
+                                phi_1777_ = true;
                             }
-                            let _e927 = phi_1768_;
-                            let _e929 = phi_1769_;
-                            phi_1770_ = _e927;
-                            phi_1771_ = _e929;
+                            let _e922 = phi_1776_;
+                            let _e924 = phi_1777_;
+                            phi_1778_ = _e922;
+                            phi_1779_ = _e924;
                         } else {
-                            phi_1770_ = false;
-                            phi_1771_ = true;
+                            phi_1778_ = false;
+                            phi_1779_ = true;
                         }
-                        let _e931 = phi_1770_;
-                        let _e933 = phi_1771_;
-                        if _e933 {
-                            phi_1775_ = _e931;
+                        let _e926 = phi_1778_;
+                        let _e928 = phi_1779_;
+                        if _e928 {
+                            phi_1783_ = _e926;
                         } else {
-                            phi_1775_ = true;
+                            phi_1783_ = true;
                         }
-                        let _e935 = phi_1775_;
-                        if _e935 {
-                            let _e938 = params.member.member_1.member_3;
-                            if (_e517.member_1 < _e519.member_1) {
-                                phi_1794_ = type_9(_e517.member_1, _e519.member_1);
+                        let _e930 = phi_1783_;
+                        if _e930 {
+                            let _e933 = params.member.member_1.member_3;
+                            if (_e512.member_1 < _e514.member_1) {
+                                phi_1802_ = type_9(_e512.member_1, _e514.member_1);
                             } else {
-                                phi_1794_ = type_9(_e519.member_1, _e517.member_1);
+                                phi_1802_ = type_9(_e514.member_1, _e512.member_1);
                             }
-                            let _e945 = phi_1794_;
-                            let _e949 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e949 + 1u) < _e949) {
-                                let _e953 = atomicAdd((&output.member[2u]), 1u);
+                            let _e940 = phi_1802_;
+                            let _e944 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e944 + 1u) < _e944) {
+                                let _e948 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e949 < _e938) {
-                                let _e955 = (2u * _e949);
-                                atomicStore((&output.member[(4u + _e955)]), _e945.member);
-                                atomicStore((&output.member[(_e955 + 5u)]), _e945.member_1);
+                            if (_e944 < _e933) {
+                                let _e950 = (2u * _e944);
+                                atomicStore((&output.member[(4u + _e950)]), _e940.member);
+                                atomicStore((&output.member[(_e950 + 5u)]), _e940.member_1);
                             }
-                            let _e961 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e961 + 1u) < _e961) {
-                                let _e965 = atomicAdd((&output.member[3u]), 1u);
+                            let _e956 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e956 + 1u) < _e956) {
+                                let _e960 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1837_ = (_e486 & (_e486 - 1u));
-                        phi_1838_ = true;
+                        phi_1845_ = (_e481 & (_e481 - 1u));
+                        phi_1846_ = true;
                     }
-                    let _e967 = phi_1837_;
-                    let _e969 = phi_1838_;
-                    phi_947_ = _e967;
-                    phi_1839_ = _e969;
+                    let _e962 = phi_1845_;
+                    let _e964 = phi_1846_;
+                    phi_955_ = _e962;
+                    phi_1847_ = _e964;
                 } else {
-                    phi_947_ = u32();
-                    phi_1839_ = false;
+                    phi_955_ = u32();
+                    phi_1847_ = false;
                 }
-                let _e971 = phi_947_;
-                let _e973 = phi_1839_;
+                let _e966 = phi_955_;
+                let _e968 = phi_1847_;
                 continue;
                 continuing {
-                    phi_943_ = _e498;
-                    phi_946_ = _e971;
-                    break if !(_e973);
+                    phi_951_ = _e493;
+                    phi_954_ = _e966;
+                    break if !(_e968);
                 }
             }
             workgroupBarrier();
-            let _e976 = atomicLoad((&counters[4u]));
-            if (2048u < _e976) {
-                phi_1846_ = 2048u;
+            let _e971 = atomicLoad((&counters[4u]));
+            if (2048u < _e971) {
+                phi_1854_ = 2048u;
             } else {
-                phi_1846_ = _e976;
+                phi_1854_ = _e971;
             }
-            let _e979 = phi_1846_;
-            phi_1849_ = type_9(0u, 16u);
+            let _e974 = phi_1854_;
+            phi_1857_ = type_9(0u, 16u);
             loop {
-                let _e981 = phi_1849_;
-                if (_e981.member < _e981.member_1) {
-                    phi_1850_ = type_9((_e981.member + 1u), _e981.member_1);
-                    phi_1873_ = type_9(1u, _e981.member);
+                let _e976 = phi_1857_;
+                if (_e976.member < _e976.member_1) {
+                    phi_1858_ = type_9((_e976.member + 1u), _e976.member_1);
+                    phi_1881_ = type_9(1u, _e976.member);
                 } else {
-                    phi_1850_ = _e981;
-                    phi_1873_ = type_9(0u, type_9().member_1);
+                    phi_1858_ = _e976;
+                    phi_1881_ = type_9(0u, type_9().member_1);
                 }
-                let _e993 = phi_1850_;
-                let _e995 = phi_1873_;
-                if (bitcast<i32>(_e995.member) != 0i) {
-                    let _e1001 = (_e67 + (_e995.member_1 * 128u));
-                    if (_e1001 >= _e979) {
-                        phi_7876_ = false;
+                let _e988 = phi_1858_;
+                let _e990 = phi_1881_;
+                if (bitcast<i32>(_e990.member) != 0i) {
+                    let _e996 = (_e67 + (_e990.member_1 * 128u));
+                    if (_e996 >= _e974) {
+                        phi_7884_ = false;
                     } else {
-                        let _e1004 = hits[_e1001];
-                        let _e1007 = ((_e1004 >> bitcast<u32>(10i)) & 3u);
-                        let _e1014 = firsts[(2u * _e1007)];
-                        let _e1015 = (_e1014 + ((_e1004 >> bitcast<u32>(5i)) & 31u));
-                        let _e1019 = firsts[((2u * _e1007) + 1u)];
-                        let _e1020 = (_e1019 + (_e1004 & 31u));
-                        let _e1022 = leaves.member[_e1015];
-                        let _e1024 = leaves.member[_e1020];
-                        let _e1026 = nodes.member[_e1015];
-                        let _e1028 = nodes.member[_e1020];
-                        let _e1031 = params.member.member.member_1;
-                        if ((_e1031 & 1u) != 0u) {
-                            if (_e1024.member[0] == _e1022.member[0]) {
-                                phi_1989_ = true;
+                        let _e999 = hits[_e996];
+                        let _e1002 = ((_e999 >> bitcast<u32>(10i)) & 3u);
+                        let _e1009 = firsts[(2u * _e1002)];
+                        let _e1010 = (_e1009 + ((_e999 >> bitcast<u32>(5i)) & 31u));
+                        let _e1014 = firsts[((2u * _e1002) + 1u)];
+                        let _e1015 = (_e1014 + (_e999 & 31u));
+                        let _e1017 = leaves.member[_e1010];
+                        let _e1019 = leaves.member[_e1015];
+                        let _e1021 = nodes.member[_e1010];
+                        let _e1035 = nodes.member[_e1015];
+                        let _e1050 = params.member.member.member_1;
+                        if ((_e1050 & 1u) != 0u) {
+                            if (_e1019.member[0] == _e1017.member[0]) {
+                                phi_2009_ = true;
                             } else {
-                                phi_1989_ = (_e1024.member[0] == _e1022.member[1]);
+                                phi_2009_ = (_e1019.member[0] == _e1017.member[1]);
                             }
-                            let _e1045 = phi_1989_;
-                            if (_e1024.member[1] == _e1022.member[0]) {
-                                phi_1995_ = true;
+                            let _e1064 = phi_2009_;
+                            if (_e1019.member[1] == _e1017.member[0]) {
+                                phi_2015_ = true;
                             } else {
-                                phi_1995_ = (_e1024.member[1] == _e1022.member[1]);
+                                phi_2015_ = (_e1019.member[1] == _e1017.member[1]);
                             }
-                            let _e1049 = phi_1995_;
-                            if (_e1045 || _e1049) {
-                                phi_2001_ = false;
+                            let _e1068 = phi_2015_;
+                            if (_e1064 || _e1068) {
+                                phi_2021_ = false;
                             } else {
-                                phi_2001_ = true;
+                                phi_2021_ = true;
                             }
-                            let _e1052 = phi_2001_;
-                            phi_2002_ = _e1052;
+                            let _e1071 = phi_2021_;
+                            phi_2022_ = _e1071;
                         } else {
-                            phi_2002_ = true;
+                            phi_2022_ = true;
                         }
-                        let _e1054 = phi_2002_;
-                        if _e1054 {
-                            let _e1056 = params.member.member.member_1;
-                            if ((_e1056 & 2u) != 0u) {
-                                let _e1060 = params.member.member.member_1;
-                                let _e1066 = bodies.member[_e1022.member[0]];
-                                let _e1070 = bodies.member[_e1024.member[0]];
-                                if ((_e1066 / 2u) != (_e1070 / 2u)) {
-                                    phi_2048_ = true;
+                        let _e1073 = phi_2022_;
+                        if _e1073 {
+                            let _e1075 = params.member.member.member_1;
+                            if ((_e1075 & 2u) != 0u) {
+                                let _e1079 = params.member.member.member_1;
+                                let _e1085 = bodies.member[_e1017.member[0]];
+                                let _e1089 = bodies.member[_e1019.member[0]];
+                                if ((_e1085 / 2u) != (_e1089 / 2u)) {
+                                    phi_2068_ = true;
                                 } else {
-                                    phi_2048_ = ((_e1060 & 4u) != 0u);
+                                    phi_2068_ = ((_e1079 & 4u) != 0u);
                                 }
-                                let _e1075 = phi_2048_;
-                                if _e1075 {
-                                    phi_2055_ = (((_e1066 & _e1070) & 1u) == 0u);
+                                let _e1094 = phi_2068_;
+                                if _e1094 {
+                                    phi_2075_ = (((_e1085 & _e1089) & 1u) == 0u);
                                 } else {
-                                    phi_2055_ = false;
+                                    phi_2075_ = false;
                                 }
-                                let _e1080 = phi_2055_;
-                                phi_2059_ = _e1080;
+                                let _e1099 = phi_2075_;
+                                phi_2079_ = _e1099;
                             } else {
-                                phi_2059_ = true;
+                                phi_2079_ = true;
                             }
-                            let _e1082 = phi_2059_;
-                            if _e1082 {
-                                let _e1084 = params.member.member.member_1;
-                                if ((_e1084 & 32u) != 0u) {
-                                    let _e1088 = params.member.member.member_6;
-                                    let _e1129 = (((((_e1026.member_1[0] - _e1028.member[0]) > _e1088) && ((_e1028.member_1[0] - _e1026.member[0]) > _e1088)) && (((_e1026.member_1[1] - _e1028.member[1]) > _e1088) && ((_e1028.member_1[1] - _e1026.member[1]) > _e1088))) && (((_e1026.member_1[2] - _e1028.member[2]) > _e1088) && ((_e1028.member_1[2] - _e1026.member[2]) > _e1088)));
-                                    if _e1129 {
-                                        phi_2673_ = bool();
+                            let _e1101 = phi_2079_;
+                            if _e1101 {
+                                let _e1103 = params.member.member.member_1;
+                                if ((_e1103 & 32u) != 0u) {
+                                    let _e1107 = params.member.member.member_6;
+                                    let _e1124 = (((((_e1021.member_1.y - _e1035.member.x) > _e1107) && ((_e1035.member_1.y - _e1021.member.x) > _e1107)) && (((_e1021.member_2.x - _e1035.member.y) > _e1107) && ((_e1035.member_2.x - _e1021.member.y) > _e1107))) && (((_e1021.member_2.y - _e1035.member_1.x) > _e1107) && ((_e1035.member_2.y - _e1021.member_1.x) > _e1107)));
+                                    if _e1124 {
+                                        phi_2681_ = bool();
                                     } else {
-                                        let _e1133 = keys.member[_e1022.member[0]];
-                                        let _e1138 = keys.member[_e1022.member[1]];
-                                        let _e1140 = function_(_e1133[0], _e1138[0]);
-                                        let _e1144 = keys.member[_e1022.member[2]];
-                                        let _e1146 = function_(_e1140, _e1144[0]);
-                                        let _e1150 = keys.member[_e1024.member[0]];
-                                        let _e1155 = keys.member[_e1024.member[1]];
-                                        let _e1157 = function_1(_e1150[3], _e1155[3]);
-                                        let _e1161 = keys.member[_e1024.member[2]];
-                                        let _e1163 = function_1(_e1157, _e1161[3]);
-                                        if (_e1146[1] > _e1163[1]) {
-                                            phi_2196_ = true;
+                                        let _e1128 = keys.member[_e1017.member[0]];
+                                        let _e1133 = keys.member[_e1017.member[1]];
+                                        let _e1135 = function_(_e1128[0], _e1133[0]);
+                                        let _e1139 = keys.member[_e1017.member[2]];
+                                        let _e1141 = function_(_e1135, _e1139[0]);
+                                        let _e1145 = keys.member[_e1019.member[0]];
+                                        let _e1150 = keys.member[_e1019.member[1]];
+                                        let _e1152 = function_1(_e1145[3], _e1150[3]);
+                                        let _e1156 = keys.member[_e1019.member[2]];
+                                        let _e1158 = function_1(_e1152, _e1156[3]);
+                                        if (_e1141[1] > _e1158[1]) {
+                                            phi_2204_ = true;
                                         } else {
-                                            if (_e1146[1] == _e1163[1]) {
-                                                phi_2195_ = (_e1146[0] > _e1163[0]);
+                                            if (_e1141[1] == _e1158[1]) {
+                                                phi_2203_ = (_e1141[0] > _e1158[0]);
                                             } else {
-                                                phi_2195_ = false;
+                                                phi_2203_ = false;
                                             }
-                                            let _e1174 = phi_2195_;
-                                            phi_2196_ = _e1174;
+                                            let _e1169 = phi_2203_;
+                                            phi_2204_ = _e1169;
                                         }
-                                        let _e1176 = phi_2196_;
-                                        let _e1181 = keys.member[_e1024.member[0]];
-                                        let _e1186 = keys.member[_e1024.member[1]];
-                                        let _e1188 = function_(_e1181[0], _e1186[0]);
-                                        let _e1192 = keys.member[_e1024.member[2]];
-                                        let _e1194 = function_(_e1188, _e1192[0]);
-                                        let _e1198 = keys.member[_e1022.member[0]];
-                                        let _e1203 = keys.member[_e1022.member[1]];
-                                        let _e1205 = function_1(_e1198[3], _e1203[3]);
-                                        let _e1209 = keys.member[_e1022.member[2]];
-                                        let _e1211 = function_1(_e1205, _e1209[3]);
-                                        if (_e1194[1] > _e1211[1]) {
-                                            phi_2290_ = true;
+                                        let _e1171 = phi_2204_;
+                                        let _e1176 = keys.member[_e1019.member[0]];
+                                        let _e1181 = keys.member[_e1019.member[1]];
+                                        let _e1183 = function_(_e1176[0], _e1181[0]);
+                                        let _e1187 = keys.member[_e1019.member[2]];
+                                        let _e1189 = function_(_e1183, _e1187[0]);
+                                        let _e1193 = keys.member[_e1017.member[0]];
+                                        let _e1198 = keys.member[_e1017.member[1]];
+                                        let _e1200 = function_1(_e1193[3], _e1198[3]);
+                                        let _e1204 = keys.member[_e1017.member[2]];
+                                        let _e1206 = function_1(_e1200, _e1204[3]);
+                                        if (_e1189[1] > _e1206[1]) {
+                                            phi_2298_ = true;
                                         } else {
-                                            if (_e1194[1] == _e1211[1]) {
-                                                phi_2289_ = (_e1194[0] > _e1211[0]);
+                                            if (_e1189[1] == _e1206[1]) {
+                                                phi_2297_ = (_e1189[0] > _e1206[0]);
                                             } else {
-                                                phi_2289_ = false;
+                                                phi_2297_ = false;
                                             }
-                                            let _e1222 = phi_2289_;
-                                            phi_2290_ = _e1222;
+                                            let _e1217 = phi_2297_;
+                                            phi_2298_ = _e1217;
                                         }
-                                        let _e1224 = phi_2290_;
-                                        let _e1230 = keys.member[_e1022.member[0]];
-                                        let _e1235 = keys.member[_e1022.member[1]];
-                                        let _e1237 = function_2(_e1230[1], _e1235[1]);
-                                        let _e1241 = keys.member[_e1022.member[2]];
-                                        let _e1243 = function_2(_e1237, _e1241[1]);
-                                        let _e1247 = keys.member[_e1024.member[0]];
-                                        let _e1252 = keys.member[_e1024.member[1]];
-                                        let _e1254 = function_3(_e1247[4], _e1252[4]);
-                                        let _e1258 = keys.member[_e1024.member[2]];
-                                        let _e1260 = function_3(_e1254, _e1258[4]);
-                                        if (_e1243[1] > _e1260[1]) {
-                                            phi_2385_ = true;
+                                        let _e1219 = phi_2298_;
+                                        let _e1225 = keys.member[_e1017.member[0]];
+                                        let _e1230 = keys.member[_e1017.member[1]];
+                                        let _e1232 = function_2(_e1225[1], _e1230[1]);
+                                        let _e1236 = keys.member[_e1017.member[2]];
+                                        let _e1238 = function_2(_e1232, _e1236[1]);
+                                        let _e1242 = keys.member[_e1019.member[0]];
+                                        let _e1247 = keys.member[_e1019.member[1]];
+                                        let _e1249 = function_3(_e1242[4], _e1247[4]);
+                                        let _e1253 = keys.member[_e1019.member[2]];
+                                        let _e1255 = function_3(_e1249, _e1253[4]);
+                                        if (_e1238[1] > _e1255[1]) {
+                                            phi_2393_ = true;
                                         } else {
-                                            if (_e1243[1] == _e1260[1]) {
-                                                phi_2384_ = (_e1243[0] > _e1260[0]);
+                                            if (_e1238[1] == _e1255[1]) {
+                                                phi_2392_ = (_e1238[0] > _e1255[0]);
                                             } else {
-                                                phi_2384_ = false;
+                                                phi_2392_ = false;
                                             }
-                                            let _e1271 = phi_2384_;
-                                            phi_2385_ = _e1271;
+                                            let _e1266 = phi_2392_;
+                                            phi_2393_ = _e1266;
                                         }
-                                        let _e1273 = phi_2385_;
-                                        let _e1278 = keys.member[_e1024.member[0]];
-                                        let _e1283 = keys.member[_e1024.member[1]];
-                                        let _e1285 = function_2(_e1278[1], _e1283[1]);
-                                        let _e1289 = keys.member[_e1024.member[2]];
-                                        let _e1291 = function_2(_e1285, _e1289[1]);
-                                        let _e1295 = keys.member[_e1022.member[0]];
-                                        let _e1300 = keys.member[_e1022.member[1]];
-                                        let _e1302 = function_3(_e1295[4], _e1300[4]);
-                                        let _e1306 = keys.member[_e1022.member[2]];
-                                        let _e1308 = function_3(_e1302, _e1306[4]);
-                                        if (_e1291[1] > _e1308[1]) {
-                                            phi_2479_ = true;
+                                        let _e1268 = phi_2393_;
+                                        let _e1273 = keys.member[_e1019.member[0]];
+                                        let _e1278 = keys.member[_e1019.member[1]];
+                                        let _e1280 = function_2(_e1273[1], _e1278[1]);
+                                        let _e1284 = keys.member[_e1019.member[2]];
+                                        let _e1286 = function_2(_e1280, _e1284[1]);
+                                        let _e1290 = keys.member[_e1017.member[0]];
+                                        let _e1295 = keys.member[_e1017.member[1]];
+                                        let _e1297 = function_3(_e1290[4], _e1295[4]);
+                                        let _e1301 = keys.member[_e1017.member[2]];
+                                        let _e1303 = function_3(_e1297, _e1301[4]);
+                                        if (_e1286[1] > _e1303[1]) {
+                                            phi_2487_ = true;
                                         } else {
-                                            if (_e1291[1] == _e1308[1]) {
-                                                phi_2478_ = (_e1291[0] > _e1308[0]);
+                                            if (_e1286[1] == _e1303[1]) {
+                                                phi_2486_ = (_e1286[0] > _e1303[0]);
                                             } else {
-                                                phi_2478_ = false;
+                                                phi_2486_ = false;
                                             }
-                                            let _e1319 = phi_2478_;
-                                            phi_2479_ = _e1319;
+                                            let _e1314 = phi_2486_;
+                                            phi_2487_ = _e1314;
                                         }
-                                        let _e1321 = phi_2479_;
-                                        let _e1328 = keys.member[_e1022.member[0]];
-                                        let _e1333 = keys.member[_e1022.member[1]];
-                                        let _e1335 = function_4(_e1328[2], _e1333[2]);
-                                        let _e1339 = keys.member[_e1022.member[2]];
-                                        let _e1341 = function_4(_e1335, _e1339[2]);
-                                        let _e1345 = keys.member[_e1024.member[0]];
-                                        let _e1350 = keys.member[_e1024.member[1]];
-                                        let _e1352 = function_5(_e1345[5], _e1350[5]);
-                                        let _e1356 = keys.member[_e1024.member[2]];
-                                        let _e1358 = function_5(_e1352, _e1356[5]);
-                                        if (_e1341[1] > _e1358[1]) {
-                                            phi_2575_ = true;
+                                        let _e1316 = phi_2487_;
+                                        let _e1323 = keys.member[_e1017.member[0]];
+                                        let _e1328 = keys.member[_e1017.member[1]];
+                                        let _e1330 = function_4(_e1323[2], _e1328[2]);
+                                        let _e1334 = keys.member[_e1017.member[2]];
+                                        let _e1336 = function_4(_e1330, _e1334[2]);
+                                        let _e1340 = keys.member[_e1019.member[0]];
+                                        let _e1345 = keys.member[_e1019.member[1]];
+                                        let _e1347 = function_5(_e1340[5], _e1345[5]);
+                                        let _e1351 = keys.member[_e1019.member[2]];
+                                        let _e1353 = function_5(_e1347, _e1351[5]);
+                                        if (_e1336[1] > _e1353[1]) {
+                                            phi_2583_ = true;
                                         } else {
-                                            if (_e1341[1] == _e1358[1]) {
-                                                phi_2574_ = (_e1341[0] > _e1358[0]);
+                                            if (_e1336[1] == _e1353[1]) {
+                                                phi_2582_ = (_e1336[0] > _e1353[0]);
                                             } else {
-                                                phi_2574_ = false;
+                                                phi_2582_ = false;
                                             }
-                                            let _e1369 = phi_2574_;
-                                            phi_2575_ = _e1369;
+                                            let _e1364 = phi_2582_;
+                                            phi_2583_ = _e1364;
                                         }
-                                        let _e1371 = phi_2575_;
-                                        let _e1376 = keys.member[_e1024.member[0]];
-                                        let _e1381 = keys.member[_e1024.member[1]];
-                                        let _e1383 = function_4(_e1376[2], _e1381[2]);
-                                        let _e1387 = keys.member[_e1024.member[2]];
-                                        let _e1389 = function_4(_e1383, _e1387[2]);
-                                        let _e1393 = keys.member[_e1022.member[0]];
-                                        let _e1398 = keys.member[_e1022.member[1]];
-                                        let _e1400 = function_5(_e1393[5], _e1398[5]);
-                                        let _e1404 = keys.member[_e1022.member[2]];
-                                        let _e1406 = function_5(_e1400, _e1404[5]);
-                                        if (_e1389[1] > _e1406[1]) {
-                                            phi_2669_ = true;
+                                        let _e1366 = phi_2583_;
+                                        let _e1371 = keys.member[_e1019.member[0]];
+                                        let _e1376 = keys.member[_e1019.member[1]];
+                                        let _e1378 = function_4(_e1371[2], _e1376[2]);
+                                        let _e1382 = keys.member[_e1019.member[2]];
+                                        let _e1384 = function_4(_e1378, _e1382[2]);
+                                        let _e1388 = keys.member[_e1017.member[0]];
+                                        let _e1393 = keys.member[_e1017.member[1]];
+                                        let _e1395 = function_5(_e1388[5], _e1393[5]);
+                                        let _e1399 = keys.member[_e1017.member[2]];
+                                        let _e1401 = function_5(_e1395, _e1399[5]);
+                                        if (_e1384[1] > _e1401[1]) {
+                                            phi_2677_ = true;
                                         } else {
-                                            if (_e1389[1] == _e1406[1]) {
-                                                phi_2668_ = (_e1389[0] > _e1406[0]);
+                                            if (_e1384[1] == _e1401[1]) {
+                                                phi_2676_ = (_e1384[0] > _e1401[0]);
                                             } else {
-                                                phi_2668_ = false;
+                                                phi_2676_ = false;
                                             }
-                                            let _e1417 = phi_2668_;
-                                            phi_2669_ = _e1417;
+                                            let _e1412 = phi_2676_;
+                                            phi_2677_ = _e1412;
                                         }
-                                        let _e1419 = phi_2669_;
-                                        phi_2673_ = (((!(_e1176) && !(_e1224)) && (!(_e1273) && !(_e1321))) && (!(_e1371) && !(_e1419)));
+                                        let _e1414 = phi_2677_;
+                                        phi_2681_ = (((!(_e1171) && !(_e1219)) && (!(_e1268) && !(_e1316))) && (!(_e1366) && !(_e1414)));
                                     }
-                                    let _e1424 = phi_2673_;
-                                    phi_2674_ = _e1424;
-                                    phi_2675_ = _e1129;
+                                    let _e1419 = phi_2681_;
+                                    phi_2682_ = _e1419;
+                                    phi_2683_ = _e1124;
                                 } else {
-                                    phi_2674_ = bool();
-                                    phi_2675_ = true;
+                                    phi_2682_ = bool();
+                                    phi_2683_ = true;
                                 }
-                                let _e1426 = phi_2674_;
-                                let _e1428 = phi_2675_;
-                                if _e1428 {
-                                    phi_2679_ = false;
+                                let _e1421 = phi_2682_;
+                                let _e1423 = phi_2683_;
+                                if _e1423 {
+                                    phi_2687_ = false;
                                 } else {
-                                    phi_2679_ = true;
+                                    phi_2687_ = true;
                                 }
-                                let _e1430 = phi_2679_;
-                                phi_2680_ = _e1426;
-                                phi_2681_ = _e1430;
+                                let _e1425 = phi_2687_;
+                                phi_2688_ = _e1421;
+                                phi_2689_ = _e1425;
                             } else {
-                                phi_2680_ = false;
-                                phi_2681_ = true;
+                                phi_2688_ = false;
+                                phi_2689_ = true;
                             }
-                            let _e1432 = phi_2680_;
-                            let _e1434 = phi_2681_;
-                            phi_2682_ = _e1432;
-                            phi_2683_ = _e1434;
+                            let _e1427 = phi_2688_;
+                            let _e1429 = phi_2689_;
+                            phi_2690_ = _e1427;
+                            phi_2691_ = _e1429;
                         } else {
-                            phi_2682_ = false;
-                            phi_2683_ = true;
+                            phi_2690_ = false;
+                            phi_2691_ = true;
                         }
-                        let _e1436 = phi_2682_;
-                        let _e1438 = phi_2683_;
-                        if _e1438 {
-                            phi_2687_ = _e1436;
+                        let _e1431 = phi_2690_;
+                        let _e1433 = phi_2691_;
+                        if _e1433 {
+                            phi_2695_ = _e1431;
                         } else {
-                            phi_2687_ = true;
+                            phi_2695_ = true;
                         }
-                        let _e1440 = phi_2687_;
-                        if _e1440 {
-                            let _e1442 = atomicAdd((&counters[7u]), 1u);
-                            if (_e1022.member_1 < _e1024.member_1) {
-                                phi_2700_ = _e1024;
-                                phi_2701_ = _e1022;
+                        let _e1435 = phi_2695_;
+                        if _e1435 {
+                            let _e1437 = atomicAdd((&counters[7u]), 1u);
+                            if (_e1017.member_1 < _e1019.member_1) {
+                                phi_2708_ = _e1019;
+                                phi_2709_ = _e1017;
                             } else {
-                                phi_2700_ = _e1022;
-                                phi_2701_ = _e1024;
+                                phi_2708_ = _e1017;
+                                phi_2709_ = _e1019;
                             }
-                            let _e1448 = phi_2700_;
-                            let _e1450 = phi_2701_;
-                            let _e1452 = params.member.member.member_4;
-                            let _e1454 = params.member.member.member_5;
-                            let _e1464 = paths.member[_e1450.member[0]];
-                            let _e1466 = paths.member[_e1450.member[1]];
-                            let _e1472 = paths.member[_e1448.member[0]];
-                            let _e1474 = paths.member[_e1448.member[1]];
-                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1472.member[0] - _e1464.member[0]), (_e1472.member[1] - _e1464.member[1]), (_e1472.member[2] - _e1464.member[2])), array<f32, 3>((_e1472.member_1[0] - _e1464.member_1[0]), (_e1472.member_1[1] - _e1464.member_1[1]), (_e1472.member_1[2] - _e1464.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1466.member[0] - _e1464.member[0]), (_e1466.member[1] - _e1464.member[1]), (_e1466.member[2] - _e1464.member[2])), array<f32, 3>((_e1466.member_1[0] - _e1464.member_1[0]), (_e1466.member_1[1] - _e1464.member_1[1]), (_e1466.member_1[2] - _e1464.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1472.member[0] - _e1474.member[0]), (_e1472.member[1] - _e1474.member[1]), (_e1472.member[2] - _e1474.member[2])), array<f32, 3>((_e1472.member_1[0] - _e1474.member_1[0]), (_e1472.member_1[1] - _e1474.member_1[1]), (_e1472.member_1[2] - _e1474.member_1[2]))), (_e1452 + _e1452));
-                            let _e1534 = local_2.member_1[0u];
-                            let _e1540 = local_2.member_2[0u];
-                            let _e1546 = ((_e1534[1] * _e1540[2]) - (_e1534[2] * _e1540[1]));
-                            let _e1549 = ((_e1534[2] * _e1540[0]) - (_e1534[0] * _e1540[2]));
-                            let _e1552 = ((_e1534[0] * _e1540[1]) - (_e1534[1] * _e1540[0]));
-                            let _e1555 = local_2.member_1[1u];
-                            let _e1561 = local_2.member_2[1u];
-                            let _e1567 = ((_e1555[1] * _e1561[2]) - (_e1555[2] * _e1561[1]));
-                            let _e1570 = ((_e1555[2] * _e1561[0]) - (_e1555[0] * _e1561[2]));
-                            let _e1573 = ((_e1555[0] * _e1561[1]) - (_e1555[1] * _e1561[0]));
-                            let _e1576 = local_2.member_1[0u];
-                            let _e1582 = local_2.member_2[1u];
-                            let _e1597 = local_2.member_1[1u];
-                            let _e1603 = local_2.member_2[0u];
-                            let _e1616 = (((_e1576[1] * _e1582[2]) - (_e1576[2] * _e1582[1])) + ((_e1597[1] * _e1603[2]) - (_e1597[2] * _e1603[1])));
-                            let _e1617 = (((_e1576[2] * _e1582[0]) - (_e1576[0] * _e1582[2])) + ((_e1597[2] * _e1603[0]) - (_e1597[0] * _e1603[2])));
-                            let _e1618 = (((_e1576[0] * _e1582[1]) - (_e1576[1] * _e1582[0])) + ((_e1597[0] * _e1603[1]) - (_e1597[1] * _e1603[0])));
-                            let _e1621 = local_2.member[0u];
-                            let _e1632 = local_2.member[1u];
-                            let _e1643 = local_2.member[0u];
-                            let _e1652 = ((((_e1632[0] * _e1546) + (_e1632[1] * _e1549)) + (_e1632[2] * _e1552)) + (((_e1643[0] * _e1616) + (_e1643[1] * _e1617)) + (_e1643[2] * _e1618)));
-                            let _e1655 = local_2.member[0u];
-                            let _e1666 = local_2.member[1u];
-                            let _e1675 = ((((_e1655[0] * _e1567) + (_e1655[1] * _e1570)) + (_e1655[2] * _e1573)) + (((_e1666[0] * _e1616) + (_e1666[1] * _e1617)) + (_e1666[2] * _e1618)));
-                            let _e1678 = local_2.member[1u];
-                            let _e1689 = local_2.member[0u];
-                            if (_e1689[0] < 0f) {
-                                phi_3090_ = -(_e1689[0]);
+                            let _e1443 = phi_2708_;
+                            let _e1445 = phi_2709_;
+                            let _e1447 = params.member.member.member_4;
+                            let _e1449 = params.member.member.member_5;
+                            let _e1459 = paths.member[_e1445.member[0]];
+                            let _e1461 = paths.member[_e1445.member[1]];
+                            let _e1467 = paths.member[_e1443.member[0]];
+                            let _e1469 = paths.member[_e1443.member[1]];
+                            local_2 = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e1467.member[0] - _e1459.member[0]), (_e1467.member[1] - _e1459.member[1]), (_e1467.member[2] - _e1459.member[2])), array<f32, 3>((_e1467.member_1[0] - _e1459.member_1[0]), (_e1467.member_1[1] - _e1459.member_1[1]), (_e1467.member_1[2] - _e1459.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1461.member[0] - _e1459.member[0]), (_e1461.member[1] - _e1459.member[1]), (_e1461.member[2] - _e1459.member[2])), array<f32, 3>((_e1461.member_1[0] - _e1459.member_1[0]), (_e1461.member_1[1] - _e1459.member_1[1]), (_e1461.member_1[2] - _e1459.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1467.member[0] - _e1469.member[0]), (_e1467.member[1] - _e1469.member[1]), (_e1467.member[2] - _e1469.member[2])), array<f32, 3>((_e1467.member_1[0] - _e1469.member_1[0]), (_e1467.member_1[1] - _e1469.member_1[1]), (_e1467.member_1[2] - _e1469.member_1[2]))), (_e1447 + _e1447));
+                            let _e1529 = local_2.member_1[0u];
+                            let _e1535 = local_2.member_2[0u];
+                            let _e1541 = ((_e1529[1] * _e1535[2]) - (_e1529[2] * _e1535[1]));
+                            let _e1544 = ((_e1529[2] * _e1535[0]) - (_e1529[0] * _e1535[2]));
+                            let _e1547 = ((_e1529[0] * _e1535[1]) - (_e1529[1] * _e1535[0]));
+                            let _e1550 = local_2.member_1[1u];
+                            let _e1556 = local_2.member_2[1u];
+                            let _e1562 = ((_e1550[1] * _e1556[2]) - (_e1550[2] * _e1556[1]));
+                            let _e1565 = ((_e1550[2] * _e1556[0]) - (_e1550[0] * _e1556[2]));
+                            let _e1568 = ((_e1550[0] * _e1556[1]) - (_e1550[1] * _e1556[0]));
+                            let _e1571 = local_2.member_1[0u];
+                            let _e1577 = local_2.member_2[1u];
+                            let _e1592 = local_2.member_1[1u];
+                            let _e1598 = local_2.member_2[0u];
+                            let _e1611 = (((_e1571[1] * _e1577[2]) - (_e1571[2] * _e1577[1])) + ((_e1592[1] * _e1598[2]) - (_e1592[2] * _e1598[1])));
+                            let _e1612 = (((_e1571[2] * _e1577[0]) - (_e1571[0] * _e1577[2])) + ((_e1592[2] * _e1598[0]) - (_e1592[0] * _e1598[2])));
+                            let _e1613 = (((_e1571[0] * _e1577[1]) - (_e1571[1] * _e1577[0])) + ((_e1592[0] * _e1598[1]) - (_e1592[1] * _e1598[0])));
+                            let _e1616 = local_2.member[0u];
+                            let _e1627 = local_2.member[1u];
+                            let _e1638 = local_2.member[0u];
+                            let _e1647 = ((((_e1627[0] * _e1541) + (_e1627[1] * _e1544)) + (_e1627[2] * _e1547)) + (((_e1638[0] * _e1611) + (_e1638[1] * _e1612)) + (_e1638[2] * _e1613)));
+                            let _e1650 = local_2.member[0u];
+                            let _e1661 = local_2.member[1u];
+                            let _e1670 = ((((_e1650[0] * _e1562) + (_e1650[1] * _e1565)) + (_e1650[2] * _e1568)) + (((_e1661[0] * _e1611) + (_e1661[1] * _e1612)) + (_e1661[2] * _e1613)));
+                            let _e1673 = local_2.member[1u];
+                            let _e1684 = local_2.member[0u];
+                            if (_e1684[0] < 0f) {
+                                phi_3098_ = -(_e1684[0]);
                             } else {
-                                phi_3090_ = _e1689[0];
+                                phi_3098_ = _e1684[0];
                             }
-                            let _e1696 = phi_3090_;
-                            if (_e1689[1] < 0f) {
-                                phi_3097_ = -(_e1689[1]);
+                            let _e1691 = phi_3098_;
+                            if (_e1684[1] < 0f) {
+                                phi_3105_ = -(_e1684[1]);
                             } else {
-                                phi_3097_ = _e1689[1];
+                                phi_3105_ = _e1684[1];
                             }
-                            let _e1700 = phi_3097_;
-                            if (_e1696 > _e1700) {
-                                phi_3102_ = _e1696;
+                            let _e1695 = phi_3105_;
+                            if (_e1691 > _e1695) {
+                                phi_3110_ = _e1691;
                             } else {
-                                phi_3102_ = _e1700;
+                                phi_3110_ = _e1695;
                             }
-                            let _e1703 = phi_3102_;
-                            if (_e1689[2] < 0f) {
-                                phi_3109_ = -(_e1689[2]);
+                            let _e1698 = phi_3110_;
+                            if (_e1684[2] < 0f) {
+                                phi_3117_ = -(_e1684[2]);
                             } else {
-                                phi_3109_ = _e1689[2];
+                                phi_3117_ = _e1684[2];
                             }
-                            let _e1707 = phi_3109_;
-                            if (_e1703 > _e1707) {
-                                phi_3114_ = _e1703;
+                            let _e1702 = phi_3117_;
+                            if (_e1698 > _e1702) {
+                                phi_3122_ = _e1698;
                             } else {
-                                phi_3114_ = _e1707;
+                                phi_3122_ = _e1702;
                             }
-                            let _e1710 = phi_3114_;
-                            let _e1713 = local_2.member[1u];
-                            if (_e1713[0] < 0f) {
-                                phi_3127_ = -(_e1713[0]);
+                            let _e1705 = phi_3122_;
+                            let _e1708 = local_2.member[1u];
+                            if (_e1708[0] < 0f) {
+                                phi_3135_ = -(_e1708[0]);
                             } else {
-                                phi_3127_ = _e1713[0];
+                                phi_3135_ = _e1708[0];
                             }
-                            let _e1720 = phi_3127_;
-                            if (_e1713[1] < 0f) {
-                                phi_3134_ = -(_e1713[1]);
+                            let _e1715 = phi_3135_;
+                            if (_e1708[1] < 0f) {
+                                phi_3142_ = -(_e1708[1]);
                             } else {
-                                phi_3134_ = _e1713[1];
+                                phi_3142_ = _e1708[1];
                             }
-                            let _e1724 = phi_3134_;
-                            if (_e1720 > _e1724) {
-                                phi_3139_ = _e1720;
+                            let _e1719 = phi_3142_;
+                            if (_e1715 > _e1719) {
+                                phi_3147_ = _e1715;
                             } else {
-                                phi_3139_ = _e1724;
+                                phi_3147_ = _e1719;
                             }
-                            let _e1727 = phi_3139_;
-                            if (_e1713[2] < 0f) {
-                                phi_3146_ = -(_e1713[2]);
+                            let _e1722 = phi_3147_;
+                            if (_e1708[2] < 0f) {
+                                phi_3154_ = -(_e1708[2]);
                             } else {
-                                phi_3146_ = _e1713[2];
+                                phi_3154_ = _e1708[2];
                             }
-                            let _e1731 = phi_3146_;
-                            if (_e1727 > _e1731) {
-                                phi_3151_ = _e1727;
+                            let _e1726 = phi_3154_;
+                            if (_e1722 > _e1726) {
+                                phi_3159_ = _e1722;
                             } else {
-                                phi_3151_ = _e1731;
+                                phi_3159_ = _e1726;
                             }
-                            let _e1734 = phi_3151_;
-                            if (_e1710 > _e1734) {
-                                phi_3156_ = _e1710;
+                            let _e1729 = phi_3159_;
+                            if (_e1705 > _e1729) {
+                                phi_3164_ = _e1705;
                             } else {
-                                phi_3156_ = _e1734;
+                                phi_3164_ = _e1729;
                             }
-                            let _e1737 = phi_3156_;
-                            let _e1739 = local_2.member_3;
-                            let _e1740 = (_e1737 + _e1739);
-                            let _e1743 = local_2.member_1[0u];
-                            if (_e1743[0] < 0f) {
-                                phi_3173_ = -(_e1743[0]);
+                            let _e1732 = phi_3164_;
+                            let _e1734 = local_2.member_3;
+                            let _e1735 = (_e1732 + _e1734);
+                            let _e1738 = local_2.member_1[0u];
+                            if (_e1738[0] < 0f) {
+                                phi_3181_ = -(_e1738[0]);
                             } else {
-                                phi_3173_ = _e1743[0];
+                                phi_3181_ = _e1738[0];
                             }
-                            let _e1750 = phi_3173_;
-                            if (_e1743[1] < 0f) {
-                                phi_3180_ = -(_e1743[1]);
+                            let _e1745 = phi_3181_;
+                            if (_e1738[1] < 0f) {
+                                phi_3188_ = -(_e1738[1]);
                             } else {
-                                phi_3180_ = _e1743[1];
+                                phi_3188_ = _e1738[1];
                             }
-                            let _e1754 = phi_3180_;
-                            if (_e1750 > _e1754) {
-                                phi_3185_ = _e1750;
+                            let _e1749 = phi_3188_;
+                            if (_e1745 > _e1749) {
+                                phi_3193_ = _e1745;
                             } else {
-                                phi_3185_ = _e1754;
+                                phi_3193_ = _e1749;
                             }
-                            let _e1757 = phi_3185_;
-                            if (_e1743[2] < 0f) {
-                                phi_3192_ = -(_e1743[2]);
+                            let _e1752 = phi_3193_;
+                            if (_e1738[2] < 0f) {
+                                phi_3200_ = -(_e1738[2]);
                             } else {
-                                phi_3192_ = _e1743[2];
+                                phi_3200_ = _e1738[2];
                             }
-                            let _e1761 = phi_3192_;
-                            if (_e1757 > _e1761) {
-                                phi_3197_ = _e1757;
+                            let _e1756 = phi_3200_;
+                            if (_e1752 > _e1756) {
+                                phi_3205_ = _e1752;
                             } else {
-                                phi_3197_ = _e1761;
+                                phi_3205_ = _e1756;
                             }
-                            let _e1764 = phi_3197_;
-                            let _e1767 = local_2.member_1[1u];
-                            if (_e1767[0] < 0f) {
-                                phi_3211_ = -(_e1767[0]);
+                            let _e1759 = phi_3205_;
+                            let _e1762 = local_2.member_1[1u];
+                            if (_e1762[0] < 0f) {
+                                phi_3219_ = -(_e1762[0]);
                             } else {
-                                phi_3211_ = _e1767[0];
+                                phi_3219_ = _e1762[0];
                             }
-                            let _e1774 = phi_3211_;
-                            if (_e1767[1] < 0f) {
-                                phi_3218_ = -(_e1767[1]);
+                            let _e1769 = phi_3219_;
+                            if (_e1762[1] < 0f) {
+                                phi_3226_ = -(_e1762[1]);
                             } else {
-                                phi_3218_ = _e1767[1];
+                                phi_3226_ = _e1762[1];
                             }
-                            let _e1778 = phi_3218_;
-                            if (_e1774 > _e1778) {
-                                phi_3223_ = _e1774;
+                            let _e1773 = phi_3226_;
+                            if (_e1769 > _e1773) {
+                                phi_3231_ = _e1769;
                             } else {
-                                phi_3223_ = _e1778;
+                                phi_3231_ = _e1773;
                             }
-                            let _e1781 = phi_3223_;
-                            if (_e1767[2] < 0f) {
-                                phi_3230_ = -(_e1767[2]);
+                            let _e1776 = phi_3231_;
+                            if (_e1762[2] < 0f) {
+                                phi_3238_ = -(_e1762[2]);
                             } else {
-                                phi_3230_ = _e1767[2];
+                                phi_3238_ = _e1762[2];
                             }
-                            let _e1785 = phi_3230_;
-                            if (_e1781 > _e1785) {
-                                phi_3235_ = _e1781;
+                            let _e1780 = phi_3238_;
+                            if (_e1776 > _e1780) {
+                                phi_3243_ = _e1776;
                             } else {
-                                phi_3235_ = _e1785;
+                                phi_3243_ = _e1780;
                             }
-                            let _e1788 = phi_3235_;
-                            if (_e1764 > _e1788) {
-                                phi_3240_ = _e1764;
+                            let _e1783 = phi_3243_;
+                            if (_e1759 > _e1783) {
+                                phi_3248_ = _e1759;
                             } else {
-                                phi_3240_ = _e1788;
+                                phi_3248_ = _e1783;
                             }
-                            let _e1791 = phi_3240_;
-                            let _e1793 = local_2.member_3;
-                            let _e1794 = (_e1791 + _e1793);
-                            let _e1797 = local_2.member_2[0u];
-                            if (_e1797[0] < 0f) {
-                                phi_3257_ = -(_e1797[0]);
+                            let _e1786 = phi_3248_;
+                            let _e1788 = local_2.member_3;
+                            let _e1789 = (_e1786 + _e1788);
+                            let _e1792 = local_2.member_2[0u];
+                            if (_e1792[0] < 0f) {
+                                phi_3265_ = -(_e1792[0]);
                             } else {
-                                phi_3257_ = _e1797[0];
+                                phi_3265_ = _e1792[0];
                             }
-                            let _e1804 = phi_3257_;
-                            if (_e1797[1] < 0f) {
-                                phi_3264_ = -(_e1797[1]);
+                            let _e1799 = phi_3265_;
+                            if (_e1792[1] < 0f) {
+                                phi_3272_ = -(_e1792[1]);
                             } else {
-                                phi_3264_ = _e1797[1];
+                                phi_3272_ = _e1792[1];
                             }
-                            let _e1808 = phi_3264_;
-                            if (_e1804 > _e1808) {
-                                phi_3269_ = _e1804;
+                            let _e1803 = phi_3272_;
+                            if (_e1799 > _e1803) {
+                                phi_3277_ = _e1799;
                             } else {
-                                phi_3269_ = _e1808;
+                                phi_3277_ = _e1803;
                             }
-                            let _e1811 = phi_3269_;
-                            if (_e1797[2] < 0f) {
-                                phi_3276_ = -(_e1797[2]);
+                            let _e1806 = phi_3277_;
+                            if (_e1792[2] < 0f) {
+                                phi_3284_ = -(_e1792[2]);
                             } else {
-                                phi_3276_ = _e1797[2];
+                                phi_3284_ = _e1792[2];
                             }
-                            let _e1815 = phi_3276_;
-                            if (_e1811 > _e1815) {
-                                phi_3281_ = _e1811;
+                            let _e1810 = phi_3284_;
+                            if (_e1806 > _e1810) {
+                                phi_3289_ = _e1806;
                             } else {
-                                phi_3281_ = _e1815;
+                                phi_3289_ = _e1810;
                             }
-                            let _e1818 = phi_3281_;
-                            let _e1821 = local_2.member_2[1u];
-                            if (_e1821[0] < 0f) {
-                                phi_3295_ = -(_e1821[0]);
+                            let _e1813 = phi_3289_;
+                            let _e1816 = local_2.member_2[1u];
+                            if (_e1816[0] < 0f) {
+                                phi_3303_ = -(_e1816[0]);
                             } else {
-                                phi_3295_ = _e1821[0];
+                                phi_3303_ = _e1816[0];
                             }
-                            let _e1828 = phi_3295_;
-                            if (_e1821[1] < 0f) {
-                                phi_3302_ = -(_e1821[1]);
+                            let _e1823 = phi_3303_;
+                            if (_e1816[1] < 0f) {
+                                phi_3310_ = -(_e1816[1]);
                             } else {
-                                phi_3302_ = _e1821[1];
+                                phi_3310_ = _e1816[1];
                             }
-                            let _e1832 = phi_3302_;
-                            if (_e1828 > _e1832) {
-                                phi_3307_ = _e1828;
+                            let _e1827 = phi_3310_;
+                            if (_e1823 > _e1827) {
+                                phi_3315_ = _e1823;
                             } else {
-                                phi_3307_ = _e1832;
+                                phi_3315_ = _e1827;
                             }
-                            let _e1835 = phi_3307_;
-                            if (_e1821[2] < 0f) {
-                                phi_3314_ = -(_e1821[2]);
+                            let _e1830 = phi_3315_;
+                            if (_e1816[2] < 0f) {
+                                phi_3322_ = -(_e1816[2]);
                             } else {
-                                phi_3314_ = _e1821[2];
+                                phi_3322_ = _e1816[2];
                             }
-                            let _e1839 = phi_3314_;
-                            if (_e1835 > _e1839) {
-                                phi_3319_ = _e1835;
+                            let _e1834 = phi_3322_;
+                            if (_e1830 > _e1834) {
+                                phi_3327_ = _e1830;
                             } else {
-                                phi_3319_ = _e1839;
+                                phi_3327_ = _e1834;
                             }
-                            let _e1842 = phi_3319_;
-                            if (_e1818 > _e1842) {
-                                phi_3324_ = _e1818;
+                            let _e1837 = phi_3327_;
+                            if (_e1813 > _e1837) {
+                                phi_3332_ = _e1813;
                             } else {
-                                phi_3324_ = _e1842;
+                                phi_3332_ = _e1837;
                             }
-                            let _e1845 = phi_3324_;
-                            let _e1847 = local_2.member_3;
-                            let _e1848 = (_e1845 + _e1847);
-                            let _e1850 = ((_e1794 * 8f) * _e1848);
-                            let _e1857 = local_2.member_3;
-                            if (_e1546 < 0f) {
-                                phi_3355_ = -(_e1546);
+                            let _e1840 = phi_3332_;
+                            let _e1842 = local_2.member_3;
+                            let _e1843 = (_e1840 + _e1842);
+                            let _e1845 = ((_e1789 * 8f) * _e1843);
+                            let _e1852 = local_2.member_3;
+                            if (_e1541 < 0f) {
+                                phi_3363_ = -(_e1541);
                             } else {
-                                phi_3355_ = _e1546;
+                                phi_3363_ = _e1541;
                             }
-                            let _e1874 = phi_3355_;
-                            if (_e1549 < 0f) {
-                                phi_3361_ = -(_e1549);
+                            let _e1869 = phi_3363_;
+                            if (_e1544 < 0f) {
+                                phi_3369_ = -(_e1544);
                             } else {
-                                phi_3361_ = _e1549;
+                                phi_3369_ = _e1544;
                             }
-                            let _e1878 = phi_3361_;
-                            if (_e1552 < 0f) {
-                                phi_3368_ = -(_e1552);
+                            let _e1873 = phi_3369_;
+                            if (_e1547 < 0f) {
+                                phi_3376_ = -(_e1547);
                             } else {
-                                phi_3368_ = _e1552;
+                                phi_3376_ = _e1547;
                             }
-                            let _e1883 = phi_3368_;
-                            let _e1884 = ((_e1874 + _e1878) + _e1883);
-                            if (_e1567 < 0f) {
-                                phi_3375_ = -(_e1567);
+                            let _e1878 = phi_3376_;
+                            let _e1879 = ((_e1869 + _e1873) + _e1878);
+                            if (_e1562 < 0f) {
+                                phi_3383_ = -(_e1562);
                             } else {
-                                phi_3375_ = _e1567;
+                                phi_3383_ = _e1562;
                             }
-                            let _e1888 = phi_3375_;
-                            if (_e1570 < 0f) {
-                                phi_3381_ = -(_e1570);
+                            let _e1883 = phi_3383_;
+                            if (_e1565 < 0f) {
+                                phi_3389_ = -(_e1565);
                             } else {
-                                phi_3381_ = _e1570;
+                                phi_3389_ = _e1565;
                             }
-                            let _e1892 = phi_3381_;
-                            if (_e1573 < 0f) {
-                                phi_3388_ = -(_e1573);
+                            let _e1887 = phi_3389_;
+                            if (_e1568 < 0f) {
+                                phi_3396_ = -(_e1568);
                             } else {
-                                phi_3388_ = _e1573;
+                                phi_3396_ = _e1568;
                             }
-                            let _e1897 = phi_3388_;
-                            let _e1898 = ((_e1888 + _e1892) + _e1897);
-                            if (_e1884 > _e1898) {
-                                phi_3394_ = _e1884;
+                            let _e1892 = phi_3396_;
+                            let _e1893 = ((_e1883 + _e1887) + _e1892);
+                            if (_e1879 > _e1893) {
+                                phi_3402_ = _e1879;
                             } else {
-                                phi_3394_ = _e1898;
+                                phi_3402_ = _e1893;
                             }
-                            let _e1901 = phi_3394_;
-                            if (_e1616 < 0f) {
-                                phi_3400_ = -(_e1616);
+                            let _e1896 = phi_3402_;
+                            if (_e1611 < 0f) {
+                                phi_3408_ = -(_e1611);
                             } else {
-                                phi_3400_ = _e1616;
+                                phi_3408_ = _e1611;
                             }
-                            let _e1905 = phi_3400_;
-                            if (_e1617 < 0f) {
-                                phi_3406_ = -(_e1617);
+                            let _e1900 = phi_3408_;
+                            if (_e1612 < 0f) {
+                                phi_3414_ = -(_e1612);
                             } else {
-                                phi_3406_ = _e1617;
+                                phi_3414_ = _e1612;
                             }
-                            let _e1909 = phi_3406_;
-                            if (_e1618 < 0f) {
-                                phi_3413_ = -(_e1618);
+                            let _e1904 = phi_3414_;
+                            if (_e1613 < 0f) {
+                                phi_3421_ = -(_e1613);
                             } else {
-                                phi_3413_ = _e1618;
+                                phi_3421_ = _e1613;
                             }
-                            let _e1914 = phi_3413_;
-                            let _e1916 = (((_e1905 + _e1909) + _e1914) * 0.5f);
-                            if (_e1901 > _e1916) {
-                                phi_3420_ = _e1901;
+                            let _e1909 = phi_3421_;
+                            let _e1911 = (((_e1900 + _e1904) + _e1909) * 0.5f);
+                            if (_e1896 > _e1911) {
+                                phi_3428_ = _e1896;
                             } else {
-                                phi_3420_ = _e1916;
+                                phi_3428_ = _e1911;
                             }
-                            let _e1919 = phi_3420_;
-                            let _e1924 = local_2.member_3;
-                            let _e1937 = ((((_e1621[0] * _e1546) + (_e1621[1] * _e1549)) + (_e1621[2] * _e1552)) * 3f);
-                            let _e1938 = ((((_e1678[0] * _e1567) + (_e1678[1] * _e1570)) + (_e1678[2] * _e1573)) * 3f);
-                            if (_e1937 < _e1938) {
-                                phi_3444_ = _e1937;
+                            let _e1914 = phi_3428_;
+                            let _e1919 = local_2.member_3;
+                            let _e1932 = ((((_e1616[0] * _e1541) + (_e1616[1] * _e1544)) + (_e1616[2] * _e1547)) * 3f);
+                            let _e1933 = ((((_e1673[0] * _e1562) + (_e1673[1] * _e1565)) + (_e1673[2] * _e1568)) * 3f);
+                            if (_e1932 < _e1933) {
+                                phi_3452_ = _e1932;
                             } else {
-                                phi_3444_ = _e1938;
+                                phi_3452_ = _e1933;
                             }
-                            let _e1941 = phi_3444_;
-                            if (_e1652 < _e1675) {
-                                phi_3449_ = _e1652;
+                            let _e1936 = phi_3452_;
+                            if (_e1647 < _e1670) {
+                                phi_3457_ = _e1647;
                             } else {
-                                phi_3449_ = _e1675;
+                                phi_3457_ = _e1670;
                             }
-                            let _e1944 = phi_3449_;
-                            if (_e1941 < _e1944) {
-                                phi_3454_ = _e1941;
+                            let _e1939 = phi_3457_;
+                            if (_e1936 < _e1939) {
+                                phi_3462_ = _e1936;
                             } else {
-                                phi_3454_ = _e1944;
+                                phi_3462_ = _e1939;
                             }
-                            let _e1947 = phi_3454_;
-                            if (_e1937 > _e1938) {
-                                phi_3459_ = _e1937;
+                            let _e1942 = phi_3462_;
+                            if (_e1932 > _e1933) {
+                                phi_3467_ = _e1932;
                             } else {
-                                phi_3459_ = _e1938;
+                                phi_3467_ = _e1933;
                             }
-                            let _e1950 = phi_3459_;
-                            if (_e1652 > _e1675) {
-                                phi_3464_ = _e1652;
+                            let _e1945 = phi_3467_;
+                            if (_e1647 > _e1670) {
+                                phi_3472_ = _e1647;
                             } else {
-                                phi_3464_ = _e1675;
+                                phi_3472_ = _e1670;
                             }
-                            let _e1953 = phi_3464_;
-                            if (_e1950 > _e1953) {
-                                phi_3469_ = _e1950;
+                            let _e1948 = phi_3472_;
+                            if (_e1945 > _e1948) {
+                                phi_3477_ = _e1945;
                             } else {
-                                phi_3469_ = _e1953;
+                                phi_3477_ = _e1948;
                             }
-                            let _e1956 = phi_3469_;
-                            let _e1961 = -(_e1956);
-                            if (_e1947 > _e1961) {
-                                phi_3479_ = _e1947;
+                            let _e1951 = phi_3477_;
+                            let _e1956 = -(_e1951);
+                            if (_e1942 > _e1956) {
+                                phi_3487_ = _e1942;
                             } else {
-                                phi_3479_ = _e1961;
+                                phi_3487_ = _e1956;
                             }
-                            let _e1964 = phi_3479_;
-                            let _e1966 = ((_e1964 - ((((((_e1740 * 8f) * _e1850) * (0.000000059604645f * (524f / 64f))) + ((_e1857 * 19f) * ((_e1740 * (_e1794 + _e1848)) + (_e1794 * _e1848)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1740) * ((1f + _e1794) * (1f + _e1848))))) + ((_e1454 * (((_e1919 + (_e1850 * (0.000000059604645f * 8f))) + ((_e1924 * 6f) * (_e1794 + _e1848))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1794) * (1f + _e1848))))) * (3f * 1.0001f)))) > 0f);
-                            if _e1966 {
-                                phi_4448_ = _e1966;
+                            let _e1959 = phi_3487_;
+                            let _e1961 = ((_e1959 - ((((((_e1735 * 8f) * _e1845) * (0.000000059604645f * (524f / 64f))) + ((_e1852 * 19f) * ((_e1735 * (_e1789 + _e1843)) + (_e1789 * _e1843)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1735) * ((1f + _e1789) * (1f + _e1843))))) + ((_e1449 * (((_e1914 + (_e1845 * (0.000000059604645f * 8f))) + ((_e1919 * 6f) * (_e1789 + _e1843))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1789) * (1f + _e1843))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1961 {
+                                phi_4456_ = _e1961;
                             } else {
-                                let _e1969 = local_2.member_1[0u];
-                                let _e1975 = local_2.member_1[1u];
-                                let _e1979 = (_e1969[0] + _e1975[0]);
-                                let _e1980 = (_e1969[1] + _e1975[1]);
-                                let _e1981 = (_e1969[2] + _e1975[2]);
-                                let _e1984 = local_2.member_2[0u];
-                                let _e1990 = local_2.member_2[1u];
-                                let _e1994 = (_e1984[0] + _e1990[0]);
-                                let _e1995 = (_e1984[1] + _e1990[1]);
-                                let _e1996 = (_e1984[2] + _e1990[2]);
-                                let _e1999 = ((_e1980 * _e1996) - (_e1981 * _e1995));
-                                let _e2002 = ((_e1981 * _e1994) - (_e1979 * _e1996));
-                                let _e2005 = ((_e1979 * _e1995) - (_e1980 * _e1994));
-                                let _e2008 = local_2.member[0u];
-                                let _e2014 = local_2.member_1[0u];
-                                let _e2020 = local_2.member_2[0u];
-                                let _e2024 = (_e2008[0] - _e2014[0]);
-                                let _e2025 = (_e2008[1] - _e2014[1]);
-                                let _e2026 = (_e2008[2] - _e2014[2]);
-                                let _e2027 = (_e2024 - _e2020[0]);
-                                let _e2028 = (_e2025 - _e2020[1]);
-                                let _e2029 = (_e2026 - _e2020[2]);
-                                let _e2030 = (_e2008[0] - _e2020[0]);
-                                let _e2031 = (_e2008[1] - _e2020[1]);
-                                let _e2032 = (_e2008[2] - _e2020[2]);
-                                let _e2035 = local_2.member[1u];
-                                let _e2041 = local_2.member_1[1u];
-                                let _e2047 = local_2.member_2[1u];
-                                let _e2051 = (_e2035[0] - _e2041[0]);
-                                let _e2052 = (_e2035[1] - _e2041[1]);
-                                let _e2053 = (_e2035[2] - _e2041[2]);
-                                let _e2054 = (_e2051 - _e2047[0]);
-                                let _e2055 = (_e2052 - _e2047[1]);
-                                let _e2056 = (_e2053 - _e2047[2]);
-                                let _e2057 = (_e2035[0] - _e2047[0]);
-                                let _e2058 = (_e2035[1] - _e2047[1]);
-                                let _e2059 = (_e2035[2] - _e2047[2]);
-                                let _e2062 = local_2.member[0u];
-                                if (_e2062[0] < 0f) {
-                                    phi_3682_ = -(_e2062[0]);
-                                } else {
-                                    phi_3682_ = _e2062[0];
-                                }
-                                let _e2069 = phi_3682_;
-                                if (_e2062[1] < 0f) {
-                                    phi_3689_ = -(_e2062[1]);
-                                } else {
-                                    phi_3689_ = _e2062[1];
-                                }
-                                let _e2073 = phi_3689_;
-                                if (_e2069 > _e2073) {
-                                    phi_3694_ = _e2069;
-                                } else {
-                                    phi_3694_ = _e2073;
-                                }
-                                let _e2076 = phi_3694_;
-                                if (_e2062[2] < 0f) {
-                                    phi_3701_ = -(_e2062[2]);
-                                } else {
-                                    phi_3701_ = _e2062[2];
-                                }
-                                let _e2080 = phi_3701_;
-                                if (_e2076 > _e2080) {
-                                    phi_3706_ = _e2076;
-                                } else {
-                                    phi_3706_ = _e2080;
-                                }
-                                let _e2083 = phi_3706_;
-                                let _e2086 = local_2.member[1u];
-                                if (_e2086[0] < 0f) {
-                                    phi_3719_ = -(_e2086[0]);
+                                let _e1964 = local_2.member_1[0u];
+                                let _e1970 = local_2.member_1[1u];
+                                let _e1974 = (_e1964[0] + _e1970[0]);
+                                let _e1975 = (_e1964[1] + _e1970[1]);
+                                let _e1976 = (_e1964[2] + _e1970[2]);
+                                let _e1979 = local_2.member_2[0u];
+                                let _e1985 = local_2.member_2[1u];
+                                let _e1989 = (_e1979[0] + _e1985[0]);
+                                let _e1990 = (_e1979[1] + _e1985[1]);
+                                let _e1991 = (_e1979[2] + _e1985[2]);
+                                let _e1994 = ((_e1975 * _e1991) - (_e1976 * _e1990));
+                                let _e1997 = ((_e1976 * _e1989) - (_e1974 * _e1991));
+                                let _e2000 = ((_e1974 * _e1990) - (_e1975 * _e1989));
+                                let _e2003 = local_2.member[0u];
+                                let _e2009 = local_2.member_1[0u];
+                                let _e2015 = local_2.member_2[0u];
+                                let _e2019 = (_e2003[0] - _e2009[0]);
+                                let _e2020 = (_e2003[1] - _e2009[1]);
+                                let _e2021 = (_e2003[2] - _e2009[2]);
+                                let _e2022 = (_e2019 - _e2015[0]);
+                                let _e2023 = (_e2020 - _e2015[1]);
+                                let _e2024 = (_e2021 - _e2015[2]);
+                                let _e2025 = (_e2003[0] - _e2015[0]);
+                                let _e2026 = (_e2003[1] - _e2015[1]);
+                                let _e2027 = (_e2003[2] - _e2015[2]);
+                                let _e2030 = local_2.member[1u];
+                                let _e2036 = local_2.member_1[1u];
+                                let _e2042 = local_2.member_2[1u];
+                                let _e2046 = (_e2030[0] - _e2036[0]);
+                                let _e2047 = (_e2030[1] - _e2036[1]);
+                                let _e2048 = (_e2030[2] - _e2036[2]);
+                                let _e2049 = (_e2046 - _e2042[0]);
+                                let _e2050 = (_e2047 - _e2042[1]);
+                                let _e2051 = (_e2048 - _e2042[2]);
+                                let _e2052 = (_e2030[0] - _e2042[0]);
+                                let _e2053 = (_e2030[1] - _e2042[1]);
+                                let _e2054 = (_e2030[2] - _e2042[2]);
+                                let _e2057 = local_2.member[0u];
+                                if (_e2057[0] < 0f) {
+                                    phi_3690_ = -(_e2057[0]);
+                                } else {
+                                    phi_3690_ = _e2057[0];
+                                }
+                                let _e2064 = phi_3690_;
+                                if (_e2057[1] < 0f) {
+                                    phi_3697_ = -(_e2057[1]);
+                                } else {
+                                    phi_3697_ = _e2057[1];
+                                }
+                                let _e2068 = phi_3697_;
+                                if (_e2064 > _e2068) {
+                                    phi_3702_ = _e2064;
+                                } else {
+                                    phi_3702_ = _e2068;
+                                }
+                                let _e2071 = phi_3702_;
+                                if (_e2057[2] < 0f) {
+                                    phi_3709_ = -(_e2057[2]);
+                                } else {
+                                    phi_3709_ = _e2057[2];
+                                }
+                                let _e2075 = phi_3709_;
+                                if (_e2071 > _e2075) {
+                                    phi_3714_ = _e2071;
+                                } else {
+                                    phi_3714_ = _e2075;
+                                }
+                                let _e2078 = phi_3714_;
+                                let _e2081 = local_2.member[1u];
+                                if (_e2081[0] < 0f) {
+                                    phi_3727_ = -(_e2081[0]);
                                 } else {
-                                    phi_3719_ = _e2086[0];
+                                    phi_3727_ = _e2081[0];
                                 }
-                                let _e2093 = phi_3719_;
-                                if (_e2086[1] < 0f) {
-                                    phi_3726_ = -(_e2086[1]);
-                                } else {
-                                    phi_3726_ = _e2086[1];
+                                let _e2088 = phi_3727_;
+                                if (_e2081[1] < 0f) {
+                                    phi_3734_ = -(_e2081[1]);
+                                } else {
+                                    phi_3734_ = _e2081[1];
                                 }
-                                let _e2097 = phi_3726_;
-                                if (_e2093 > _e2097) {
-                                    phi_3731_ = _e2093;
+                                let _e2092 = phi_3734_;
+                                if (_e2088 > _e2092) {
+                                    phi_3739_ = _e2088;
                                 } else {
-                                    phi_3731_ = _e2097;
+                                    phi_3739_ = _e2092;
                                 }
-                                let _e2100 = phi_3731_;
-                                if (_e2086[2] < 0f) {
-                                    phi_3738_ = -(_e2086[2]);
+                                let _e2095 = phi_3739_;
+                                if (_e2081[2] < 0f) {
+                                    phi_3746_ = -(_e2081[2]);
                                 } else {
-                                    phi_3738_ = _e2086[2];
+                                    phi_3746_ = _e2081[2];
                                 }
-                                let _e2104 = phi_3738_;
-                                if (_e2100 > _e2104) {
-                                    phi_3743_ = _e2100;
+                                let _e2099 = phi_3746_;
+                                if (_e2095 > _e2099) {
+                                    phi_3751_ = _e2095;
                                 } else {
-                                    phi_3743_ = _e2104;
+                                    phi_3751_ = _e2099;
                                 }
-                                let _e2107 = phi_3743_;
-                                if (_e2083 > _e2107) {
-                                    phi_3748_ = _e2083;
+                                let _e2102 = phi_3751_;
+                                if (_e2078 > _e2102) {
+                                    phi_3756_ = _e2078;
                                 } else {
-                                    phi_3748_ = _e2107;
+                                    phi_3756_ = _e2102;
                                 }
-                                let _e2110 = phi_3748_;
-                                let _e2112 = local_2.member_3;
-                                let _e2116 = local_2.member_1[0u];
-                                if (_e2116[0] < 0f) {
-                                    phi_3765_ = -(_e2116[0]);
+                                let _e2105 = phi_3756_;
+                                let _e2107 = local_2.member_3;
+                                let _e2111 = local_2.member_1[0u];
+                                if (_e2111[0] < 0f) {
+                                    phi_3773_ = -(_e2111[0]);
                                 } else {
-                                    phi_3765_ = _e2116[0];
+                                    phi_3773_ = _e2111[0];
                                 }
-                                let _e2123 = phi_3765_;
-                                if (_e2116[1] < 0f) {
-                                    phi_3772_ = -(_e2116[1]);
+                                let _e2118 = phi_3773_;
+                                if (_e2111[1] < 0f) {
+                                    phi_3780_ = -(_e2111[1]);
                                 } else {
-                                    phi_3772_ = _e2116[1];
+                                    phi_3780_ = _e2111[1];
                                 }
-                                let _e2127 = phi_3772_;
-                                if (_e2123 > _e2127) {
-                                    phi_3777_ = _e2123;
+                                let _e2122 = phi_3780_;
+                                if (_e2118 > _e2122) {
+                                    phi_3785_ = _e2118;
                                 } else {
-                                    phi_3777_ = _e2127;
+                                    phi_3785_ = _e2122;
                                 }
-                                let _e2130 = phi_3777_;
-                                if (_e2116[2] < 0f) {
-                                    phi_3784_ = -(_e2116[2]);
+                                let _e2125 = phi_3785_;
+                                if (_e2111[2] < 0f) {
+                                    phi_3792_ = -(_e2111[2]);
                                 } else {
-                                    phi_3784_ = _e2116[2];
+                                    phi_3792_ = _e2111[2];
                                 }
-                                let _e2134 = phi_3784_;
-                                if (_e2130 > _e2134) {
-                                    phi_3789_ = _e2130;
+                                let _e2129 = phi_3792_;
+                                if (_e2125 > _e2129) {
+                                    phi_3797_ = _e2125;
                                 } else {
-                                    phi_3789_ = _e2134;
+                                    phi_3797_ = _e2129;
                                 }
-                                let _e2137 = phi_3789_;
-                                let _e2140 = local_2.member_1[1u];
-                                if (_e2140[0] < 0f) {
-                                    phi_3803_ = -(_e2140[0]);
+                                let _e2132 = phi_3797_;
+                                let _e2135 = local_2.member_1[1u];
+                                if (_e2135[0] < 0f) {
+                                    phi_3811_ = -(_e2135[0]);
                                 } else {
-                                    phi_3803_ = _e2140[0];
+                                    phi_3811_ = _e2135[0];
                                 }
-                                let _e2147 = phi_3803_;
-                                if (_e2140[1] < 0f) {
-                                    phi_3810_ = -(_e2140[1]);
+                                let _e2142 = phi_3811_;
+                                if (_e2135[1] < 0f) {
+                                    phi_3818_ = -(_e2135[1]);
                                 } else {
-                                    phi_3810_ = _e2140[1];
+                                    phi_3818_ = _e2135[1];
                                 }
-                                let _e2151 = phi_3810_;
-                                if (_e2147 > _e2151) {
-                                    phi_3815_ = _e2147;
+                                let _e2146 = phi_3818_;
+                                if (_e2142 > _e2146) {
+                                    phi_3823_ = _e2142;
                                 } else {
-                                    phi_3815_ = _e2151;
+                                    phi_3823_ = _e2146;
                                 }
-                                let _e2154 = phi_3815_;
-                                if (_e2140[2] < 0f) {
-                                    phi_3822_ = -(_e2140[2]);
+                                let _e2149 = phi_3823_;
+                                if (_e2135[2] < 0f) {
+                                    phi_3830_ = -(_e2135[2]);
                                 } else {
-                                    phi_3822_ = _e2140[2];
+                                    phi_3830_ = _e2135[2];
                                 }
-                                let _e2158 = phi_3822_;
-                                if (_e2154 > _e2158) {
-                                    phi_3827_ = _e2154;
+                                let _e2153 = phi_3830_;
+                                if (_e2149 > _e2153) {
+                                    phi_3835_ = _e2149;
                                 } else {
-                                    phi_3827_ = _e2158;
+                                    phi_3835_ = _e2153;
                                 }
-                                let _e2161 = phi_3827_;
-                                if (_e2137 > _e2161) {
-                                    phi_3832_ = _e2137;
+                                let _e2156 = phi_3835_;
+                                if (_e2132 > _e2156) {
+                                    phi_3840_ = _e2132;
                                 } else {
-                                    phi_3832_ = _e2161;
+                                    phi_3840_ = _e2156;
                                 }
-                                let _e2164 = phi_3832_;
-                                let _e2166 = local_2.member_3;
-                                let _e2170 = local_2.member_2[0u];
-                                if (_e2170[0] < 0f) {
-                                    phi_3849_ = -(_e2170[0]);
+                                let _e2159 = phi_3840_;
+                                let _e2161 = local_2.member_3;
+                                let _e2165 = local_2.member_2[0u];
+                                if (_e2165[0] < 0f) {
+                                    phi_3857_ = -(_e2165[0]);
                                 } else {
-                                    phi_3849_ = _e2170[0];
+                                    phi_3857_ = _e2165[0];
                                 }
-                                let _e2177 = phi_3849_;
-                                if (_e2170[1] < 0f) {
-                                    phi_3856_ = -(_e2170[1]);
+                                let _e2172 = phi_3857_;
+                                if (_e2165[1] < 0f) {
+                                    phi_3864_ = -(_e2165[1]);
                                 } else {
-                                    phi_3856_ = _e2170[1];
+                                    phi_3864_ = _e2165[1];
                                 }
-                                let _e2181 = phi_3856_;
-                                if (_e2177 > _e2181) {
-                                    phi_3861_ = _e2177;
+                                let _e2176 = phi_3864_;
+                                if (_e2172 > _e2176) {
+                                    phi_3869_ = _e2172;
                                 } else {
-                                    phi_3861_ = _e2181;
+                                    phi_3869_ = _e2176;
                                 }
-                                let _e2184 = phi_3861_;
-                                if (_e2170[2] < 0f) {
-                                    phi_3868_ = -(_e2170[2]);
+                                let _e2179 = phi_3869_;
+                                if (_e2165[2] < 0f) {
+                                    phi_3876_ = -(_e2165[2]);
                                 } else {
-                                    phi_3868_ = _e2170[2];
+                                    phi_3876_ = _e2165[2];
                                 }
-                                let _e2188 = phi_3868_;
-                                if (_e2184 > _e2188) {
-                                    phi_3873_ = _e2184;
+                                let _e2183 = phi_3876_;
+                                if (_e2179 > _e2183) {
+                                    phi_3881_ = _e2179;
                                 } else {
-                                    phi_3873_ = _e2188;
+                                    phi_3881_ = _e2183;
                                 }
-                                let _e2191 = phi_3873_;
-                                let _e2194 = local_2.member_2[1u];
-                                if (_e2194[0] < 0f) {
-                                    phi_3887_ = -(_e2194[0]);
+                                let _e2186 = phi_3881_;
+                                let _e2189 = local_2.member_2[1u];
+                                if (_e2189[0] < 0f) {
+                                    phi_3895_ = -(_e2189[0]);
                                 } else {
-                                    phi_3887_ = _e2194[0];
+                                    phi_3895_ = _e2189[0];
                                 }
-                                let _e2201 = phi_3887_;
-                                if (_e2194[1] < 0f) {
-                                    phi_3894_ = -(_e2194[1]);
+                                let _e2196 = phi_3895_;
+                                if (_e2189[1] < 0f) {
+                                    phi_3902_ = -(_e2189[1]);
                                 } else {
-                                    phi_3894_ = _e2194[1];
+                                    phi_3902_ = _e2189[1];
                                 }
-                                let _e2205 = phi_3894_;
-                                if (_e2201 > _e2205) {
-                                    phi_3899_ = _e2201;
+                                let _e2200 = phi_3902_;
+                                if (_e2196 > _e2200) {
+                                    phi_3907_ = _e2196;
                                 } else {
-                                    phi_3899_ = _e2205;
+                                    phi_3907_ = _e2200;
                                 }
-                                let _e2208 = phi_3899_;
-                                if (_e2194[2] < 0f) {
-                                    phi_3906_ = -(_e2194[2]);
+                                let _e2203 = phi_3907_;
+                                if (_e2189[2] < 0f) {
+                                    phi_3914_ = -(_e2189[2]);
                                 } else {
-                                    phi_3906_ = _e2194[2];
+                                    phi_3914_ = _e2189[2];
                                 }
-                                let _e2212 = phi_3906_;
-                                if (_e2208 > _e2212) {
-                                    phi_3911_ = _e2208;
+                                let _e2207 = phi_3914_;
+                                if (_e2203 > _e2207) {
+                                    phi_3919_ = _e2203;
                                 } else {
-                                    phi_3911_ = _e2212;
+                                    phi_3919_ = _e2207;
                                 }
-                                let _e2215 = phi_3911_;
-                                if (_e2191 > _e2215) {
-                                    phi_3916_ = _e2191;
+                                let _e2210 = phi_3919_;
+                                if (_e2186 > _e2210) {
+                                    phi_3924_ = _e2186;
                                 } else {
-                                    phi_3916_ = _e2215;
+                                    phi_3924_ = _e2210;
                                 }
-                                let _e2218 = phi_3916_;
-                                let _e2220 = local_2.member_3;
-                                let _e2224 = ((((_e2110 + _e2112) + (_e2164 + _e2166)) + (_e2218 + _e2220)) * 2f);
-                                let _e2227 = local_2.member_3;
-                                let _e2231 = (((_e1454 * 1.0001f) + (_e2227 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2234 = ((_e2002 * _e1981) - (_e2005 * _e1980));
-                                let _e2237 = ((_e2005 * _e1979) - (_e1999 * _e1981));
-                                let _e2240 = ((_e1999 * _e1980) - (_e2002 * _e1979));
-                                let _e2245 = (((_e2234 * _e2008[0]) + (_e2237 * _e2008[1])) + (_e2240 * _e2008[2]));
-                                let _e2250 = (((_e2234 * _e2024) + (_e2237 * _e2025)) + (_e2240 * _e2026));
-                                let _e2255 = (((_e2234 * _e2030) + (_e2237 * _e2031)) + (_e2240 * _e2032));
-                                let _e2260 = (((_e2234 * _e2027) + (_e2237 * _e2028)) + (_e2240 * _e2029));
-                                let _e2265 = (((_e2234 * _e2035[0]) + (_e2237 * _e2035[1])) + (_e2240 * _e2035[2]));
-                                let _e2270 = (((_e2234 * _e2051) + (_e2237 * _e2052)) + (_e2240 * _e2053));
-                                let _e2275 = (((_e2234 * _e2057) + (_e2237 * _e2058)) + (_e2240 * _e2059));
-                                let _e2280 = (((_e2234 * _e2054) + (_e2237 * _e2055)) + (_e2240 * _e2056));
-                                if (_e2245 < _e2250) {
-                                    phi_3995_ = _e2245;
+                                let _e2213 = phi_3924_;
+                                let _e2215 = local_2.member_3;
+                                let _e2219 = ((((_e2105 + _e2107) + (_e2159 + _e2161)) + (_e2213 + _e2215)) * 2f);
+                                let _e2222 = local_2.member_3;
+                                let _e2226 = (((_e1449 * 1.0001f) + (_e2222 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2229 = ((_e1997 * _e1976) - (_e2000 * _e1975));
+                                let _e2232 = ((_e2000 * _e1974) - (_e1994 * _e1976));
+                                let _e2235 = ((_e1994 * _e1975) - (_e1997 * _e1974));
+                                let _e2240 = (((_e2229 * _e2003[0]) + (_e2232 * _e2003[1])) + (_e2235 * _e2003[2]));
+                                let _e2245 = (((_e2229 * _e2019) + (_e2232 * _e2020)) + (_e2235 * _e2021));
+                                let _e2250 = (((_e2229 * _e2025) + (_e2232 * _e2026)) + (_e2235 * _e2027));
+                                let _e2255 = (((_e2229 * _e2022) + (_e2232 * _e2023)) + (_e2235 * _e2024));
+                                let _e2260 = (((_e2229 * _e2030[0]) + (_e2232 * _e2030[1])) + (_e2235 * _e2030[2]));
+                                let _e2265 = (((_e2229 * _e2046) + (_e2232 * _e2047)) + (_e2235 * _e2048));
+                                let _e2270 = (((_e2229 * _e2052) + (_e2232 * _e2053)) + (_e2235 * _e2054));
+                                let _e2275 = (((_e2229 * _e2049) + (_e2232 * _e2050)) + (_e2235 * _e2051));
+                                if (_e2240 < _e2245) {
+                                    phi_4003_ = _e2240;
                                 } else {
-                                    phi_3995_ = _e2250;
+                                    phi_4003_ = _e2245;
                                 }
-                                let _e2283 = phi_3995_;
-                                if (_e2255 < _e2260) {
-                                    phi_4000_ = _e2255;
+                                let _e2278 = phi_4003_;
+                                if (_e2250 < _e2255) {
+                                    phi_4008_ = _e2250;
                                 } else {
-                                    phi_4000_ = _e2260;
+                                    phi_4008_ = _e2255;
                                 }
-                                let _e2286 = phi_4000_;
-                                if (_e2283 < _e2286) {
-                                    phi_4005_ = _e2283;
+                                let _e2281 = phi_4008_;
+                                if (_e2278 < _e2281) {
+                                    phi_4013_ = _e2278;
                                 } else {
-                                    phi_4005_ = _e2286;
+                                    phi_4013_ = _e2281;
                                 }
-                                let _e2289 = phi_4005_;
-                                if (_e2265 < _e2270) {
-                                    phi_4010_ = _e2265;
+                                let _e2284 = phi_4013_;
+                                if (_e2260 < _e2265) {
+                                    phi_4018_ = _e2260;
                                 } else {
-                                    phi_4010_ = _e2270;
+                                    phi_4018_ = _e2265;
                                 }
-                                let _e2292 = phi_4010_;
-                                if (_e2275 < _e2280) {
-                                    phi_4015_ = _e2275;
+                                let _e2287 = phi_4018_;
+                                if (_e2270 < _e2275) {
+                                    phi_4023_ = _e2270;
                                 } else {
-                                    phi_4015_ = _e2280;
+                                    phi_4023_ = _e2275;
                                 }
-                                let _e2295 = phi_4015_;
-                                if (_e2292 < _e2295) {
-                                    phi_4020_ = _e2292;
+                                let _e2290 = phi_4023_;
+                                if (_e2287 < _e2290) {
+                                    phi_4028_ = _e2287;
                                 } else {
-                                    phi_4020_ = _e2295;
+                                    phi_4028_ = _e2290;
                                 }
-                                let _e2298 = phi_4020_;
-                                if (_e2289 < _e2298) {
-                                    phi_4025_ = _e2289;
+                                let _e2293 = phi_4028_;
+                                if (_e2284 < _e2293) {
+                                    phi_4033_ = _e2284;
                                 } else {
-                                    phi_4025_ = _e2298;
+                                    phi_4033_ = _e2293;
                                 }
-                                let _e2301 = phi_4025_;
-                                if (_e2245 > _e2250) {
-                                    phi_4030_ = _e2245;
+                                let _e2296 = phi_4033_;
+                                if (_e2240 > _e2245) {
+                                    phi_4038_ = _e2240;
                                 } else {
-                                    phi_4030_ = _e2250;
+                                    phi_4038_ = _e2245;
                                 }
-                                let _e2304 = phi_4030_;
-                                if (_e2255 > _e2260) {
-                                    phi_4035_ = _e2255;
+                                let _e2299 = phi_4038_;
+                                if (_e2250 > _e2255) {
+                                    phi_4043_ = _e2250;
                                 } else {
-                                    phi_4035_ = _e2260;
+                                    phi_4043_ = _e2255;
                                 }
-                                let _e2307 = phi_4035_;
-                                if (_e2304 > _e2307) {
-                                    phi_4040_ = _e2304;
+                                let _e2302 = phi_4043_;
+                                if (_e2299 > _e2302) {
+                                    phi_4048_ = _e2299;
                                 } else {
-                                    phi_4040_ = _e2307;
+                                    phi_4048_ = _e2302;
                                 }
-                                let _e2310 = phi_4040_;
-                                if (_e2265 > _e2270) {
-                                    phi_4045_ = _e2265;
+                                let _e2305 = phi_4048_;
+                                if (_e2260 > _e2265) {
+                                    phi_4053_ = _e2260;
                                 } else {
-                                    phi_4045_ = _e2270;
+                                    phi_4053_ = _e2265;
                                 }
-                                let _e2313 = phi_4045_;
-                                if (_e2275 > _e2280) {
-                                    phi_4050_ = _e2275;
+                                let _e2308 = phi_4053_;
+                                if (_e2270 > _e2275) {
+                                    phi_4058_ = _e2270;
                                 } else {
-                                    phi_4050_ = _e2280;
+                                    phi_4058_ = _e2275;
                                 }
-                                let _e2316 = phi_4050_;
-                                if (_e2313 > _e2316) {
-                                    phi_4055_ = _e2313;
+                                let _e2311 = phi_4058_;
+                                if (_e2308 > _e2311) {
+                                    phi_4063_ = _e2308;
                                 } else {
-                                    phi_4055_ = _e2316;
+                                    phi_4063_ = _e2311;
                                 }
-                                let _e2319 = phi_4055_;
-                                if (_e2310 > _e2319) {
-                                    phi_4060_ = _e2310;
+                                let _e2314 = phi_4063_;
+                                if (_e2305 > _e2314) {
+                                    phi_4068_ = _e2305;
                                 } else {
-                                    phi_4060_ = _e2319;
+                                    phi_4068_ = _e2314;
                                 }
-                                let _e2322 = phi_4060_;
-                                if (_e2234 < 0f) {
-                                    phi_4066_ = -(_e2234);
+                                let _e2317 = phi_4068_;
+                                if (_e2229 < 0f) {
+                                    phi_4074_ = -(_e2229);
                                 } else {
-                                    phi_4066_ = _e2234;
+                                    phi_4074_ = _e2229;
                                 }
-                                let _e2326 = phi_4066_;
-                                if (_e2237 < 0f) {
-                                    phi_4072_ = -(_e2237);
+                                let _e2321 = phi_4074_;
+                                if (_e2232 < 0f) {
+                                    phi_4080_ = -(_e2232);
                                 } else {
-                                    phi_4072_ = _e2237;
+                                    phi_4080_ = _e2232;
                                 }
-                                let _e2330 = phi_4072_;
-                                if (_e2240 < 0f) {
-                                    phi_4079_ = -(_e2240);
+                                let _e2325 = phi_4080_;
+                                if (_e2235 < 0f) {
+                                    phi_4087_ = -(_e2235);
                                 } else {
-                                    phi_4079_ = _e2240;
+                                    phi_4087_ = _e2235;
                                 }
-                                let _e2335 = phi_4079_;
-                                let _e2336 = ((_e2326 + _e2330) + _e2335);
-                                let _e2341 = -(_e2322);
-                                if (_e2301 > _e2341) {
-                                    phi_4090_ = _e2301;
+                                let _e2330 = phi_4087_;
+                                let _e2331 = ((_e2321 + _e2325) + _e2330);
+                                let _e2336 = -(_e2317);
+                                if (_e2296 > _e2336) {
+                                    phi_4098_ = _e2296;
                                 } else {
-                                    phi_4090_ = _e2341;
+                                    phi_4098_ = _e2336;
                                 }
-                                let _e2344 = phi_4090_;
-                                let _e2349 = (((_e2344 - ((_e2336 * _e2224) * (0.000000059604645f * (17f / 2f)))) - (_e2336 * _e2231)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2352 = ((_e2002 * _e1996) - (_e2005 * _e1995));
-                                let _e2355 = ((_e2005 * _e1994) - (_e1999 * _e1996));
-                                let _e2358 = ((_e1999 * _e1995) - (_e2002 * _e1994));
-                                let _e2363 = (((_e2352 * _e2008[0]) + (_e2355 * _e2008[1])) + (_e2358 * _e2008[2]));
-                                let _e2368 = (((_e2352 * _e2024) + (_e2355 * _e2025)) + (_e2358 * _e2026));
-                                let _e2373 = (((_e2352 * _e2030) + (_e2355 * _e2031)) + (_e2358 * _e2032));
-                                let _e2378 = (((_e2352 * _e2027) + (_e2355 * _e2028)) + (_e2358 * _e2029));
-                                let _e2383 = (((_e2352 * _e2035[0]) + (_e2355 * _e2035[1])) + (_e2358 * _e2035[2]));
-                                let _e2388 = (((_e2352 * _e2051) + (_e2355 * _e2052)) + (_e2358 * _e2053));
-                                let _e2393 = (((_e2352 * _e2057) + (_e2355 * _e2058)) + (_e2358 * _e2059));
-                                let _e2398 = (((_e2352 * _e2054) + (_e2355 * _e2055)) + (_e2358 * _e2056));
-                                if (_e2363 < _e2368) {
-                                    phi_4161_ = _e2363;
+                                let _e2339 = phi_4098_;
+                                let _e2344 = (((_e2339 - ((_e2331 * _e2219) * (0.000000059604645f * (17f / 2f)))) - (_e2331 * _e2226)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2347 = ((_e1997 * _e1991) - (_e2000 * _e1990));
+                                let _e2350 = ((_e2000 * _e1989) - (_e1994 * _e1991));
+                                let _e2353 = ((_e1994 * _e1990) - (_e1997 * _e1989));
+                                let _e2358 = (((_e2347 * _e2003[0]) + (_e2350 * _e2003[1])) + (_e2353 * _e2003[2]));
+                                let _e2363 = (((_e2347 * _e2019) + (_e2350 * _e2020)) + (_e2353 * _e2021));
+                                let _e2368 = (((_e2347 * _e2025) + (_e2350 * _e2026)) + (_e2353 * _e2027));
+                                let _e2373 = (((_e2347 * _e2022) + (_e2350 * _e2023)) + (_e2353 * _e2024));
+                                let _e2378 = (((_e2347 * _e2030[0]) + (_e2350 * _e2030[1])) + (_e2353 * _e2030[2]));
+                                let _e2383 = (((_e2347 * _e2046) + (_e2350 * _e2047)) + (_e2353 * _e2048));
+                                let _e2388 = (((_e2347 * _e2052) + (_e2350 * _e2053)) + (_e2353 * _e2054));
+                                let _e2393 = (((_e2347 * _e2049) + (_e2350 * _e2050)) + (_e2353 * _e2051));
+                                if (_e2358 < _e2363) {
+                                    phi_4169_ = _e2358;
                                 } else {
-                                    phi_4161_ = _e2368;
+                                    phi_4169_ = _e2363;
                                 }
-                                let _e2401 = phi_4161_;
-                                if (_e2373 < _e2378) {
-                                    phi_4166_ = _e2373;
+                                let _e2396 = phi_4169_;
+                                if (_e2368 < _e2373) {
+                                    phi_4174_ = _e2368;
                                 } else {
-                                    phi_4166_ = _e2378;
+                                    phi_4174_ = _e2373;
                                 }
-                                let _e2404 = phi_4166_;
-                                if (_e2401 < _e2404) {
-                                    phi_4171_ = _e2401;
+                                let _e2399 = phi_4174_;
+                                if (_e2396 < _e2399) {
+                                    phi_4179_ = _e2396;
                                 } else {
-                                    phi_4171_ = _e2404;
+                                    phi_4179_ = _e2399;
                                 }
-                                let _e2407 = phi_4171_;
-                                if (_e2383 < _e2388) {
-                                    phi_4176_ = _e2383;
+                                let _e2402 = phi_4179_;
+                                if (_e2378 < _e2383) {
+                                    phi_4184_ = _e2378;
                                 } else {
-                                    phi_4176_ = _e2388;
+                                    phi_4184_ = _e2383;
                                 }
-                                let _e2410 = phi_4176_;
-                                if (_e2393 < _e2398) {
-                                    phi_4181_ = _e2393;
+                                let _e2405 = phi_4184_;
+                                if (_e2388 < _e2393) {
+                                    phi_4189_ = _e2388;
                                 } else {
-                                    phi_4181_ = _e2398;
+                                    phi_4189_ = _e2393;
                                 }
-                                let _e2413 = phi_4181_;
-                                if (_e2410 < _e2413) {
-                                    phi_4186_ = _e2410;
+                                let _e2408 = phi_4189_;
+                                if (_e2405 < _e2408) {
+                                    phi_4194_ = _e2405;
                                 } else {
-                                    phi_4186_ = _e2413;
+                                    phi_4194_ = _e2408;
                                 }
-                                let _e2416 = phi_4186_;
-                                if (_e2407 < _e2416) {
-                                    phi_4191_ = _e2407;
+                                let _e2411 = phi_4194_;
+                                if (_e2402 < _e2411) {
+                                    phi_4199_ = _e2402;
                                 } else {
-                                    phi_4191_ = _e2416;
+                                    phi_4199_ = _e2411;
                                 }
-                                let _e2419 = phi_4191_;
-                                if (_e2363 > _e2368) {
-                                    phi_4196_ = _e2363;
+                                let _e2414 = phi_4199_;
+                                if (_e2358 > _e2363) {
+                                    phi_4204_ = _e2358;
                                 } else {
-                                    phi_4196_ = _e2368;
+                                    phi_4204_ = _e2363;
                                 }
-                                let _e2422 = phi_4196_;
-                                if (_e2373 > _e2378) {
-                                    phi_4201_ = _e2373;
+                                let _e2417 = phi_4204_;
+                                if (_e2368 > _e2373) {
+                                    phi_4209_ = _e2368;
                                 } else {
-                                    phi_4201_ = _e2378;
+                                    phi_4209_ = _e2373;
                                 }
-                                let _e2425 = phi_4201_;
-                                if (_e2422 > _e2425) {
-                                    phi_4206_ = _e2422;
+                                let _e2420 = phi_4209_;
+                                if (_e2417 > _e2420) {
+                                    phi_4214_ = _e2417;
                                 } else {
-                                    phi_4206_ = _e2425;
+                                    phi_4214_ = _e2420;
                                 }
-                                let _e2428 = phi_4206_;
-                                if (_e2383 > _e2388) {
-                                    phi_4211_ = _e2383;
+                                let _e2423 = phi_4214_;
+                                if (_e2378 > _e2383) {
+                                    phi_4219_ = _e2378;
                                 } else {
-                                    phi_4211_ = _e2388;
+                                    phi_4219_ = _e2383;
                                 }
-                                let _e2431 = phi_4211_;
-                                if (_e2393 > _e2398) {
-                                    phi_4216_ = _e2393;
+                                let _e2426 = phi_4219_;
+                                if (_e2388 > _e2393) {
+                                    phi_4224_ = _e2388;
                                 } else {
-                                    phi_4216_ = _e2398;
+                                    phi_4224_ = _e2393;
                                 }
-                                let _e2434 = phi_4216_;
-                                if (_e2431 > _e2434) {
-                                    phi_4221_ = _e2431;
+                                let _e2429 = phi_4224_;
+                                if (_e2426 > _e2429) {
+                                    phi_4229_ = _e2426;
                                 } else {
-                                    phi_4221_ = _e2434;
+                                    phi_4229_ = _e2429;
                                 }
-                                let _e2437 = phi_4221_;
-                                if (_e2428 > _e2437) {
-                                    phi_4226_ = _e2428;
+                                let _e2432 = phi_4229_;
+                                if (_e2423 > _e2432) {
+                                    phi_4234_ = _e2423;
                                 } else {
-                                    phi_4226_ = _e2437;
+                                    phi_4234_ = _e2432;
                                 }
-                                let _e2440 = phi_4226_;
-                                if (_e2352 < 0f) {
-                                    phi_4232_ = -(_e2352);
+                                let _e2435 = phi_4234_;
+                                if (_e2347 < 0f) {
+                                    phi_4240_ = -(_e2347);
                                 } else {
-                                    phi_4232_ = _e2352;
+                                    phi_4240_ = _e2347;
                                 }
-                                let _e2444 = phi_4232_;
-                                if (_e2355 < 0f) {
-                                    phi_4238_ = -(_e2355);
+                                let _e2439 = phi_4240_;
+                                if (_e2350 < 0f) {
+                                    phi_4246_ = -(_e2350);
                                 } else {
-                                    phi_4238_ = _e2355;
+                                    phi_4246_ = _e2350;
                                 }
-                                let _e2448 = phi_4238_;
-                                if (_e2358 < 0f) {
-                                    phi_4245_ = -(_e2358);
+                                let _e2443 = phi_4246_;
+                                if (_e2353 < 0f) {
+                                    phi_4253_ = -(_e2353);
                                 } else {
-                                    phi_4245_ = _e2358;
+                                    phi_4253_ = _e2353;
                                 }
-                                let _e2453 = phi_4245_;
-                                let _e2454 = ((_e2444 + _e2448) + _e2453);
-                                let _e2459 = -(_e2440);
-                                if (_e2419 > _e2459) {
-                                    phi_4256_ = _e2419;
+                                let _e2448 = phi_4253_;
+                                let _e2449 = ((_e2439 + _e2443) + _e2448);
+                                let _e2454 = -(_e2435);
+                                if (_e2414 > _e2454) {
+                                    phi_4264_ = _e2414;
                                 } else {
-                                    phi_4256_ = _e2459;
+                                    phi_4264_ = _e2454;
                                 }
-                                let _e2462 = phi_4256_;
-                                let _e2467 = (((_e2462 - ((_e2454 * _e2224) * (0.000000059604645f * (17f / 2f)))) - (_e2454 * _e2231)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2349 > _e2467) {
-                                    phi_4266_ = _e2349;
+                                let _e2457 = phi_4264_;
+                                let _e2462 = (((_e2457 - ((_e2449 * _e2219) * (0.000000059604645f * (17f / 2f)))) - (_e2449 * _e2226)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2344 > _e2462) {
+                                    phi_4274_ = _e2344;
                                 } else {
-                                    phi_4266_ = _e2467;
+                                    phi_4274_ = _e2462;
                                 }
-                                let _e2470 = phi_4266_;
-                                phi_4448_ = (_e1966 || (_e2470 > 0f));
+                                let _e2465 = phi_4274_;
+                                phi_4456_ = (_e1961 || (_e2465 > 0f));
                             }
-                            let _e2474 = phi_4448_;
-                            if _e2474 {
-                                phi_7865_ = _e2474;
+                            let _e2469 = phi_4456_;
+                            if _e2469 {
+                                phi_7873_ = _e2469;
                             } else {
-                                let _e2477 = local_2.member[0u];
-                                let _e2483 = local_2.member[1u];
-                                let _e2490 = ((_e2477[0] + _e2483[0]) * 0.5f);
-                                let _e2491 = ((_e2477[1] + _e2483[1]) * 0.5f);
-                                let _e2492 = ((_e2477[2] + _e2483[2]) * 0.5f);
-                                let _e2495 = local_2.member_1[0u];
-                                let _e2501 = local_2.member_1[1u];
-                                let _e2508 = ((_e2495[0] + _e2501[0]) * 0.5f);
-                                let _e2509 = ((_e2495[1] + _e2501[1]) * 0.5f);
-                                let _e2510 = ((_e2495[2] + _e2501[2]) * 0.5f);
-                                let _e2513 = local_2.member_2[0u];
-                                let _e2519 = local_2.member_2[1u];
-                                let _e2526 = ((_e2513[0] + _e2519[0]) * 0.5f);
-                                let _e2527 = ((_e2513[1] + _e2519[1]) * 0.5f);
-                                let _e2528 = ((_e2513[2] + _e2519[2]) * 0.5f);
-                                let _e2531 = local_2.member[0u];
-                                let _e2534 = local_2.member_1[0u];
-                                let _e2537 = local_2.member_2[0u];
-                                let _e2539 = local_2.member_3;
-                                let _e2542 = local_2.member[1u];
-                                let _e2545 = local_2.member_1[1u];
-                                let _e2548 = local_2.member_2[1u];
-                                let _e2550 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2531, array<f32, 3>(_e2490, _e2491, _e2492)), array<array<f32, 3>, 2>(_e2534, array<f32, 3>(_e2508, _e2509, _e2510)), array<array<f32, 3>, 2>(_e2537, array<f32, 3>(_e2526, _e2527, _e2528)), _e2539);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2490, _e2491, _e2492), _e2542), array<array<f32, 3>, 2>(array<f32, 3>(_e2508, _e2509, _e2510), _e2545), array<array<f32, 3>, 2>(array<f32, 3>(_e2526, _e2527, _e2528), _e2548), _e2550);
-                                let _e2567 = local.member_1[0u];
-                                let _e2573 = local.member_2[0u];
-                                let _e2579 = ((_e2567[1] * _e2573[2]) - (_e2567[2] * _e2573[1]));
-                                let _e2582 = ((_e2567[2] * _e2573[0]) - (_e2567[0] * _e2573[2]));
-                                let _e2585 = ((_e2567[0] * _e2573[1]) - (_e2567[1] * _e2573[0]));
-                                let _e2588 = local.member_1[1u];
-                                let _e2594 = local.member_2[1u];
-                                let _e2600 = ((_e2588[1] * _e2594[2]) - (_e2588[2] * _e2594[1]));
-                                let _e2603 = ((_e2588[2] * _e2594[0]) - (_e2588[0] * _e2594[2]));
-                                let _e2606 = ((_e2588[0] * _e2594[1]) - (_e2588[1] * _e2594[0]));
-                                let _e2609 = local.member_1[0u];
-                                let _e2615 = local.member_2[1u];
-                                let _e2630 = local.member_1[1u];
-                                let _e2636 = local.member_2[0u];
-                                let _e2649 = (((_e2609[1] * _e2615[2]) - (_e2609[2] * _e2615[1])) + ((_e2630[1] * _e2636[2]) - (_e2630[2] * _e2636[1])));
-                                let _e2650 = (((_e2609[2] * _e2615[0]) - (_e2609[0] * _e2615[2])) + ((_e2630[2] * _e2636[0]) - (_e2630[0] * _e2636[2])));
-                                let _e2651 = (((_e2609[0] * _e2615[1]) - (_e2609[1] * _e2615[0])) + ((_e2630[0] * _e2636[1]) - (_e2630[1] * _e2636[0])));
-                                let _e2654 = local.member[0u];
-                                let _e2665 = local.member[1u];
-                                let _e2676 = local.member[0u];
-                                let _e2685 = ((((_e2665[0] * _e2579) + (_e2665[1] * _e2582)) + (_e2665[2] * _e2585)) + (((_e2676[0] * _e2649) + (_e2676[1] * _e2650)) + (_e2676[2] * _e2651)));
-                                let _e2688 = local.member[0u];
-                                let _e2699 = local.member[1u];
-                                let _e2708 = ((((_e2688[0] * _e2600) + (_e2688[1] * _e2603)) + (_e2688[2] * _e2606)) + (((_e2699[0] * _e2649) + (_e2699[1] * _e2650)) + (_e2699[2] * _e2651)));
-                                let _e2711 = local.member[1u];
-                                let _e2722 = local.member[0u];
-                                if (_e2722[0] < 0f) {
-                                    phi_4900_ = -(_e2722[0]);
+                                let _e2472 = local_2.member[0u];
+                                let _e2478 = local_2.member[1u];
+                                let _e2485 = ((_e2472[0] + _e2478[0]) * 0.5f);
+                                let _e2486 = ((_e2472[1] + _e2478[1]) * 0.5f);
+                                let _e2487 = ((_e2472[2] + _e2478[2]) * 0.5f);
+                                let _e2490 = local_2.member_1[0u];
+                                let _e2496 = local_2.member_1[1u];
+                                let _e2503 = ((_e2490[0] + _e2496[0]) * 0.5f);
+                                let _e2504 = ((_e2490[1] + _e2496[1]) * 0.5f);
+                                let _e2505 = ((_e2490[2] + _e2496[2]) * 0.5f);
+                                let _e2508 = local_2.member_2[0u];
+                                let _e2514 = local_2.member_2[1u];
+                                let _e2521 = ((_e2508[0] + _e2514[0]) * 0.5f);
+                                let _e2522 = ((_e2508[1] + _e2514[1]) * 0.5f);
+                                let _e2523 = ((_e2508[2] + _e2514[2]) * 0.5f);
+                                let _e2526 = local_2.member[0u];
+                                let _e2529 = local_2.member_1[0u];
+                                let _e2532 = local_2.member_2[0u];
+                                let _e2534 = local_2.member_3;
+                                let _e2537 = local_2.member[1u];
+                                let _e2540 = local_2.member_1[1u];
+                                let _e2543 = local_2.member_2[1u];
+                                let _e2545 = local_2.member_3;
+                                local = type_39(array<array<f32, 3>, 2>(_e2526, array<f32, 3>(_e2485, _e2486, _e2487)), array<array<f32, 3>, 2>(_e2529, array<f32, 3>(_e2503, _e2504, _e2505)), array<array<f32, 3>, 2>(_e2532, array<f32, 3>(_e2521, _e2522, _e2523)), _e2534);
+                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e2485, _e2486, _e2487), _e2537), array<array<f32, 3>, 2>(array<f32, 3>(_e2503, _e2504, _e2505), _e2540), array<array<f32, 3>, 2>(array<f32, 3>(_e2521, _e2522, _e2523), _e2543), _e2545);
+                                let _e2562 = local.member_1[0u];
+                                let _e2568 = local.member_2[0u];
+                                let _e2574 = ((_e2562[1] * _e2568[2]) - (_e2562[2] * _e2568[1]));
+                                let _e2577 = ((_e2562[2] * _e2568[0]) - (_e2562[0] * _e2568[2]));
+                                let _e2580 = ((_e2562[0] * _e2568[1]) - (_e2562[1] * _e2568[0]));
+                                let _e2583 = local.member_1[1u];
+                                let _e2589 = local.member_2[1u];
+                                let _e2595 = ((_e2583[1] * _e2589[2]) - (_e2583[2] * _e2589[1]));
+                                let _e2598 = ((_e2583[2] * _e2589[0]) - (_e2583[0] * _e2589[2]));
+                                let _e2601 = ((_e2583[0] * _e2589[1]) - (_e2583[1] * _e2589[0]));
+                                let _e2604 = local.member_1[0u];
+                                let _e2610 = local.member_2[1u];
+                                let _e2625 = local.member_1[1u];
+                                let _e2631 = local.member_2[0u];
+                                let _e2644 = (((_e2604[1] * _e2610[2]) - (_e2604[2] * _e2610[1])) + ((_e2625[1] * _e2631[2]) - (_e2625[2] * _e2631[1])));
+                                let _e2645 = (((_e2604[2] * _e2610[0]) - (_e2604[0] * _e2610[2])) + ((_e2625[2] * _e2631[0]) - (_e2625[0] * _e2631[2])));
+                                let _e2646 = (((_e2604[0] * _e2610[1]) - (_e2604[1] * _e2610[0])) + ((_e2625[0] * _e2631[1]) - (_e2625[1] * _e2631[0])));
+                                let _e2649 = local.member[0u];
+                                let _e2660 = local.member[1u];
+                                let _e2671 = local.member[0u];
+                                let _e2680 = ((((_e2660[0] * _e2574) + (_e2660[1] * _e2577)) + (_e2660[2] * _e2580)) + (((_e2671[0] * _e2644) + (_e2671[1] * _e2645)) + (_e2671[2] * _e2646)));
+                                let _e2683 = local.member[0u];
+                                let _e2694 = local.member[1u];
+                                let _e2703 = ((((_e2683[0] * _e2595) + (_e2683[1] * _e2598)) + (_e2683[2] * _e2601)) + (((_e2694[0] * _e2644) + (_e2694[1] * _e2645)) + (_e2694[2] * _e2646)));
+                                let _e2706 = local.member[1u];
+                                let _e2717 = local.member[0u];
+                                if (_e2717[0] < 0f) {
+                                    phi_4908_ = -(_e2717[0]);
                                 } else {
-                                    phi_4900_ = _e2722[0];
+                                    phi_4908_ = _e2717[0];
                                 }
-                                let _e2729 = phi_4900_;
-                                if (_e2722[1] < 0f) {
-                                    phi_4907_ = -(_e2722[1]);
+                                let _e2724 = phi_4908_;
+                                if (_e2717[1] < 0f) {
+                                    phi_4915_ = -(_e2717[1]);
                                 } else {
-                                    phi_4907_ = _e2722[1];
+                                    phi_4915_ = _e2717[1];
                                 }
-                                let _e2733 = phi_4907_;
-                                if (_e2729 > _e2733) {
-                                    phi_4912_ = _e2729;
+                                let _e2728 = phi_4915_;
+                                if (_e2724 > _e2728) {
+                                    phi_4920_ = _e2724;
                                 } else {
-                                    phi_4912_ = _e2733;
+                                    phi_4920_ = _e2728;
                                 }
-                                let _e2736 = phi_4912_;
-                                if (_e2722[2] < 0f) {
-                                    phi_4919_ = -(_e2722[2]);
+                                let _e2731 = phi_4920_;
+                                if (_e2717[2] < 0f) {
+                                    phi_4927_ = -(_e2717[2]);
                                 } else {
-                                    phi_4919_ = _e2722[2];
+                                    phi_4927_ = _e2717[2];
                                 }
-                                let _e2740 = phi_4919_;
-                                if (_e2736 > _e2740) {
-                                    phi_4924_ = _e2736;
+                                let _e2735 = phi_4927_;
+                                if (_e2731 > _e2735) {
+                                    phi_4932_ = _e2731;
                                 } else {
-                                    phi_4924_ = _e2740;
+                                    phi_4932_ = _e2735;
                                 }
-                                let _e2743 = phi_4924_;
-                                let _e2746 = local.member[1u];
-                                if (_e2746[0] < 0f) {
-                                    phi_4937_ = -(_e2746[0]);
+                                let _e2738 = phi_4932_;
+                                let _e2741 = local.member[1u];
+                                if (_e2741[0] < 0f) {
+                                    phi_4945_ = -(_e2741[0]);
                                 } else {
-                                    phi_4937_ = _e2746[0];
+                                    phi_4945_ = _e2741[0];
                                 }
-                                let _e2753 = phi_4937_;
-                                if (_e2746[1] < 0f) {
-                                    phi_4944_ = -(_e2746[1]);
+                                let _e2748 = phi_4945_;
+                                if (_e2741[1] < 0f) {
+                                    phi_4952_ = -(_e2741[1]);
                                 } else {
-                                    phi_4944_ = _e2746[1];
+                                    phi_4952_ = _e2741[1];
                                 }
-                                let _e2757 = phi_4944_;
-                                if (_e2753 > _e2757) {
-                                    phi_4949_ = _e2753;
+                                let _e2752 = phi_4952_;
+                                if (_e2748 > _e2752) {
+                                    phi_4957_ = _e2748;
                                 } else {
-                                    phi_4949_ = _e2757;
+                                    phi_4957_ = _e2752;
                                 }
-                                let _e2760 = phi_4949_;
-                                if (_e2746[2] < 0f) {
-                                    phi_4956_ = -(_e2746[2]);
+                                let _e2755 = phi_4957_;
+                                if (_e2741[2] < 0f) {
+                                    phi_4964_ = -(_e2741[2]);
                                 } else {
-                                    phi_4956_ = _e2746[2];
+                                    phi_4964_ = _e2741[2];
                                 }
-                                let _e2764 = phi_4956_;
-                                if (_e2760 > _e2764) {
-                                    phi_4961_ = _e2760;
+                                let _e2759 = phi_4964_;
+                                if (_e2755 > _e2759) {
+                                    phi_4969_ = _e2755;
                                 } else {
-                                    phi_4961_ = _e2764;
+                                    phi_4969_ = _e2759;
                                 }
-                                let _e2767 = phi_4961_;
-                                if (_e2743 > _e2767) {
-                                    phi_4966_ = _e2743;
+                                let _e2762 = phi_4969_;
+                                if (_e2738 > _e2762) {
+                                    phi_4974_ = _e2738;
                                 } else {
-                                    phi_4966_ = _e2767;
+                                    phi_4974_ = _e2762;
                                 }
-                                let _e2770 = phi_4966_;
-                                let _e2772 = local.member_3;
-                                let _e2773 = (_e2770 + _e2772);
-                                let _e2776 = local.member_1[0u];
-                                if (_e2776[0] < 0f) {
-                                    phi_4983_ = -(_e2776[0]);
+                                let _e2765 = phi_4974_;
+                                let _e2767 = local.member_3;
+                                let _e2768 = (_e2765 + _e2767);
+                                let _e2771 = local.member_1[0u];
+                                if (_e2771[0] < 0f) {
+                                    phi_4991_ = -(_e2771[0]);
                                 } else {
-                                    phi_4983_ = _e2776[0];
+                                    phi_4991_ = _e2771[0];
                                 }
-                                let _e2783 = phi_4983_;
-                                if (_e2776[1] < 0f) {
-                                    phi_4990_ = -(_e2776[1]);
+                                let _e2778 = phi_4991_;
+                                if (_e2771[1] < 0f) {
+                                    phi_4998_ = -(_e2771[1]);
                                 } else {
-                                    phi_4990_ = _e2776[1];
+                                    phi_4998_ = _e2771[1];
                                 }
-                                let _e2787 = phi_4990_;
-                                if (_e2783 > _e2787) {
-                                    phi_4995_ = _e2783;
+                                let _e2782 = phi_4998_;
+                                if (_e2778 > _e2782) {
+                                    phi_5003_ = _e2778;
                                 } else {
-                                    phi_4995_ = _e2787;
+                                    phi_5003_ = _e2782;
                                 }
-                                let _e2790 = phi_4995_;
-                                if (_e2776[2] < 0f) {
-                                    phi_5002_ = -(_e2776[2]);
+                                let _e2785 = phi_5003_;
+                                if (_e2771[2] < 0f) {
+                                    phi_5010_ = -(_e2771[2]);
                                 } else {
-                                    phi_5002_ = _e2776[2];
+                                    phi_5010_ = _e2771[2];
                                 }
-                                let _e2794 = phi_5002_;
-                                if (_e2790 > _e2794) {
-                                    phi_5007_ = _e2790;
+                                let _e2789 = phi_5010_;
+                                if (_e2785 > _e2789) {
+                                    phi_5015_ = _e2785;
                                 } else {
-                                    phi_5007_ = _e2794;
+                                    phi_5015_ = _e2789;
                                 }
-                                let _e2797 = phi_5007_;
-                                let _e2800 = local.member_1[1u];
-                                if (_e2800[0] < 0f) {
-                                    phi_5021_ = -(_e2800[0]);
+                                let _e2792 = phi_5015_;
+                                let _e2795 = local.member_1[1u];
+                                if (_e2795[0] < 0f) {
+                                    phi_5029_ = -(_e2795[0]);
                                 } else {
-                                    phi_5021_ = _e2800[0];
+                                    phi_5029_ = _e2795[0];
                                 }
-                                let _e2807 = phi_5021_;
-                                if (_e2800[1] < 0f) {
-                                    phi_5028_ = -(_e2800[1]);
+                                let _e2802 = phi_5029_;
+                                if (_e2795[1] < 0f) {
+                                    phi_5036_ = -(_e2795[1]);
                                 } else {
-                                    phi_5028_ = _e2800[1];
+                                    phi_5036_ = _e2795[1];
                                 }
-                                let _e2811 = phi_5028_;
-                                if (_e2807 > _e2811) {
-                                    phi_5033_ = _e2807;
+                                let _e2806 = phi_5036_;
+                                if (_e2802 > _e2806) {
+                                    phi_5041_ = _e2802;
                                 } else {
-                                    phi_5033_ = _e2811;
+                                    phi_5041_ = _e2806;
                                 }
-                                let _e2814 = phi_5033_;
-                                if (_e2800[2] < 0f) {
-                                    phi_5040_ = -(_e2800[2]);
+                                let _e2809 = phi_5041_;
+                                if (_e2795[2] < 0f) {
+                                    phi_5048_ = -(_e2795[2]);
                                 } else {
-                                    phi_5040_ = _e2800[2];
+                                    phi_5048_ = _e2795[2];
                                 }
-                                let _e2818 = phi_5040_;
-                                if (_e2814 > _e2818) {
-                                    phi_5045_ = _e2814;
+                                let _e2813 = phi_5048_;
+                                if (_e2809 > _e2813) {
+                                    phi_5053_ = _e2809;
                                 } else {
-                                    phi_5045_ = _e2818;
+                                    phi_5053_ = _e2813;
                                 }
-                                let _e2821 = phi_5045_;
-                                if (_e2797 > _e2821) {
-                                    phi_5050_ = _e2797;
+                                let _e2816 = phi_5053_;
+                                if (_e2792 > _e2816) {
+                                    phi_5058_ = _e2792;
                                 } else {
-                                    phi_5050_ = _e2821;
+                                    phi_5058_ = _e2816;
                                 }
-                                let _e2824 = phi_5050_;
-                                let _e2826 = local.member_3;
-                                let _e2827 = (_e2824 + _e2826);
-                                let _e2830 = local.member_2[0u];
-                                if (_e2830[0] < 0f) {
-                                    phi_5067_ = -(_e2830[0]);
+                                let _e2819 = phi_5058_;
+                                let _e2821 = local.member_3;
+                                let _e2822 = (_e2819 + _e2821);
+                                let _e2825 = local.member_2[0u];
+                                if (_e2825[0] < 0f) {
+                                    phi_5075_ = -(_e2825[0]);
                                 } else {
-                                    phi_5067_ = _e2830[0];
+                                    phi_5075_ = _e2825[0];
                                 }
-                                let _e2837 = phi_5067_;
-                                if (_e2830[1] < 0f) {
-                                    phi_5074_ = -(_e2830[1]);
+                                let _e2832 = phi_5075_;
+                                if (_e2825[1] < 0f) {
+                                    phi_5082_ = -(_e2825[1]);
                                 } else {
-                                    phi_5074_ = _e2830[1];
+                                    phi_5082_ = _e2825[1];
                                 }
-                                let _e2841 = phi_5074_;
-                                if (_e2837 > _e2841) {
-                                    phi_5079_ = _e2837;
+                                let _e2836 = phi_5082_;
+                                if (_e2832 > _e2836) {
+                                    phi_5087_ = _e2832;
                                 } else {
-                                    phi_5079_ = _e2841;
+                                    phi_5087_ = _e2836;
                                 }
-                                let _e2844 = phi_5079_;
-                                if (_e2830[2] < 0f) {
-                                    phi_5086_ = -(_e2830[2]);
+                                let _e2839 = phi_5087_;
+                                if (_e2825[2] < 0f) {
+                                    phi_5094_ = -(_e2825[2]);
                                 } else {
-                                    phi_5086_ = _e2830[2];
+                                    phi_5094_ = _e2825[2];
                                 }
-                                let _e2848 = phi_5086_;
-                                if (_e2844 > _e2848) {
-                                    phi_5091_ = _e2844;
+                                let _e2843 = phi_5094_;
+                                if (_e2839 > _e2843) {
+                                    phi_5099_ = _e2839;
                                 } else {
-                                    phi_5091_ = _e2848;
+                                    phi_5099_ = _e2843;
                                 }
-                                let _e2851 = phi_5091_;
-                                let _e2854 = local.member_2[1u];
-                                if (_e2854[0] < 0f) {
-                                    phi_5105_ = -(_e2854[0]);
+                                let _e2846 = phi_5099_;
+                                let _e2849 = local.member_2[1u];
+                                if (_e2849[0] < 0f) {
+                                    phi_5113_ = -(_e2849[0]);
                                 } else {
-                                    phi_5105_ = _e2854[0];
+                                    phi_5113_ = _e2849[0];
                                 }
-                                let _e2861 = phi_5105_;
-                                if (_e2854[1] < 0f) {
-                                    phi_5112_ = -(_e2854[1]);
+                                let _e2856 = phi_5113_;
+                                if (_e2849[1] < 0f) {
+                                    phi_5120_ = -(_e2849[1]);
                                 } else {
-                                    phi_5112_ = _e2854[1];
+                                    phi_5120_ = _e2849[1];
                                 }
-                                let _e2865 = phi_5112_;
-                                if (_e2861 > _e2865) {
-                                    phi_5117_ = _e2861;
+                                let _e2860 = phi_5120_;
+                                if (_e2856 > _e2860) {
+                                    phi_5125_ = _e2856;
                                 } else {
-                                    phi_5117_ = _e2865;
+                                    phi_5125_ = _e2860;
                                 }
-                                let _e2868 = phi_5117_;
-                                if (_e2854[2] < 0f) {
-                                    phi_5124_ = -(_e2854[2]);
+                                let _e2863 = phi_5125_;
+                                if (_e2849[2] < 0f) {
+                                    phi_5132_ = -(_e2849[2]);
                                 } else {
-                                    phi_5124_ = _e2854[2];
+                                    phi_5132_ = _e2849[2];
                                 }
-                                let _e2872 = phi_5124_;
-                                if (_e2868 > _e2872) {
-                                    phi_5129_ = _e2868;
+                                let _e2867 = phi_5132_;
+                                if (_e2863 > _e2867) {
+                                    phi_5137_ = _e2863;
                                 } else {
-                                    phi_5129_ = _e2872;
+                                    phi_5137_ = _e2867;
                                 }
-                                let _e2875 = phi_5129_;
-                                if (_e2851 > _e2875) {
-                                    phi_5134_ = _e2851;
+                                let _e2870 = phi_5137_;
+                                if (_e2846 > _e2870) {
+                                    phi_5142_ = _e2846;
                                 } else {
-                                    phi_5134_ = _e2875;
+                                    phi_5142_ = _e2870;
                                 }
-                                let _e2878 = phi_5134_;
-                                let _e2880 = local.member_3;
-                                let _e2881 = (_e2878 + _e2880);
-                                let _e2883 = ((_e2827 * 8f) * _e2881);
-                                let _e2890 = local.member_3;
-                                if (_e2579 < 0f) {
-                                    phi_5165_ = -(_e2579);
+                                let _e2873 = phi_5142_;
+                                let _e2875 = local.member_3;
+                                let _e2876 = (_e2873 + _e2875);
+                                let _e2878 = ((_e2822 * 8f) * _e2876);
+                                let _e2885 = local.member_3;
+                                if (_e2574 < 0f) {
+                                    phi_5173_ = -(_e2574);
                                 } else {
-                                    phi_5165_ = _e2579;
+                                    phi_5173_ = _e2574;
                                 }
-                                let _e2907 = phi_5165_;
-                                if (_e2582 < 0f) {
-                                    phi_5171_ = -(_e2582);
+                                let _e2902 = phi_5173_;
+                                if (_e2577 < 0f) {
+                                    phi_5179_ = -(_e2577);
                                 } else {
-                                    phi_5171_ = _e2582;
+                                    phi_5179_ = _e2577;
                                 }
-                                let _e2911 = phi_5171_;
-                                if (_e2585 < 0f) {
-                                    phi_5178_ = -(_e2585);
+                                let _e2906 = phi_5179_;
+                                if (_e2580 < 0f) {
+                                    phi_5186_ = -(_e2580);
                                 } else {
-                                    phi_5178_ = _e2585;
+                                    phi_5186_ = _e2580;
                                 }
-                                let _e2916 = phi_5178_;
-                                let _e2917 = ((_e2907 + _e2911) + _e2916);
-                                if (_e2600 < 0f) {
-                                    phi_5185_ = -(_e2600);
+                                let _e2911 = phi_5186_;
+                                let _e2912 = ((_e2902 + _e2906) + _e2911);
+                                if (_e2595 < 0f) {
+                                    phi_5193_ = -(_e2595);
                                 } else {
-                                    phi_5185_ = _e2600;
+                                    phi_5193_ = _e2595;
                                 }
-                                let _e2921 = phi_5185_;
-                                if (_e2603 < 0f) {
-                                    phi_5191_ = -(_e2603);
+                                let _e2916 = phi_5193_;
+                                if (_e2598 < 0f) {
+                                    phi_5199_ = -(_e2598);
                                 } else {
-                                    phi_5191_ = _e2603;
+                                    phi_5199_ = _e2598;
                                 }
-                                let _e2925 = phi_5191_;
-                                if (_e2606 < 0f) {
-                                    phi_5198_ = -(_e2606);
+                                let _e2920 = phi_5199_;
+                                if (_e2601 < 0f) {
+                                    phi_5206_ = -(_e2601);
                                 } else {
-                                    phi_5198_ = _e2606;
+                                    phi_5206_ = _e2601;
                                 }
-                                let _e2930 = phi_5198_;
-                                let _e2931 = ((_e2921 + _e2925) + _e2930);
-                                if (_e2917 > _e2931) {
-                                    phi_5204_ = _e2917;
+                                let _e2925 = phi_5206_;
+                                let _e2926 = ((_e2916 + _e2920) + _e2925);
+                                if (_e2912 > _e2926) {
+                                    phi_5212_ = _e2912;
                                 } else {
-                                    phi_5204_ = _e2931;
+                                    phi_5212_ = _e2926;
                                 }
-                                let _e2934 = phi_5204_;
-                                if (_e2649 < 0f) {
-                                    phi_5210_ = -(_e2649);
+                                let _e2929 = phi_5212_;
+                                if (_e2644 < 0f) {
+                                    phi_5218_ = -(_e2644);
                                 } else {
-                                    phi_5210_ = _e2649;
+                                    phi_5218_ = _e2644;
                                 }
-                                let _e2938 = phi_5210_;
-                                if (_e2650 < 0f) {
-                                    phi_5216_ = -(_e2650);
+                                let _e2933 = phi_5218_;
+                                if (_e2645 < 0f) {
+                                    phi_5224_ = -(_e2645);
                                 } else {
-                                    phi_5216_ = _e2650;
+                                    phi_5224_ = _e2645;
                                 }
-                                let _e2942 = phi_5216_;
-                                if (_e2651 < 0f) {
-                                    phi_5223_ = -(_e2651);
+                                let _e2937 = phi_5224_;
+                                if (_e2646 < 0f) {
+                                    phi_5231_ = -(_e2646);
                                 } else {
-                                    phi_5223_ = _e2651;
+                                    phi_5231_ = _e2646;
                                 }
-                                let _e2947 = phi_5223_;
-                                let _e2949 = (((_e2938 + _e2942) + _e2947) * 0.5f);
-                                if (_e2934 > _e2949) {
-                                    phi_5230_ = _e2934;
+                                let _e2942 = phi_5231_;
+                                let _e2944 = (((_e2933 + _e2937) + _e2942) * 0.5f);
+                                if (_e2929 > _e2944) {
+                                    phi_5238_ = _e2929;
                                 } else {
-                                    phi_5230_ = _e2949;
+                                    phi_5238_ = _e2944;
                                 }
-                                let _e2952 = phi_5230_;
-                                let _e2957 = local.member_3;
-                                let _e2970 = ((((_e2654[0] * _e2579) + (_e2654[1] * _e2582)) + (_e2654[2] * _e2585)) * 3f);
-                                let _e2971 = ((((_e2711[0] * _e2600) + (_e2711[1] * _e2603)) + (_e2711[2] * _e2606)) * 3f);
-                                if (_e2970 < _e2971) {
-                                    phi_5254_ = _e2970;
+                                let _e2947 = phi_5238_;
+                                let _e2952 = local.member_3;
+                                let _e2965 = ((((_e2649[0] * _e2574) + (_e2649[1] * _e2577)) + (_e2649[2] * _e2580)) * 3f);
+                                let _e2966 = ((((_e2706[0] * _e2595) + (_e2706[1] * _e2598)) + (_e2706[2] * _e2601)) * 3f);
+                                if (_e2965 < _e2966) {
+                                    phi_5262_ = _e2965;
                                 } else {
-                                    phi_5254_ = _e2971;
+                                    phi_5262_ = _e2966;
                                 }
-                                let _e2974 = phi_5254_;
-                                if (_e2685 < _e2708) {
-                                    phi_5259_ = _e2685;
+                                let _e2969 = phi_5262_;
+                                if (_e2680 < _e2703) {
+                                    phi_5267_ = _e2680;
                                 } else {
-                                    phi_5259_ = _e2708;
+                                    phi_5267_ = _e2703;
                                 }
-                                let _e2977 = phi_5259_;
-                                if (_e2974 < _e2977) {
-                                    phi_5264_ = _e2974;
+                                let _e2972 = phi_5267_;
+                                if (_e2969 < _e2972) {
+                                    phi_5272_ = _e2969;
                                 } else {
-                                    phi_5264_ = _e2977;
+                                    phi_5272_ = _e2972;
                                 }
-                                let _e2980 = phi_5264_;
-                                if (_e2970 > _e2971) {
-                                    phi_5269_ = _e2970;
+                                let _e2975 = phi_5272_;
+                                if (_e2965 > _e2966) {
+                                    phi_5277_ = _e2965;
                                 } else {
-                                    phi_5269_ = _e2971;
+                                    phi_5277_ = _e2966;
                                 }
-                                let _e2983 = phi_5269_;
-                                if (_e2685 > _e2708) {
-                                    phi_5274_ = _e2685;
+                                let _e2978 = phi_5277_;
+                                if (_e2680 > _e2703) {
+                                    phi_5282_ = _e2680;
                                 } else {
-                                    phi_5274_ = _e2708;
+                                    phi_5282_ = _e2703;
                                 }
-                                let _e2986 = phi_5274_;
-                                if (_e2983 > _e2986) {
-                                    phi_5279_ = _e2983;
+                                let _e2981 = phi_5282_;
+                                if (_e2978 > _e2981) {
+                                    phi_5287_ = _e2978;
                                 } else {
-                                    phi_5279_ = _e2986;
+                                    phi_5287_ = _e2981;
                                 }
-                                let _e2989 = phi_5279_;
-                                let _e2994 = -(_e2989);
-                                if (_e2980 > _e2994) {
-                                    phi_5289_ = _e2980;
+                                let _e2984 = phi_5287_;
+                                let _e2989 = -(_e2984);
+                                if (_e2975 > _e2989) {
+                                    phi_5297_ = _e2975;
                                 } else {
-                                    phi_5289_ = _e2994;
+                                    phi_5297_ = _e2989;
                                 }
-                                let _e2997 = phi_5289_;
-                                let _e2999 = ((_e2997 - ((((((_e2773 * 8f) * _e2883) * (0.000000059604645f * (524f / 64f))) + ((_e2890 * 19f) * ((_e2773 * (_e2827 + _e2881)) + (_e2827 * _e2881)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2773) * ((1f + _e2827) * (1f + _e2881))))) + ((_e1454 * (((_e2952 + (_e2883 * (0.000000059604645f * 8f))) + ((_e2957 * 6f) * (_e2827 + _e2881))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2827) * (1f + _e2881))))) * (3f * 1.0001f)))) > 0f);
-                                if _e2999 {
-                                    phi_6258_ = _e2999;
+                                let _e2992 = phi_5297_;
+                                let _e2994 = ((_e2992 - ((((((_e2768 * 8f) * _e2878) * (0.000000059604645f * (524f / 64f))) + ((_e2885 * 19f) * ((_e2768 * (_e2822 + _e2876)) + (_e2822 * _e2876)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2768) * ((1f + _e2822) * (1f + _e2876))))) + ((_e1449 * (((_e2947 + (_e2878 * (0.000000059604645f * 8f))) + ((_e2952 * 6f) * (_e2822 + _e2876))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2822) * (1f + _e2876))))) * (3f * 1.0001f)))) > 0f);
+                                if _e2994 {
+                                    phi_6266_ = _e2994;
                                 } else {
-                                    let _e3002 = local.member_1[0u];
-                                    let _e3008 = local.member_1[1u];
-                                    let _e3012 = (_e3002[0] + _e3008[0]);
-                                    let _e3013 = (_e3002[1] + _e3008[1]);
-                                    let _e3014 = (_e3002[2] + _e3008[2]);
-                                    let _e3017 = local.member_2[0u];
-                                    let _e3023 = local.member_2[1u];
-                                    let _e3027 = (_e3017[0] + _e3023[0]);
-                                    let _e3028 = (_e3017[1] + _e3023[1]);
-                                    let _e3029 = (_e3017[2] + _e3023[2]);
-                                    let _e3032 = ((_e3013 * _e3029) - (_e3014 * _e3028));
-                                    let _e3035 = ((_e3014 * _e3027) - (_e3012 * _e3029));
-                                    let _e3038 = ((_e3012 * _e3028) - (_e3013 * _e3027));
-                                    let _e3041 = local.member[0u];
-                                    let _e3047 = local.member_1[0u];
-                                    let _e3053 = local.member_2[0u];
-                                    let _e3057 = (_e3041[0] - _e3047[0]);
-                                    let _e3058 = (_e3041[1] - _e3047[1]);
-                                    let _e3059 = (_e3041[2] - _e3047[2]);
-                                    let _e3060 = (_e3057 - _e3053[0]);
-                                    let _e3061 = (_e3058 - _e3053[1]);
-                                    let _e3062 = (_e3059 - _e3053[2]);
-                                    let _e3063 = (_e3041[0] - _e3053[0]);
-                                    let _e3064 = (_e3041[1] - _e3053[1]);
-                                    let _e3065 = (_e3041[2] - _e3053[2]);
-                                    let _e3068 = local.member[1u];
-                                    let _e3074 = local.member_1[1u];
-                                    let _e3080 = local.member_2[1u];
-                                    let _e3084 = (_e3068[0] - _e3074[0]);
-                                    let _e3085 = (_e3068[1] - _e3074[1]);
-                                    let _e3086 = (_e3068[2] - _e3074[2]);
-                                    let _e3087 = (_e3084 - _e3080[0]);
-                                    let _e3088 = (_e3085 - _e3080[1]);
-                                    let _e3089 = (_e3086 - _e3080[2]);
-                                    let _e3090 = (_e3068[0] - _e3080[0]);
-                                    let _e3091 = (_e3068[1] - _e3080[1]);
-                                    let _e3092 = (_e3068[2] - _e3080[2]);
-                                    let _e3095 = local.member[0u];
-                                    if (_e3095[0] < 0f) {
-                                        phi_5492_ = -(_e3095[0]);
-                                    } else {
-                                        phi_5492_ = _e3095[0];
-                                    }
-                                    let _e3102 = phi_5492_;
-                                    if (_e3095[1] < 0f) {
-                                        phi_5499_ = -(_e3095[1]);
-                                    } else {
-                                        phi_5499_ = _e3095[1];
-                                    }
-                                    let _e3106 = phi_5499_;
-                                    if (_e3102 > _e3106) {
-                                        phi_5504_ = _e3102;
-                                    } else {
-                                        phi_5504_ = _e3106;
-                                    }
-                                    let _e3109 = phi_5504_;
-                                    if (_e3095[2] < 0f) {
-                                        phi_5511_ = -(_e3095[2]);
-                                    } else {
-                                        phi_5511_ = _e3095[2];
-                                    }
-                                    let _e3113 = phi_5511_;
-                                    if (_e3109 > _e3113) {
-                                        phi_5516_ = _e3109;
-                                    } else {
-                                        phi_5516_ = _e3113;
-                                    }
-                                    let _e3116 = phi_5516_;
-                                    let _e3119 = local.member[1u];
-                                    if (_e3119[0] < 0f) {
-                                        phi_5529_ = -(_e3119[0]);
+                                    let _e2997 = local.member_1[0u];
+                                    let _e3003 = local.member_1[1u];
+                                    let _e3007 = (_e2997[0] + _e3003[0]);
+                                    let _e3008 = (_e2997[1] + _e3003[1]);
+                                    let _e3009 = (_e2997[2] + _e3003[2]);
+                                    let _e3012 = local.member_2[0u];
+                                    let _e3018 = local.member_2[1u];
+                                    let _e3022 = (_e3012[0] + _e3018[0]);
+                                    let _e3023 = (_e3012[1] + _e3018[1]);
+                                    let _e3024 = (_e3012[2] + _e3018[2]);
+                                    let _e3027 = ((_e3008 * _e3024) - (_e3009 * _e3023));
+                                    let _e3030 = ((_e3009 * _e3022) - (_e3007 * _e3024));
+                                    let _e3033 = ((_e3007 * _e3023) - (_e3008 * _e3022));
+                                    let _e3036 = local.member[0u];
+                                    let _e3042 = local.member_1[0u];
+                                    let _e3048 = local.member_2[0u];
+                                    let _e3052 = (_e3036[0] - _e3042[0]);
+                                    let _e3053 = (_e3036[1] - _e3042[1]);
+                                    let _e3054 = (_e3036[2] - _e3042[2]);
+                                    let _e3055 = (_e3052 - _e3048[0]);
+                                    let _e3056 = (_e3053 - _e3048[1]);
+                                    let _e3057 = (_e3054 - _e3048[2]);
+                                    let _e3058 = (_e3036[0] - _e3048[0]);
+                                    let _e3059 = (_e3036[1] - _e3048[1]);
+                                    let _e3060 = (_e3036[2] - _e3048[2]);
+                                    let _e3063 = local.member[1u];
+                                    let _e3069 = local.member_1[1u];
+                                    let _e3075 = local.member_2[1u];
+                                    let _e3079 = (_e3063[0] - _e3069[0]);
+                                    let _e3080 = (_e3063[1] - _e3069[1]);
+                                    let _e3081 = (_e3063[2] - _e3069[2]);
+                                    let _e3082 = (_e3079 - _e3075[0]);
+                                    let _e3083 = (_e3080 - _e3075[1]);
+                                    let _e3084 = (_e3081 - _e3075[2]);
+                                    let _e3085 = (_e3063[0] - _e3075[0]);
+                                    let _e3086 = (_e3063[1] - _e3075[1]);
+                                    let _e3087 = (_e3063[2] - _e3075[2]);
+                                    let _e3090 = local.member[0u];
+                                    if (_e3090[0] < 0f) {
+                                        phi_5500_ = -(_e3090[0]);
+                                    } else {
+                                        phi_5500_ = _e3090[0];
+                                    }
+                                    let _e3097 = phi_5500_;
+                                    if (_e3090[1] < 0f) {
+                                        phi_5507_ = -(_e3090[1]);
+                                    } else {
+                                        phi_5507_ = _e3090[1];
+                                    }
+                                    let _e3101 = phi_5507_;
+                                    if (_e3097 > _e3101) {
+                                        phi_5512_ = _e3097;
+                                    } else {
+                                        phi_5512_ = _e3101;
+                                    }
+                                    let _e3104 = phi_5512_;
+                                    if (_e3090[2] < 0f) {
+                                        phi_5519_ = -(_e3090[2]);
+                                    } else {
+                                        phi_5519_ = _e3090[2];
+                                    }
+                                    let _e3108 = phi_5519_;
+                                    if (_e3104 > _e3108) {
+                                        phi_5524_ = _e3104;
+                                    } else {
+                                        phi_5524_ = _e3108;
+                                    }
+                                    let _e3111 = phi_5524_;
+                                    let _e3114 = local.member[1u];
+                                    if (_e3114[0] < 0f) {
+                                        phi_5537_ = -(_e3114[0]);
                                     } else {
-                                        phi_5529_ = _e3119[0];
+                                        phi_5537_ = _e3114[0];
                                     }
-                                    let _e3126 = phi_5529_;
-                                    if (_e3119[1] < 0f) {
-                                        phi_5536_ = -(_e3119[1]);
-                                    } else {
-                                        phi_5536_ = _e3119[1];
+                                    let _e3121 = phi_5537_;
+                                    if (_e3114[1] < 0f) {
+                                        phi_5544_ = -(_e3114[1]);
+                                    } else {
+                                        phi_5544_ = _e3114[1];
                                     }
-                                    let _e3130 = phi_5536_;
-                                    if (_e3126 > _e3130) {
-                                        phi_5541_ = _e3126;
+                                    let _e3125 = phi_5544_;
+                                    if (_e3121 > _e3125) {
+                                        phi_5549_ = _e3121;
                                     } else {
-                                        phi_5541_ = _e3130;
+                                        phi_5549_ = _e3125;
                                     }
-                                    let _e3133 = phi_5541_;
-                                    if (_e3119[2] < 0f) {
-                                        phi_5548_ = -(_e3119[2]);
+                                    let _e3128 = phi_5549_;
+                                    if (_e3114[2] < 0f) {
+                                        phi_5556_ = -(_e3114[2]);
                                     } else {
-                                        phi_5548_ = _e3119[2];
+                                        phi_5556_ = _e3114[2];
                                     }
-                                    let _e3137 = phi_5548_;
-                                    if (_e3133 > _e3137) {
-                                        phi_5553_ = _e3133;
+                                    let _e3132 = phi_5556_;
+                                    if (_e3128 > _e3132) {
+                                        phi_5561_ = _e3128;
                                     } else {
-                                        phi_5553_ = _e3137;
+                                        phi_5561_ = _e3132;
                                     }
-                                    let _e3140 = phi_5553_;
-                                    if (_e3116 > _e3140) {
-                                        phi_5558_ = _e3116;
+                                    let _e3135 = phi_5561_;
+                                    if (_e3111 > _e3135) {
+                                        phi_5566_ = _e3111;
                                     } else {
-                                        phi_5558_ = _e3140;
+                                        phi_5566_ = _e3135;
                                     }
-                                    let _e3143 = phi_5558_;
-                                    let _e3145 = local.member_3;
-                                    let _e3149 = local.member_1[0u];
-                                    if (_e3149[0] < 0f) {
-                                        phi_5575_ = -(_e3149[0]);
+                                    let _e3138 = phi_5566_;
+                                    let _e3140 = local.member_3;
+                                    let _e3144 = local.member_1[0u];
+                                    if (_e3144[0] < 0f) {
+                                        phi_5583_ = -(_e3144[0]);
                                     } else {
-                                        phi_5575_ = _e3149[0];
+                                        phi_5583_ = _e3144[0];
                                     }
-                                    let _e3156 = phi_5575_;
-                                    if (_e3149[1] < 0f) {
-                                        phi_5582_ = -(_e3149[1]);
+                                    let _e3151 = phi_5583_;
+                                    if (_e3144[1] < 0f) {
+                                        phi_5590_ = -(_e3144[1]);
                                     } else {
-                                        phi_5582_ = _e3149[1];
+                                        phi_5590_ = _e3144[1];
                                     }
-                                    let _e3160 = phi_5582_;
-                                    if (_e3156 > _e3160) {
-                                        phi_5587_ = _e3156;
+                                    let _e3155 = phi_5590_;
+                                    if (_e3151 > _e3155) {
+                                        phi_5595_ = _e3151;
                                     } else {
-                                        phi_5587_ = _e3160;
+                                        phi_5595_ = _e3155;
                                     }
-                                    let _e3163 = phi_5587_;
-                                    if (_e3149[2] < 0f) {
-                                        phi_5594_ = -(_e3149[2]);
+                                    let _e3158 = phi_5595_;
+                                    if (_e3144[2] < 0f) {
+                                        phi_5602_ = -(_e3144[2]);
                                     } else {
-                                        phi_5594_ = _e3149[2];
+                                        phi_5602_ = _e3144[2];
                                     }
-                                    let _e3167 = phi_5594_;
-                                    if (_e3163 > _e3167) {
-                                        phi_5599_ = _e3163;
+                                    let _e3162 = phi_5602_;
+                                    if (_e3158 > _e3162) {
+                                        phi_5607_ = _e3158;
                                     } else {
-                                        phi_5599_ = _e3167;
+                                        phi_5607_ = _e3162;
                                     }
-                                    let _e3170 = phi_5599_;
-                                    let _e3173 = local.member_1[1u];
-                                    if (_e3173[0] < 0f) {
-                                        phi_5613_ = -(_e3173[0]);
+                                    let _e3165 = phi_5607_;
+                                    let _e3168 = local.member_1[1u];
+                                    if (_e3168[0] < 0f) {
+                                        phi_5621_ = -(_e3168[0]);
                                     } else {
-                                        phi_5613_ = _e3173[0];
+                                        phi_5621_ = _e3168[0];
                                     }
-                                    let _e3180 = phi_5613_;
-                                    if (_e3173[1] < 0f) {
-                                        phi_5620_ = -(_e3173[1]);
+                                    let _e3175 = phi_5621_;
+                                    if (_e3168[1] < 0f) {
+                                        phi_5628_ = -(_e3168[1]);
                                     } else {
-                                        phi_5620_ = _e3173[1];
+                                        phi_5628_ = _e3168[1];
                                     }
-                                    let _e3184 = phi_5620_;
-                                    if (_e3180 > _e3184) {
-                                        phi_5625_ = _e3180;
+                                    let _e3179 = phi_5628_;
+                                    if (_e3175 > _e3179) {
+                                        phi_5633_ = _e3175;
                                     } else {
-                                        phi_5625_ = _e3184;
+                                        phi_5633_ = _e3179;
                                     }
-                                    let _e3187 = phi_5625_;
-                                    if (_e3173[2] < 0f) {
-                                        phi_5632_ = -(_e3173[2]);
+                                    let _e3182 = phi_5633_;
+                                    if (_e3168[2] < 0f) {
+                                        phi_5640_ = -(_e3168[2]);
                                     } else {
-                                        phi_5632_ = _e3173[2];
+                                        phi_5640_ = _e3168[2];
                                     }
-                                    let _e3191 = phi_5632_;
-                                    if (_e3187 > _e3191) {
-                                        phi_5637_ = _e3187;
+                                    let _e3186 = phi_5640_;
+                                    if (_e3182 > _e3186) {
+                                        phi_5645_ = _e3182;
                                     } else {
-                                        phi_5637_ = _e3191;
+                                        phi_5645_ = _e3186;
                                     }
-                                    let _e3194 = phi_5637_;
-                                    if (_e3170 > _e3194) {
-                                        phi_5642_ = _e3170;
+                                    let _e3189 = phi_5645_;
+                                    if (_e3165 > _e3189) {
+                                        phi_5650_ = _e3165;
                                     } else {
-                                        phi_5642_ = _e3194;
+                                        phi_5650_ = _e3189;
                                     }
-                                    let _e3197 = phi_5642_;
-                                    let _e3199 = local.member_3;
-                                    let _e3203 = local.member_2[0u];
-                                    if (_e3203[0] < 0f) {
-                                        phi_5659_ = -(_e3203[0]);
+                                    let _e3192 = phi_5650_;
+                                    let _e3194 = local.member_3;
+                                    let _e3198 = local.member_2[0u];
+                                    if (_e3198[0] < 0f) {
+                                        phi_5667_ = -(_e3198[0]);
                                     } else {
-                                        phi_5659_ = _e3203[0];
+                                        phi_5667_ = _e3198[0];
                                     }
-                                    let _e3210 = phi_5659_;
-                                    if (_e3203[1] < 0f) {
-                                        phi_5666_ = -(_e3203[1]);
+                                    let _e3205 = phi_5667_;
+                                    if (_e3198[1] < 0f) {
+                                        phi_5674_ = -(_e3198[1]);
                                     } else {
-                                        phi_5666_ = _e3203[1];
+                                        phi_5674_ = _e3198[1];
                                     }
-                                    let _e3214 = phi_5666_;
-                                    if (_e3210 > _e3214) {
-                                        phi_5671_ = _e3210;
+                                    let _e3209 = phi_5674_;
+                                    if (_e3205 > _e3209) {
+                                        phi_5679_ = _e3205;
                                     } else {
-                                        phi_5671_ = _e3214;
+                                        phi_5679_ = _e3209;
                                     }
-                                    let _e3217 = phi_5671_;
-                                    if (_e3203[2] < 0f) {
-                                        phi_5678_ = -(_e3203[2]);
+                                    let _e3212 = phi_5679_;
+                                    if (_e3198[2] < 0f) {
+                                        phi_5686_ = -(_e3198[2]);
                                     } else {
-                                        phi_5678_ = _e3203[2];
+                                        phi_5686_ = _e3198[2];
                                     }
-                                    let _e3221 = phi_5678_;
-                                    if (_e3217 > _e3221) {
-                                        phi_5683_ = _e3217;
+                                    let _e3216 = phi_5686_;
+                                    if (_e3212 > _e3216) {
+                                        phi_5691_ = _e3212;
                                     } else {
-                                        phi_5683_ = _e3221;
+                                        phi_5691_ = _e3216;
                                     }
-                                    let _e3224 = phi_5683_;
-                                    let _e3227 = local.member_2[1u];
-                                    if (_e3227[0] < 0f) {
-                                        phi_5697_ = -(_e3227[0]);
+                                    let _e3219 = phi_5691_;
+                                    let _e3222 = local.member_2[1u];
+                                    if (_e3222[0] < 0f) {
+                                        phi_5705_ = -(_e3222[0]);
                                     } else {
-                                        phi_5697_ = _e3227[0];
+                                        phi_5705_ = _e3222[0];
                                     }
-                                    let _e3234 = phi_5697_;
-                                    if (_e3227[1] < 0f) {
-                                        phi_5704_ = -(_e3227[1]);
+                                    let _e3229 = phi_5705_;
+                                    if (_e3222[1] < 0f) {
+                                        phi_5712_ = -(_e3222[1]);
                                     } else {
-                                        phi_5704_ = _e3227[1];
+                                        phi_5712_ = _e3222[1];
                                     }
-                                    let _e3238 = phi_5704_;
-                                    if (_e3234 > _e3238) {
-                                        phi_5709_ = _e3234;
+                                    let _e3233 = phi_5712_;
+                                    if (_e3229 > _e3233) {
+                                        phi_5717_ = _e3229;
                                     } else {
-                                        phi_5709_ = _e3238;
+                                        phi_5717_ = _e3233;
                                     }
-                                    let _e3241 = phi_5709_;
-                                    if (_e3227[2] < 0f) {
-                                        phi_5716_ = -(_e3227[2]);
+                                    let _e3236 = phi_5717_;
+                                    if (_e3222[2] < 0f) {
+                                        phi_5724_ = -(_e3222[2]);
                                     } else {
-                                        phi_5716_ = _e3227[2];
+                                        phi_5724_ = _e3222[2];
                                     }
-                                    let _e3245 = phi_5716_;
-                                    if (_e3241 > _e3245) {
-                                        phi_5721_ = _e3241;
+                                    let _e3240 = phi_5724_;
+                                    if (_e3236 > _e3240) {
+                                        phi_5729_ = _e3236;
                                     } else {
-                                        phi_5721_ = _e3245;
+                                        phi_5729_ = _e3240;
                                     }
-                                    let _e3248 = phi_5721_;
-                                    if (_e3224 > _e3248) {
-                                        phi_5726_ = _e3224;
+                                    let _e3243 = phi_5729_;
+                                    if (_e3219 > _e3243) {
+                                        phi_5734_ = _e3219;
                                     } else {
-                                        phi_5726_ = _e3248;
+                                        phi_5734_ = _e3243;
                                     }
-                                    let _e3251 = phi_5726_;
-                                    let _e3253 = local.member_3;
-                                    let _e3257 = ((((_e3143 + _e3145) + (_e3197 + _e3199)) + (_e3251 + _e3253)) * 2f);
-                                    let _e3260 = local.member_3;
-                                    let _e3264 = (((_e1454 * 1.0001f) + (_e3260 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3267 = ((_e3035 * _e3014) - (_e3038 * _e3013));
-                                    let _e3270 = ((_e3038 * _e3012) - (_e3032 * _e3014));
-                                    let _e3273 = ((_e3032 * _e3013) - (_e3035 * _e3012));
-                                    let _e3278 = (((_e3267 * _e3041[0]) + (_e3270 * _e3041[1])) + (_e3273 * _e3041[2]));
-                                    let _e3283 = (((_e3267 * _e3057) + (_e3270 * _e3058)) + (_e3273 * _e3059));
-                                    let _e3288 = (((_e3267 * _e3063) + (_e3270 * _e3064)) + (_e3273 * _e3065));
-                                    let _e3293 = (((_e3267 * _e3060) + (_e3270 * _e3061)) + (_e3273 * _e3062));
-                                    let _e3298 = (((_e3267 * _e3068[0]) + (_e3270 * _e3068[1])) + (_e3273 * _e3068[2]));
-                                    let _e3303 = (((_e3267 * _e3084) + (_e3270 * _e3085)) + (_e3273 * _e3086));
-                                    let _e3308 = (((_e3267 * _e3090) + (_e3270 * _e3091)) + (_e3273 * _e3092));
-                                    let _e3313 = (((_e3267 * _e3087) + (_e3270 * _e3088)) + (_e3273 * _e3089));
-                                    if (_e3278 < _e3283) {
-                                        phi_5805_ = _e3278;
+                                    let _e3246 = phi_5734_;
+                                    let _e3248 = local.member_3;
+                                    let _e3252 = ((((_e3138 + _e3140) + (_e3192 + _e3194)) + (_e3246 + _e3248)) * 2f);
+                                    let _e3255 = local.member_3;
+                                    let _e3259 = (((_e1449 * 1.0001f) + (_e3255 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3262 = ((_e3030 * _e3009) - (_e3033 * _e3008));
+                                    let _e3265 = ((_e3033 * _e3007) - (_e3027 * _e3009));
+                                    let _e3268 = ((_e3027 * _e3008) - (_e3030 * _e3007));
+                                    let _e3273 = (((_e3262 * _e3036[0]) + (_e3265 * _e3036[1])) + (_e3268 * _e3036[2]));
+                                    let _e3278 = (((_e3262 * _e3052) + (_e3265 * _e3053)) + (_e3268 * _e3054));
+                                    let _e3283 = (((_e3262 * _e3058) + (_e3265 * _e3059)) + (_e3268 * _e3060));
+                                    let _e3288 = (((_e3262 * _e3055) + (_e3265 * _e3056)) + (_e3268 * _e3057));
+                                    let _e3293 = (((_e3262 * _e3063[0]) + (_e3265 * _e3063[1])) + (_e3268 * _e3063[2]));
+                                    let _e3298 = (((_e3262 * _e3079) + (_e3265 * _e3080)) + (_e3268 * _e3081));
+                                    let _e3303 = (((_e3262 * _e3085) + (_e3265 * _e3086)) + (_e3268 * _e3087));
+                                    let _e3308 = (((_e3262 * _e3082) + (_e3265 * _e3083)) + (_e3268 * _e3084));
+                                    if (_e3273 < _e3278) {
+                                        phi_5813_ = _e3273;
                                     } else {
-                                        phi_5805_ = _e3283;
+                                        phi_5813_ = _e3278;
                                     }
-                                    let _e3316 = phi_5805_;
-                                    if (_e3288 < _e3293) {
-                                        phi_5810_ = _e3288;
+                                    let _e3311 = phi_5813_;
+                                    if (_e3283 < _e3288) {
+                                        phi_5818_ = _e3283;
                                     } else {
-                                        phi_5810_ = _e3293;
+                                        phi_5818_ = _e3288;
                                     }
-                                    let _e3319 = phi_5810_;
-                                    if (_e3316 < _e3319) {
-                                        phi_5815_ = _e3316;
+                                    let _e3314 = phi_5818_;
+                                    if (_e3311 < _e3314) {
+                                        phi_5823_ = _e3311;
                                     } else {
-                                        phi_5815_ = _e3319;
+                                        phi_5823_ = _e3314;
                                     }
-                                    let _e3322 = phi_5815_;
-                                    if (_e3298 < _e3303) {
-                                        phi_5820_ = _e3298;
+                                    let _e3317 = phi_5823_;
+                                    if (_e3293 < _e3298) {
+                                        phi_5828_ = _e3293;
                                     } else {
-                                        phi_5820_ = _e3303;
+                                        phi_5828_ = _e3298;
                                     }
-                                    let _e3325 = phi_5820_;
-                                    if (_e3308 < _e3313) {
-                                        phi_5825_ = _e3308;
+                                    let _e3320 = phi_5828_;
+                                    if (_e3303 < _e3308) {
+                                        phi_5833_ = _e3303;
                                     } else {
-                                        phi_5825_ = _e3313;
+                                        phi_5833_ = _e3308;
                                     }
-                                    let _e3328 = phi_5825_;
-                                    if (_e3325 < _e3328) {
-                                        phi_5830_ = _e3325;
+                                    let _e3323 = phi_5833_;
+                                    if (_e3320 < _e3323) {
+                                        phi_5838_ = _e3320;
                                     } else {
-                                        phi_5830_ = _e3328;
+                                        phi_5838_ = _e3323;
                                     }
-                                    let _e3331 = phi_5830_;
-                                    if (_e3322 < _e3331) {
-                                        phi_5835_ = _e3322;
+                                    let _e3326 = phi_5838_;
+                                    if (_e3317 < _e3326) {
+                                        phi_5843_ = _e3317;
                                     } else {
-                                        phi_5835_ = _e3331;
+                                        phi_5843_ = _e3326;
                                     }
-                                    let _e3334 = phi_5835_;
-                                    if (_e3278 > _e3283) {
-                                        phi_5840_ = _e3278;
+                                    let _e3329 = phi_5843_;
+                                    if (_e3273 > _e3278) {
+                                        phi_5848_ = _e3273;
                                     } else {
-                                        phi_5840_ = _e3283;
+                                        phi_5848_ = _e3278;
                                     }
-                                    let _e3337 = phi_5840_;
-                                    if (_e3288 > _e3293) {
-                                        phi_5845_ = _e3288;
+                                    let _e3332 = phi_5848_;
+                                    if (_e3283 > _e3288) {
+                                        phi_5853_ = _e3283;
                                     } else {
-                                        phi_5845_ = _e3293;
+                                        phi_5853_ = _e3288;
                                     }
-                                    let _e3340 = phi_5845_;
-                                    if (_e3337 > _e3340) {
-                                        phi_5850_ = _e3337;
+                                    let _e3335 = phi_5853_;
+                                    if (_e3332 > _e3335) {
+                                        phi_5858_ = _e3332;
                                     } else {
-                                        phi_5850_ = _e3340;
+                                        phi_5858_ = _e3335;
                                     }
-                                    let _e3343 = phi_5850_;
-                                    if (_e3298 > _e3303) {
-                                        phi_5855_ = _e3298;
+                                    let _e3338 = phi_5858_;
+                                    if (_e3293 > _e3298) {
+                                        phi_5863_ = _e3293;
                                     } else {
-                                        phi_5855_ = _e3303;
+                                        phi_5863_ = _e3298;
                                     }
-                                    let _e3346 = phi_5855_;
-                                    if (_e3308 > _e3313) {
-                                        phi_5860_ = _e3308;
+                                    let _e3341 = phi_5863_;
+                                    if (_e3303 > _e3308) {
+                                        phi_5868_ = _e3303;
                                     } else {
-                                        phi_5860_ = _e3313;
+                                        phi_5868_ = _e3308;
                                     }
-                                    let _e3349 = phi_5860_;
-                                    if (_e3346 > _e3349) {
-                                        phi_5865_ = _e3346;
+                                    let _e3344 = phi_5868_;
+                                    if (_e3341 > _e3344) {
+                                        phi_5873_ = _e3341;
                                     } else {
-                                        phi_5865_ = _e3349;
+                                        phi_5873_ = _e3344;
                                     }
-                                    let _e3352 = phi_5865_;
-                                    if (_e3343 > _e3352) {
-                                        phi_5870_ = _e3343;
+                                    let _e3347 = phi_5873_;
+                                    if (_e3338 > _e3347) {
+                                        phi_5878_ = _e3338;
                                     } else {
-                                        phi_5870_ = _e3352;
+                                        phi_5878_ = _e3347;
                                     }
-                                    let _e3355 = phi_5870_;
-                                    if (_e3267 < 0f) {
-                                        phi_5876_ = -(_e3267);
+                                    let _e3350 = phi_5878_;
+                                    if (_e3262 < 0f) {
+                                        phi_5884_ = -(_e3262);
                                     } else {
-                                        phi_5876_ = _e3267;
+                                        phi_5884_ = _e3262;
                                     }
-                                    let _e3359 = phi_5876_;
-                                    if (_e3270 < 0f) {
-                                        phi_5882_ = -(_e3270);
+                                    let _e3354 = phi_5884_;
+                                    if (_e3265 < 0f) {
+                                        phi_5890_ = -(_e3265);
                                     } else {
-                                        phi_5882_ = _e3270;
+                                        phi_5890_ = _e3265;
                                     }
-                                    let _e3363 = phi_5882_;
-                                    if (_e3273 < 0f) {
-                                        phi_5889_ = -(_e3273);
+                                    let _e3358 = phi_5890_;
+                                    if (_e3268 < 0f) {
+                                        phi_5897_ = -(_e3268);
                                     } else {
-                                        phi_5889_ = _e3273;
+                                        phi_5897_ = _e3268;
                                     }
-                                    let _e3368 = phi_5889_;
-                                    let _e3369 = ((_e3359 + _e3363) + _e3368);
-                                    let _e3374 = -(_e3355);
-                                    if (_e3334 > _e3374) {
-                                        phi_5900_ = _e3334;
+                                    let _e3363 = phi_5897_;
+                                    let _e3364 = ((_e3354 + _e3358) + _e3363);
+                                    let _e3369 = -(_e3350);
+                                    if (_e3329 > _e3369) {
+                                        phi_5908_ = _e3329;
                                     } else {
-                                        phi_5900_ = _e3374;
+                                        phi_5908_ = _e3369;
                                     }
-                                    let _e3377 = phi_5900_;
-                                    let _e3382 = (((_e3377 - ((_e3369 * _e3257) * (0.000000059604645f * (17f / 2f)))) - (_e3369 * _e3264)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3385 = ((_e3035 * _e3029) - (_e3038 * _e3028));
-                                    let _e3388 = ((_e3038 * _e3027) - (_e3032 * _e3029));
-                                    let _e3391 = ((_e3032 * _e3028) - (_e3035 * _e3027));
-                                    let _e3396 = (((_e3385 * _e3041[0]) + (_e3388 * _e3041[1])) + (_e3391 * _e3041[2]));
-                                    let _e3401 = (((_e3385 * _e3057) + (_e3388 * _e3058)) + (_e3391 * _e3059));
-                                    let _e3406 = (((_e3385 * _e3063) + (_e3388 * _e3064)) + (_e3391 * _e3065));
-                                    let _e3411 = (((_e3385 * _e3060) + (_e3388 * _e3061)) + (_e3391 * _e3062));
-                                    let _e3416 = (((_e3385 * _e3068[0]) + (_e3388 * _e3068[1])) + (_e3391 * _e3068[2]));
-                                    let _e3421 = (((_e3385 * _e3084) + (_e3388 * _e3085)) + (_e3391 * _e3086));
-                                    let _e3426 = (((_e3385 * _e3090) + (_e3388 * _e3091)) + (_e3391 * _e3092));
-                                    let _e3431 = (((_e3385 * _e3087) + (_e3388 * _e3088)) + (_e3391 * _e3089));
-                                    if (_e3396 < _e3401) {
-                                        phi_5971_ = _e3396;
+                                    let _e3372 = phi_5908_;
+                                    let _e3377 = (((_e3372 - ((_e3364 * _e3252) * (0.000000059604645f * (17f / 2f)))) - (_e3364 * _e3259)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3380 = ((_e3030 * _e3024) - (_e3033 * _e3023));
+                                    let _e3383 = ((_e3033 * _e3022) - (_e3027 * _e3024));
+                                    let _e3386 = ((_e3027 * _e3023) - (_e3030 * _e3022));
+                                    let _e3391 = (((_e3380 * _e3036[0]) + (_e3383 * _e3036[1])) + (_e3386 * _e3036[2]));
+                                    let _e3396 = (((_e3380 * _e3052) + (_e3383 * _e3053)) + (_e3386 * _e3054));
+                                    let _e3401 = (((_e3380 * _e3058) + (_e3383 * _e3059)) + (_e3386 * _e3060));
+                                    let _e3406 = (((_e3380 * _e3055) + (_e3383 * _e3056)) + (_e3386 * _e3057));
+                                    let _e3411 = (((_e3380 * _e3063[0]) + (_e3383 * _e3063[1])) + (_e3386 * _e3063[2]));
+                                    let _e3416 = (((_e3380 * _e3079) + (_e3383 * _e3080)) + (_e3386 * _e3081));
+                                    let _e3421 = (((_e3380 * _e3085) + (_e3383 * _e3086)) + (_e3386 * _e3087));
+                                    let _e3426 = (((_e3380 * _e3082) + (_e3383 * _e3083)) + (_e3386 * _e3084));
+                                    if (_e3391 < _e3396) {
+                                        phi_5979_ = _e3391;
                                     } else {
-                                        phi_5971_ = _e3401;
+                                        phi_5979_ = _e3396;
                                     }
-                                    let _e3434 = phi_5971_;
-                                    if (_e3406 < _e3411) {
-                                        phi_5976_ = _e3406;
+                                    let _e3429 = phi_5979_;
+                                    if (_e3401 < _e3406) {
+                                        phi_5984_ = _e3401;
                                     } else {
-                                        phi_5976_ = _e3411;
+                                        phi_5984_ = _e3406;
                                     }
-                                    let _e3437 = phi_5976_;
-                                    if (_e3434 < _e3437) {
-                                        phi_5981_ = _e3434;
+                                    let _e3432 = phi_5984_;
+                                    if (_e3429 < _e3432) {
+                                        phi_5989_ = _e3429;
                                     } else {
-                                        phi_5981_ = _e3437;
+                                        phi_5989_ = _e3432;
                                     }
-                                    let _e3440 = phi_5981_;
-                                    if (_e3416 < _e3421) {
-                                        phi_5986_ = _e3416;
+                                    let _e3435 = phi_5989_;
+                                    if (_e3411 < _e3416) {
+                                        phi_5994_ = _e3411;
                                     } else {
-                                        phi_5986_ = _e3421;
+                                        phi_5994_ = _e3416;
                                     }
-                                    let _e3443 = phi_5986_;
-                                    if (_e3426 < _e3431) {
-                                        phi_5991_ = _e3426;
+                                    let _e3438 = phi_5994_;
+                                    if (_e3421 < _e3426) {
+                                        phi_5999_ = _e3421;
                                     } else {
-                                        phi_5991_ = _e3431;
+                                        phi_5999_ = _e3426;
                                     }
-                                    let _e3446 = phi_5991_;
-                                    if (_e3443 < _e3446) {
-                                        phi_5996_ = _e3443;
+                                    let _e3441 = phi_5999_;
+                                    if (_e3438 < _e3441) {
+                                        phi_6004_ = _e3438;
                                     } else {
-                                        phi_5996_ = _e3446;
+                                        phi_6004_ = _e3441;
                                     }
-                                    let _e3449 = phi_5996_;
-                                    if (_e3440 < _e3449) {
-                                        phi_6001_ = _e3440;
+                                    let _e3444 = phi_6004_;
+                                    if (_e3435 < _e3444) {
+                                        phi_6009_ = _e3435;
                                     } else {
-                                        phi_6001_ = _e3449;
+                                        phi_6009_ = _e3444;
                                     }
-                                    let _e3452 = phi_6001_;
-                                    if (_e3396 > _e3401) {
-                                        phi_6006_ = _e3396;
+                                    let _e3447 = phi_6009_;
+                                    if (_e3391 > _e3396) {
+                                        phi_6014_ = _e3391;
                                     } else {
-                                        phi_6006_ = _e3401;
+                                        phi_6014_ = _e3396;
                                     }
-                                    let _e3455 = phi_6006_;
-                                    if (_e3406 > _e3411) {
-                                        phi_6011_ = _e3406;
+                                    let _e3450 = phi_6014_;
+                                    if (_e3401 > _e3406) {
+                                        phi_6019_ = _e3401;
                                     } else {
-                                        phi_6011_ = _e3411;
+                                        phi_6019_ = _e3406;
                                     }
-                                    let _e3458 = phi_6011_;
-                                    if (_e3455 > _e3458) {
-                                        phi_6016_ = _e3455;
+                                    let _e3453 = phi_6019_;
+                                    if (_e3450 > _e3453) {
+                                        phi_6024_ = _e3450;
                                     } else {
-                                        phi_6016_ = _e3458;
+                                        phi_6024_ = _e3453;
                                     }
-                                    let _e3461 = phi_6016_;
-                                    if (_e3416 > _e3421) {
-                                        phi_6021_ = _e3416;
+                                    let _e3456 = phi_6024_;
+                                    if (_e3411 > _e3416) {
+                                        phi_6029_ = _e3411;
                                     } else {
-                                        phi_6021_ = _e3421;
+                                        phi_6029_ = _e3416;
                                     }
-                                    let _e3464 = phi_6021_;
-                                    if (_e3426 > _e3431) {
-                                        phi_6026_ = _e3426;
+                                    let _e3459 = phi_6029_;
+                                    if (_e3421 > _e3426) {
+                                        phi_6034_ = _e3421;
                                     } else {
-                                        phi_6026_ = _e3431;
+                                        phi_6034_ = _e3426;
                                     }
-                                    let _e3467 = phi_6026_;
-                                    if (_e3464 > _e3467) {
-                                        phi_6031_ = _e3464;
+                                    let _e3462 = phi_6034_;
+                                    if (_e3459 > _e3462) {
+                                        phi_6039_ = _e3459;
                                     } else {
-                                        phi_6031_ = _e3467;
+                                        phi_6039_ = _e3462;
                                     }
-                                    let _e3470 = phi_6031_;
-                                    if (_e3461 > _e3470) {
-                                        phi_6036_ = _e3461;
+                                    let _e3465 = phi_6039_;
+                                    if (_e3456 > _e3465) {
+                                        phi_6044_ = _e3456;
                                     } else {
-                                        phi_6036_ = _e3470;
+                                        phi_6044_ = _e3465;
                                     }
-                                    let _e3473 = phi_6036_;
-                                    if (_e3385 < 0f) {
-                                        phi_6042_ = -(_e3385);
+                                    let _e3468 = phi_6044_;
+                                    if (_e3380 < 0f) {
+                                        phi_6050_ = -(_e3380);
                                     } else {
-                                        phi_6042_ = _e3385;
+                                        phi_6050_ = _e3380;
                                     }
-                                    let _e3477 = phi_6042_;
-                                    if (_e3388 < 0f) {
-                                        phi_6048_ = -(_e3388);
+                                    let _e3472 = phi_6050_;
+                                    if (_e3383 < 0f) {
+                                        phi_6056_ = -(_e3383);
                                     } else {
-                                        phi_6048_ = _e3388;
+                                        phi_6056_ = _e3383;
                                     }
-                                    let _e3481 = phi_6048_;
-                                    if (_e3391 < 0f) {
-                                        phi_6055_ = -(_e3391);
+                                    let _e3476 = phi_6056_;
+                                    if (_e3386 < 0f) {
+                                        phi_6063_ = -(_e3386);
                                     } else {
-                                        phi_6055_ = _e3391;
+                                        phi_6063_ = _e3386;
                                     }
-                                    let _e3486 = phi_6055_;
-                                    let _e3487 = ((_e3477 + _e3481) + _e3486);
-                                    let _e3492 = -(_e3473);
-                                    if (_e3452 > _e3492) {
-                                        phi_6066_ = _e3452;
+                                    let _e3481 = phi_6063_;
+                                    let _e3482 = ((_e3472 + _e3476) + _e3481);
+                                    let _e3487 = -(_e3468);
+                                    if (_e3447 > _e3487) {
+                                        phi_6074_ = _e3447;
                                     } else {
-                                        phi_6066_ = _e3492;
+                                        phi_6074_ = _e3487;
                                     }
-                                    let _e3495 = phi_6066_;
-                                    let _e3500 = (((_e3495 - ((_e3487 * _e3257) * (0.000000059604645f * (17f / 2f)))) - (_e3487 * _e3264)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3382 > _e3500) {
-                                        phi_6076_ = _e3382;
+                                    let _e3490 = phi_6074_;
+                                    let _e3495 = (((_e3490 - ((_e3482 * _e3252) * (0.000000059604645f * (17f / 2f)))) - (_e3482 * _e3259)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3377 > _e3495) {
+                                        phi_6084_ = _e3377;
                                     } else {
-                                        phi_6076_ = _e3500;
+                                        phi_6084_ = _e3495;
                                     }
-                                    let _e3503 = phi_6076_;
-                                    phi_6258_ = (_e2999 || (_e3503 > 0f));
+                                    let _e3498 = phi_6084_;
+                                    phi_6266_ = (_e2994 || (_e3498 > 0f));
                                 }
-                                let _e3507 = phi_6258_;
-                                if _e3507 {
-                                    let _e3510 = local_1.member_1[0u];
-                                    let _e3516 = local_1.member_2[0u];
-                                    let _e3522 = ((_e3510[1] * _e3516[2]) - (_e3510[2] * _e3516[1]));
-                                    let _e3525 = ((_e3510[2] * _e3516[0]) - (_e3510[0] * _e3516[2]));
-                                    let _e3528 = ((_e3510[0] * _e3516[1]) - (_e3510[1] * _e3516[0]));
-                                    let _e3531 = local_1.member_1[1u];
-                                    let _e3537 = local_1.member_2[1u];
-                                    let _e3543 = ((_e3531[1] * _e3537[2]) - (_e3531[2] * _e3537[1]));
-                                    let _e3546 = ((_e3531[2] * _e3537[0]) - (_e3531[0] * _e3537[2]));
-                                    let _e3549 = ((_e3531[0] * _e3537[1]) - (_e3531[1] * _e3537[0]));
-                                    let _e3552 = local_1.member_1[0u];
-                                    let _e3558 = local_1.member_2[1u];
-                                    let _e3573 = local_1.member_1[1u];
-                                    let _e3579 = local_1.member_2[0u];
-                                    let _e3592 = (((_e3552[1] * _e3558[2]) - (_e3552[2] * _e3558[1])) + ((_e3573[1] * _e3579[2]) - (_e3573[2] * _e3579[1])));
-                                    let _e3593 = (((_e3552[2] * _e3558[0]) - (_e3552[0] * _e3558[2])) + ((_e3573[2] * _e3579[0]) - (_e3573[0] * _e3579[2])));
-                                    let _e3594 = (((_e3552[0] * _e3558[1]) - (_e3552[1] * _e3558[0])) + ((_e3573[0] * _e3579[1]) - (_e3573[1] * _e3579[0])));
-                                    let _e3597 = local_1.member[0u];
-                                    let _e3608 = local_1.member[1u];
-                                    let _e3619 = local_1.member[0u];
-                                    let _e3628 = ((((_e3608[0] * _e3522) + (_e3608[1] * _e3525)) + (_e3608[2] * _e3528)) + (((_e3619[0] * _e3592) + (_e3619[1] * _e3593)) + (_e3619[2] * _e3594)));
-                                    let _e3631 = local_1.member[0u];
-                                    let _e3642 = local_1.member[1u];
-                                    let _e3651 = ((((_e3631[0] * _e3543) + (_e3631[1] * _e3546)) + (_e3631[2] * _e3549)) + (((_e3642[0] * _e3592) + (_e3642[1] * _e3593)) + (_e3642[2] * _e3594)));
-                                    let _e3654 = local_1.member[1u];
-                                    let _e3665 = local_1.member[0u];
-                                    if (_e3665[0] < 0f) {
-                                        phi_6503_ = -(_e3665[0]);
+                                let _e3502 = phi_6266_;
+                                if _e3502 {
+                                    let _e3505 = local_1.member_1[0u];
+                                    let _e3511 = local_1.member_2[0u];
+                                    let _e3517 = ((_e3505[1] * _e3511[2]) - (_e3505[2] * _e3511[1]));
+                                    let _e3520 = ((_e3505[2] * _e3511[0]) - (_e3505[0] * _e3511[2]));
+                                    let _e3523 = ((_e3505[0] * _e3511[1]) - (_e3505[1] * _e3511[0]));
+                                    let _e3526 = local_1.member_1[1u];
+                                    let _e3532 = local_1.member_2[1u];
+                                    let _e3538 = ((_e3526[1] * _e3532[2]) - (_e3526[2] * _e3532[1]));
+                                    let _e3541 = ((_e3526[2] * _e3532[0]) - (_e3526[0] * _e3532[2]));
+                                    let _e3544 = ((_e3526[0] * _e3532[1]) - (_e3526[1] * _e3532[0]));
+                                    let _e3547 = local_1.member_1[0u];
+                                    let _e3553 = local_1.member_2[1u];
+                                    let _e3568 = local_1.member_1[1u];
+                                    let _e3574 = local_1.member_2[0u];
+                                    let _e3587 = (((_e3547[1] * _e3553[2]) - (_e3547[2] * _e3553[1])) + ((_e3568[1] * _e3574[2]) - (_e3568[2] * _e3574[1])));
+                                    let _e3588 = (((_e3547[2] * _e3553[0]) - (_e3547[0] * _e3553[2])) + ((_e3568[2] * _e3574[0]) - (_e3568[0] * _e3574[2])));
+                                    let _e3589 = (((_e3547[0] * _e3553[1]) - (_e3547[1] * _e3553[0])) + ((_e3568[0] * _e3574[1]) - (_e3568[1] * _e3574[0])));
+                                    let _e3592 = local_1.member[0u];
+                                    let _e3603 = local_1.member[1u];
+                                    let _e3614 = local_1.member[0u];
+                                    let _e3623 = ((((_e3603[0] * _e3517) + (_e3603[1] * _e3520)) + (_e3603[2] * _e3523)) + (((_e3614[0] * _e3587) + (_e3614[1] * _e3588)) + (_e3614[2] * _e3589)));
+                                    let _e3626 = local_1.member[0u];
+                                    let _e3637 = local_1.member[1u];
+                                    let _e3646 = ((((_e3626[0] * _e3538) + (_e3626[1] * _e3541)) + (_e3626[2] * _e3544)) + (((_e3637[0] * _e3587) + (_e3637[1] * _e3588)) + (_e3637[2] * _e3589)));
+                                    let _e3649 = local_1.member[1u];
+                                    let _e3660 = local_1.member[0u];
+                                    if (_e3660[0] < 0f) {
+                                        phi_6511_ = -(_e3660[0]);
                                     } else {
-                                        phi_6503_ = _e3665[0];
+                                        phi_6511_ = _e3660[0];
                                     }
-                                    let _e3672 = phi_6503_;
-                                    if (_e3665[1] < 0f) {
-                                        phi_6510_ = -(_e3665[1]);
+                                    let _e3667 = phi_6511_;
+                                    if (_e3660[1] < 0f) {
+                                        phi_6518_ = -(_e3660[1]);
                                     } else {
-                                        phi_6510_ = _e3665[1];
+                                        phi_6518_ = _e3660[1];
                                     }
-                                    let _e3676 = phi_6510_;
-                                    if (_e3672 > _e3676) {
-                                        phi_6515_ = _e3672;
+                                    let _e3671 = phi_6518_;
+                                    if (_e3667 > _e3671) {
+                                        phi_6523_ = _e3667;
                                     } else {
-                                        phi_6515_ = _e3676;
+                                        phi_6523_ = _e3671;
                                     }
-                                    let _e3679 = phi_6515_;
-                                    if (_e3665[2] < 0f) {
-                                        phi_6522_ = -(_e3665[2]);
+                                    let _e3674 = phi_6523_;
+                                    if (_e3660[2] < 0f) {
+                                        phi_6530_ = -(_e3660[2]);
                                     } else {
-                                        phi_6522_ = _e3665[2];
+                                        phi_6530_ = _e3660[2];
                                     }
-                                    let _e3683 = phi_6522_;
-                                    if (_e3679 > _e3683) {
-                                        phi_6527_ = _e3679;
+                                    let _e3678 = phi_6530_;
+                                    if (_e3674 > _e3678) {
+                                        phi_6535_ = _e3674;
                                     } else {
-                                        phi_6527_ = _e3683;
+                                        phi_6535_ = _e3678;
                                     }
-                                    let _e3686 = phi_6527_;
-                                    let _e3689 = local_1.member[1u];
-                                    if (_e3689[0] < 0f) {
-                                        phi_6540_ = -(_e3689[0]);
+                                    let _e3681 = phi_6535_;
+                                    let _e3684 = local_1.member[1u];
+                                    if (_e3684[0] < 0f) {
+                                        phi_6548_ = -(_e3684[0]);
                                     } else {
-                                        phi_6540_ = _e3689[0];
+                                        phi_6548_ = _e3684[0];
                                     }
-                                    let _e3696 = phi_6540_;
-                                    if (_e3689[1] < 0f) {
-                                        phi_6547_ = -(_e3689[1]);
+                                    let _e3691 = phi_6548_;
+                                    if (_e3684[1] < 0f) {
+                                        phi_6555_ = -(_e3684[1]);
                                     } else {
-                                        phi_6547_ = _e3689[1];
+                                        phi_6555_ = _e3684[1];
                                     }
-                                    let _e3700 = phi_6547_;
-                                    if (_e3696 > _e3700) {
-                                        phi_6552_ = _e3696;
+                                    let _e3695 = phi_6555_;
+                                    if (_e3691 > _e3695) {
+                                        phi_6560_ = _e3691;
                                     } else {
-                                        phi_6552_ = _e3700;
+                                        phi_6560_ = _e3695;
                                     }
-                                    let _e3703 = phi_6552_;
-                                    if (_e3689[2] < 0f) {
-                                        phi_6559_ = -(_e3689[2]);
+                                    let _e3698 = phi_6560_;
+                                    if (_e3684[2] < 0f) {
+                                        phi_6567_ = -(_e3684[2]);
                                     } else {
-                                        phi_6559_ = _e3689[2];
+                                        phi_6567_ = _e3684[2];
                                     }
-                                    let _e3707 = phi_6559_;
-                                    if (_e3703 > _e3707) {
-                                        phi_6564_ = _e3703;
+                                    let _e3702 = phi_6567_;
+                                    if (_e3698 > _e3702) {
+                                        phi_6572_ = _e3698;
                                     } else {
-                                        phi_6564_ = _e3707;
+                                        phi_6572_ = _e3702;
                                     }
-                                    let _e3710 = phi_6564_;
-                                    if (_e3686 > _e3710) {
-                                        phi_6569_ = _e3686;
+                                    let _e3705 = phi_6572_;
+                                    if (_e3681 > _e3705) {
+                                        phi_6577_ = _e3681;
                                     } else {
-                                        phi_6569_ = _e3710;
+                                        phi_6577_ = _e3705;
                                     }
-                                    let _e3713 = phi_6569_;
-                                    let _e3715 = local_1.member_3;
-                                    let _e3716 = (_e3713 + _e3715);
-                                    let _e3719 = local_1.member_1[0u];
-                                    if (_e3719[0] < 0f) {
-                                        phi_6586_ = -(_e3719[0]);
+                                    let _e3708 = phi_6577_;
+                                    let _e3710 = local_1.member_3;
+                                    let _e3711 = (_e3708 + _e3710);
+                                    let _e3714 = local_1.member_1[0u];
+                                    if (_e3714[0] < 0f) {
+                                        phi_6594_ = -(_e3714[0]);
                                     } else {
-                                        phi_6586_ = _e3719[0];
+                                        phi_6594_ = _e3714[0];
                                     }
-                                    let _e3726 = phi_6586_;
-                                    if (_e3719[1] < 0f) {
-                                        phi_6593_ = -(_e3719[1]);
+                                    let _e3721 = phi_6594_;
+                                    if (_e3714[1] < 0f) {
+                                        phi_6601_ = -(_e3714[1]);
                                     } else {
-                                        phi_6593_ = _e3719[1];
+                                        phi_6601_ = _e3714[1];
                                     }
-                                    let _e3730 = phi_6593_;
-                                    if (_e3726 > _e3730) {
-                                        phi_6598_ = _e3726;
+                                    let _e3725 = phi_6601_;
+                                    if (_e3721 > _e3725) {
+                                        phi_6606_ = _e3721;
                                     } else {
-                                        phi_6598_ = _e3730;
+                                        phi_6606_ = _e3725;
                                     }
-                                    let _e3733 = phi_6598_;
-                                    if (_e3719[2] < 0f) {
-                                        phi_6605_ = -(_e3719[2]);
+                                    let _e3728 = phi_6606_;
+                                    if (_e3714[2] < 0f) {
+                                        phi_6613_ = -(_e3714[2]);
                                     } else {
-                                        phi_6605_ = _e3719[2];
+                                        phi_6613_ = _e3714[2];
                                     }
-                                    let _e3737 = phi_6605_;
-                                    if (_e3733 > _e3737) {
-                                        phi_6610_ = _e3733;
+                                    let _e3732 = phi_6613_;
+                                    if (_e3728 > _e3732) {
+                                        phi_6618_ = _e3728;
                                     } else {
-                                        phi_6610_ = _e3737;
+                                        phi_6618_ = _e3732;
                                     }
-                                    let _e3740 = phi_6610_;
-                                    let _e3743 = local_1.member_1[1u];
-                                    if (_e3743[0] < 0f) {
-                                        phi_6624_ = -(_e3743[0]);
+                                    let _e3735 = phi_6618_;
+                                    let _e3738 = local_1.member_1[1u];
+                                    if (_e3738[0] < 0f) {
+                                        phi_6632_ = -(_e3738[0]);
                                     } else {
-                                        phi_6624_ = _e3743[0];
+                                        phi_6632_ = _e3738[0];
                                     }
-                                    let _e3750 = phi_6624_;
-                                    if (_e3743[1] < 0f) {
-                                        phi_6631_ = -(_e3743[1]);
+                                    let _e3745 = phi_6632_;
+                                    if (_e3738[1] < 0f) {
+                                        phi_6639_ = -(_e3738[1]);
                                     } else {
-                                        phi_6631_ = _e3743[1];
+                                        phi_6639_ = _e3738[1];
                                     }
-                                    let _e3754 = phi_6631_;
-                                    if (_e3750 > _e3754) {
-                                        phi_6636_ = _e3750;
+                                    let _e3749 = phi_6639_;
+                                    if (_e3745 > _e3749) {
+                                        phi_6644_ = _e3745;
                                     } else {
-                                        phi_6636_ = _e3754;
+                                        phi_6644_ = _e3749;
                                     }
-                                    let _e3757 = phi_6636_;
-                                    if (_e3743[2] < 0f) {
-                                        phi_6643_ = -(_e3743[2]);
+                                    let _e3752 = phi_6644_;
+                                    if (_e3738[2] < 0f) {
+                                        phi_6651_ = -(_e3738[2]);
                                     } else {
-                                        phi_6643_ = _e3743[2];
+                                        phi_6651_ = _e3738[2];
                                     }
-                                    let _e3761 = phi_6643_;
-                                    if (_e3757 > _e3761) {
-                                        phi_6648_ = _e3757;
+                                    let _e3756 = phi_6651_;
+                                    if (_e3752 > _e3756) {
+                                        phi_6656_ = _e3752;
                                     } else {
-                                        phi_6648_ = _e3761;
+                                        phi_6656_ = _e3756;
                                     }
-                                    let _e3764 = phi_6648_;
-                                    if (_e3740 > _e3764) {
-                                        phi_6653_ = _e3740;
+                                    let _e3759 = phi_6656_;
+                                    if (_e3735 > _e3759) {
+                                        phi_6661_ = _e3735;
                                     } else {
-                                        phi_6653_ = _e3764;
+                                        phi_6661_ = _e3759;
                                     }
-                                    let _e3767 = phi_6653_;
-                                    let _e3769 = local_1.member_3;
-                                    let _e3770 = (_e3767 + _e3769);
-                                    let _e3773 = local_1.member_2[0u];
-                                    if (_e3773[0] < 0f) {
-                                        phi_6670_ = -(_e3773[0]);
+                                    let _e3762 = phi_6661_;
+                                    let _e3764 = local_1.member_3;
+                                    let _e3765 = (_e3762 + _e3764);
+                                    let _e3768 = local_1.member_2[0u];
+                                    if (_e3768[0] < 0f) {
+                                        phi_6678_ = -(_e3768[0]);
                                     } else {
-                                        phi_6670_ = _e3773[0];
+                                        phi_6678_ = _e3768[0];
                                     }
-                                    let _e3780 = phi_6670_;
-                                    if (_e3773[1] < 0f) {
-                                        phi_6677_ = -(_e3773[1]);
+                                    let _e3775 = phi_6678_;
+                                    if (_e3768[1] < 0f) {
+                                        phi_6685_ = -(_e3768[1]);
                                     } else {
-                                        phi_6677_ = _e3773[1];
+                                        phi_6685_ = _e3768[1];
                                     }
-                                    let _e3784 = phi_6677_;
-                                    if (_e3780 > _e3784) {
-                                        phi_6682_ = _e3780;
+                                    let _e3779 = phi_6685_;
+                                    if (_e3775 > _e3779) {
+                                        phi_6690_ = _e3775;
                                     } else {
-                                        phi_6682_ = _e3784;
+                                        phi_6690_ = _e3779;
                                     }
-                                    let _e3787 = phi_6682_;
-                                    if (_e3773[2] < 0f) {
-                                        phi_6689_ = -(_e3773[2]);
+                                    let _e3782 = phi_6690_;
+                                    if (_e3768[2] < 0f) {
+                                        phi_6697_ = -(_e3768[2]);
                                     } else {
-                                        phi_6689_ = _e3773[2];
+                                        phi_6697_ = _e3768[2];
                                     }
-                                    let _e3791 = phi_6689_;
-                                    if (_e3787 > _e3791) {
-                                        phi_6694_ = _e3787;
+                                    let _e3786 = phi_6697_;
+                                    if (_e3782 > _e3786) {
+                                        phi_6702_ = _e3782;
                                     } else {
-                                        phi_6694_ = _e3791;
+                                        phi_6702_ = _e3786;
                                     }
-                                    let _e3794 = phi_6694_;
-                                    let _e3797 = local_1.member_2[1u];
-                                    if (_e3797[0] < 0f) {
-                                        phi_6708_ = -(_e3797[0]);
+                                    let _e3789 = phi_6702_;
+                                    let _e3792 = local_1.member_2[1u];
+                                    if (_e3792[0] < 0f) {
+                                        phi_6716_ = -(_e3792[0]);
                                     } else {
-                                        phi_6708_ = _e3797[0];
+                                        phi_6716_ = _e3792[0];
                                     }
-                                    let _e3804 = phi_6708_;
-                                    if (_e3797[1] < 0f) {
-                                        phi_6715_ = -(_e3797[1]);
+                                    let _e3799 = phi_6716_;
+                                    if (_e3792[1] < 0f) {
+                                        phi_6723_ = -(_e3792[1]);
                                     } else {
-                                        phi_6715_ = _e3797[1];
+                                        phi_6723_ = _e3792[1];
                                     }
-                                    let _e3808 = phi_6715_;
-                                    if (_e3804 > _e3808) {
-                                        phi_6720_ = _e3804;
+                                    let _e3803 = phi_6723_;
+                                    if (_e3799 > _e3803) {
+                                        phi_6728_ = _e3799;
                                     } else {
-                                        phi_6720_ = _e3808;
+                                        phi_6728_ = _e3803;
                                     }
-                                    let _e3811 = phi_6720_;
-                                    if (_e3797[2] < 0f) {
-                                        phi_6727_ = -(_e3797[2]);
+                                    let _e3806 = phi_6728_;
+                                    if (_e3792[2] < 0f) {
+                                        phi_6735_ = -(_e3792[2]);
                                     } else {
-                                        phi_6727_ = _e3797[2];
+                                        phi_6735_ = _e3792[2];
                                     }
-                                    let _e3815 = phi_6727_;
-                                    if (_e3811 > _e3815) {
-                                        phi_6732_ = _e3811;
+                                    let _e3810 = phi_6735_;
+                                    if (_e3806 > _e3810) {
+                                        phi_6740_ = _e3806;
                                     } else {
-                                        phi_6732_ = _e3815;
+                                        phi_6740_ = _e3810;
                                     }
-                                    let _e3818 = phi_6732_;
-                                    if (_e3794 > _e3818) {
-                                        phi_6737_ = _e3794;
+                                    let _e3813 = phi_6740_;
+                                    if (_e3789 > _e3813) {
+                                        phi_6745_ = _e3789;
                                     } else {
-                                        phi_6737_ = _e3818;
+                                        phi_6745_ = _e3813;
                                     }
-                                    let _e3821 = phi_6737_;
-                                    let _e3823 = local_1.member_3;
-                                    let _e3824 = (_e3821 + _e3823);
-                                    let _e3826 = ((_e3770 * 8f) * _e3824);
-                                    let _e3833 = local_1.member_3;
-                                    if (_e3522 < 0f) {
-                                        phi_6768_ = -(_e3522);
+                                    let _e3816 = phi_6745_;
+                                    let _e3818 = local_1.member_3;
+                                    let _e3819 = (_e3816 + _e3818);
+                                    let _e3821 = ((_e3765 * 8f) * _e3819);
+                                    let _e3828 = local_1.member_3;
+                                    if (_e3517 < 0f) {
+                                        phi_6776_ = -(_e3517);
                                     } else {
-                                        phi_6768_ = _e3522;
+                                        phi_6776_ = _e3517;
                                     }
-                                    let _e3850 = phi_6768_;
-                                    if (_e3525 < 0f) {
-                                        phi_6774_ = -(_e3525);
+                                    let _e3845 = phi_6776_;
+                                    if (_e3520 < 0f) {
+                                        phi_6782_ = -(_e3520);
                                     } else {
-                                        phi_6774_ = _e3525;
+                                        phi_6782_ = _e3520;
                                     }
-                                    let _e3854 = phi_6774_;
-                                    if (_e3528 < 0f) {
-                                        phi_6781_ = -(_e3528);
+                                    let _e3849 = phi_6782_;
+                                    if (_e3523 < 0f) {
+                                        phi_6789_ = -(_e3523);
                                     } else {
-                                        phi_6781_ = _e3528;
+                                        phi_6789_ = _e3523;
                                     }
-                                    let _e3859 = phi_6781_;
-                                    let _e3860 = ((_e3850 + _e3854) + _e3859);
-                                    if (_e3543 < 0f) {
-                                        phi_6788_ = -(_e3543);
+                                    let _e3854 = phi_6789_;
+                                    let _e3855 = ((_e3845 + _e3849) + _e3854);
+                                    if (_e3538 < 0f) {
+                                        phi_6796_ = -(_e3538);
                                     } else {
-                                        phi_6788_ = _e3543;
+                                        phi_6796_ = _e3538;
                                     }
-                                    let _e3864 = phi_6788_;
-                                    if (_e3546 < 0f) {
-                                        phi_6794_ = -(_e3546);
+                                    let _e3859 = phi_6796_;
+                                    if (_e3541 < 0f) {
+                                        phi_6802_ = -(_e3541);
                                     } else {
-                                        phi_6794_ = _e3546;
+                                        phi_6802_ = _e3541;
                                     }
-                                    let _e3868 = phi_6794_;
-                                    if (_e3549 < 0f) {
-                                        phi_6801_ = -(_e3549);
+                                    let _e3863 = phi_6802_;
+                                    if (_e3544 < 0f) {
+                                        phi_6809_ = -(_e3544);
                                     } else {
-                                        phi_6801_ = _e3549;
+                                        phi_6809_ = _e3544;
                                     }
-                                    let _e3873 = phi_6801_;
-                                    let _e3874 = ((_e3864 + _e3868) + _e3873);
-                                    if (_e3860 > _e3874) {
-                                        phi_6807_ = _e3860;
+                                    let _e3868 = phi_6809_;
+                                    let _e3869 = ((_e3859 + _e3863) + _e3868);
+                                    if (_e3855 > _e3869) {
+                                        phi_6815_ = _e3855;
                                     } else {
-                                        phi_6807_ = _e3874;
+                                        phi_6815_ = _e3869;
                                     }
-                                    let _e3877 = phi_6807_;
-                                    if (_e3592 < 0f) {
-                                        phi_6813_ = -(_e3592);
+                                    let _e3872 = phi_6815_;
+                                    if (_e3587 < 0f) {
+                                        phi_6821_ = -(_e3587);
                                     } else {
-                                        phi_6813_ = _e3592;
+                                        phi_6821_ = _e3587;
                                     }
-                                    let _e3881 = phi_6813_;
-                                    if (_e3593 < 0f) {
-                                        phi_6819_ = -(_e3593);
+                                    let _e3876 = phi_6821_;
+                                    if (_e3588 < 0f) {
+                                        phi_6827_ = -(_e3588);
                                     } else {
-                                        phi_6819_ = _e3593;
+                                        phi_6827_ = _e3588;
                                     }
-                                    let _e3885 = phi_6819_;
-                                    if (_e3594 < 0f) {
-                                        phi_6826_ = -(_e3594);
+                                    let _e3880 = phi_6827_;
+                                    if (_e3589 < 0f) {
+                                        phi_6834_ = -(_e3589);
                                     } else {
-                                        phi_6826_ = _e3594;
+                                        phi_6834_ = _e3589;
                                     }
-                                    let _e3890 = phi_6826_;
-                                    let _e3892 = (((_e3881 + _e3885) + _e3890) * 0.5f);
-                                    if (_e3877 > _e3892) {
-                                        phi_6833_ = _e3877;
+                                    let _e3885 = phi_6834_;
+                                    let _e3887 = (((_e3876 + _e3880) + _e3885) * 0.5f);
+                                    if (_e3872 > _e3887) {
+                                        phi_6841_ = _e3872;
                                     } else {
-                                        phi_6833_ = _e3892;
+                                        phi_6841_ = _e3887;
                                     }
-                                    let _e3895 = phi_6833_;
-                                    let _e3900 = local_1.member_3;
-                                    let _e3913 = ((((_e3597[0] * _e3522) + (_e3597[1] * _e3525)) + (_e3597[2] * _e3528)) * 3f);
-                                    let _e3914 = ((((_e3654[0] * _e3543) + (_e3654[1] * _e3546)) + (_e3654[2] * _e3549)) * 3f);
-                                    if (_e3913 < _e3914) {
-                                        phi_6857_ = _e3913;
+                                    let _e3890 = phi_6841_;
+                                    let _e3895 = local_1.member_3;
+                                    let _e3908 = ((((_e3592[0] * _e3517) + (_e3592[1] * _e3520)) + (_e3592[2] * _e3523)) * 3f);
+                                    let _e3909 = ((((_e3649[0] * _e3538) + (_e3649[1] * _e3541)) + (_e3649[2] * _e3544)) * 3f);
+                                    if (_e3908 < _e3909) {
+                                        phi_6865_ = _e3908;
                                     } else {
-                                        phi_6857_ = _e3914;
+                                        phi_6865_ = _e3909;
                                     }
-                                    let _e3917 = phi_6857_;
-                                    if (_e3628 < _e3651) {
-                                        phi_6862_ = _e3628;
+                                    let _e3912 = phi_6865_;
+                                    if (_e3623 < _e3646) {
+                                        phi_6870_ = _e3623;
                                     } else {
-                                        phi_6862_ = _e3651;
+                                        phi_6870_ = _e3646;
                                     }
-                                    let _e3920 = phi_6862_;
-                                    if (_e3917 < _e3920) {
-                                        phi_6867_ = _e3917;
+                                    let _e3915 = phi_6870_;
+                                    if (_e3912 < _e3915) {
+                                        phi_6875_ = _e3912;
                                     } else {
-                                        phi_6867_ = _e3920;
+                                        phi_6875_ = _e3915;
                                     }
-                                    let _e3923 = phi_6867_;
-                                    if (_e3913 > _e3914) {
-                                        phi_6872_ = _e3913;
+                                    let _e3918 = phi_6875_;
+                                    if (_e3908 > _e3909) {
+                                        phi_6880_ = _e3908;
                                     } else {
-                                        phi_6872_ = _e3914;
+                                        phi_6880_ = _e3909;
                                     }
-                                    let _e3926 = phi_6872_;
-                                    if (_e3628 > _e3651) {
-                                        phi_6877_ = _e3628;
+                                    let _e3921 = phi_6880_;
+                                    if (_e3623 > _e3646) {
+                                        phi_6885_ = _e3623;
                                     } else {
-                                        phi_6877_ = _e3651;
+                                        phi_6885_ = _e3646;
                                     }
-                                    let _e3929 = phi_6877_;
-                                    if (_e3926 > _e3929) {
-                                        phi_6882_ = _e3926;
+                                    let _e3924 = phi_6885_;
+                                    if (_e3921 > _e3924) {
+                                        phi_6890_ = _e3921;
                                     } else {
-                                        phi_6882_ = _e3929;
+                                        phi_6890_ = _e3924;
                                     }
-                                    let _e3932 = phi_6882_;
-                                    let _e3937 = -(_e3932);
-                                    if (_e3923 > _e3937) {
-                                        phi_6892_ = _e3923;
+                                    let _e3927 = phi_6890_;
+                                    let _e3932 = -(_e3927);
+                                    if (_e3918 > _e3932) {
+                                        phi_6900_ = _e3918;
                                     } else {
-                                        phi_6892_ = _e3937;
+                                        phi_6900_ = _e3932;
                                     }
-                                    let _e3940 = phi_6892_;
-                                    let _e3942 = ((_e3940 - ((((((_e3716 * 8f) * _e3826) * (0.000000059604645f * (524f / 64f))) + ((_e3833 * 19f) * ((_e3716 * (_e3770 + _e3824)) + (_e3770 * _e3824)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3716) * ((1f + _e3770) * (1f + _e3824))))) + ((_e1454 * (((_e3895 + (_e3826 * (0.000000059604645f * 8f))) + ((_e3900 * 6f) * (_e3770 + _e3824))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3770) * (1f + _e3824))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e3942 {
-                                        phi_7861_ = _e3942;
+                                    let _e3935 = phi_6900_;
+                                    let _e3937 = ((_e3935 - ((((((_e3711 * 8f) * _e3821) * (0.000000059604645f * (524f / 64f))) + ((_e3828 * 19f) * ((_e3711 * (_e3765 + _e3819)) + (_e3765 * _e3819)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3711) * ((1f + _e3765) * (1f + _e3819))))) + ((_e1449 * (((_e3890 + (_e3821 * (0.000000059604645f * 8f))) + ((_e3895 * 6f) * (_e3765 + _e3819))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3765) * (1f + _e3819))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e3937 {
+                                        phi_7869_ = _e3937;
                                     } else {
-                                        let _e3945 = local_1.member_1[0u];
-                                        let _e3951 = local_1.member_1[1u];
-                                        let _e3955 = (_e3945[0] + _e3951[0]);
-                                        let _e3956 = (_e3945[1] + _e3951[1]);
-                                        let _e3957 = (_e3945[2] + _e3951[2]);
-                                        let _e3960 = local_1.member_2[0u];
-                                        let _e3966 = local_1.member_2[1u];
-                                        let _e3970 = (_e3960[0] + _e3966[0]);
-                                        let _e3971 = (_e3960[1] + _e3966[1]);
-                                        let _e3972 = (_e3960[2] + _e3966[2]);
-                                        let _e3975 = ((_e3956 * _e3972) - (_e3957 * _e3971));
-                                        let _e3978 = ((_e3957 * _e3970) - (_e3955 * _e3972));
-                                        let _e3981 = ((_e3955 * _e3971) - (_e3956 * _e3970));
-                                        let _e3984 = local_1.member[0u];
-                                        let _e3990 = local_1.member_1[0u];
-                                        let _e3996 = local_1.member_2[0u];
-                                        let _e4000 = (_e3984[0] - _e3990[0]);
-                                        let _e4001 = (_e3984[1] - _e3990[1]);
-                                        let _e4002 = (_e3984[2] - _e3990[2]);
-                                        let _e4003 = (_e4000 - _e3996[0]);
-                                        let _e4004 = (_e4001 - _e3996[1]);
-                                        let _e4005 = (_e4002 - _e3996[2]);
-                                        let _e4006 = (_e3984[0] - _e3996[0]);
-                                        let _e4007 = (_e3984[1] - _e3996[1]);
-                                        let _e4008 = (_e3984[2] - _e3996[2]);
-                                        let _e4011 = local_1.member[1u];
-                                        let _e4017 = local_1.member_1[1u];
-                                        let _e4023 = local_1.member_2[1u];
-                                        let _e4027 = (_e4011[0] - _e4017[0]);
-                                        let _e4028 = (_e4011[1] - _e4017[1]);
-                                        let _e4029 = (_e4011[2] - _e4017[2]);
-                                        let _e4030 = (_e4027 - _e4023[0]);
-                                        let _e4031 = (_e4028 - _e4023[1]);
-                                        let _e4032 = (_e4029 - _e4023[2]);
-                                        let _e4033 = (_e4011[0] - _e4023[0]);
-                                        let _e4034 = (_e4011[1] - _e4023[1]);
-                                        let _e4035 = (_e4011[2] - _e4023[2]);
-                                        let _e4038 = local_1.member[0u];
-                                        if (_e4038[0] < 0f) {
-                                            phi_7095_ = -(_e4038[0]);
-                                        } else {
-                                            phi_7095_ = _e4038[0];
-                                        }
-                                        let _e4045 = phi_7095_;
-                                        if (_e4038[1] < 0f) {
-                                            phi_7102_ = -(_e4038[1]);
-                                        } else {
-                                            phi_7102_ = _e4038[1];
-                                        }
-                                        let _e4049 = phi_7102_;
-                                        if (_e4045 > _e4049) {
-                                            phi_7107_ = _e4045;
-                                        } else {
-                                            phi_7107_ = _e4049;
-                                        }
-                                        let _e4052 = phi_7107_;
-                                        if (_e4038[2] < 0f) {
-                                            phi_7114_ = -(_e4038[2]);
-                                        } else {
-                                            phi_7114_ = _e4038[2];
-                                        }
-                                        let _e4056 = phi_7114_;
-                                        if (_e4052 > _e4056) {
-                                            phi_7119_ = _e4052;
-                                        } else {
-                                            phi_7119_ = _e4056;
-                                        }
-                                        let _e4059 = phi_7119_;
-                                        let _e4062 = local_1.member[1u];
-                                        if (_e4062[0] < 0f) {
-                                            phi_7132_ = -(_e4062[0]);
+                                        let _e3940 = local_1.member_1[0u];
+                                        let _e3946 = local_1.member_1[1u];
+                                        let _e3950 = (_e3940[0] + _e3946[0]);
+                                        let _e3951 = (_e3940[1] + _e3946[1]);
+                                        let _e3952 = (_e3940[2] + _e3946[2]);
+                                        let _e3955 = local_1.member_2[0u];
+                                        let _e3961 = local_1.member_2[1u];
+                                        let _e3965 = (_e3955[0] + _e3961[0]);
+                                        let _e3966 = (_e3955[1] + _e3961[1]);
+                                        let _e3967 = (_e3955[2] + _e3961[2]);
+                                        let _e3970 = ((_e3951 * _e3967) - (_e3952 * _e3966));
+                                        let _e3973 = ((_e3952 * _e3965) - (_e3950 * _e3967));
+                                        let _e3976 = ((_e3950 * _e3966) - (_e3951 * _e3965));
+                                        let _e3979 = local_1.member[0u];
+                                        let _e3985 = local_1.member_1[0u];
+                                        let _e3991 = local_1.member_2[0u];
+                                        let _e3995 = (_e3979[0] - _e3985[0]);
+                                        let _e3996 = (_e3979[1] - _e3985[1]);
+                                        let _e3997 = (_e3979[2] - _e3985[2]);
+                                        let _e3998 = (_e3995 - _e3991[0]);
+                                        let _e3999 = (_e3996 - _e3991[1]);
+                                        let _e4000 = (_e3997 - _e3991[2]);
+                                        let _e4001 = (_e3979[0] - _e3991[0]);
+                                        let _e4002 = (_e3979[1] - _e3991[1]);
+                                        let _e4003 = (_e3979[2] - _e3991[2]);
+                                        let _e4006 = local_1.member[1u];
+                                        let _e4012 = local_1.member_1[1u];
+                                        let _e4018 = local_1.member_2[1u];
+                                        let _e4022 = (_e4006[0] - _e4012[0]);
+                                        let _e4023 = (_e4006[1] - _e4012[1]);
+                                        let _e4024 = (_e4006[2] - _e4012[2]);
+                                        let _e4025 = (_e4022 - _e4018[0]);
+                                        let _e4026 = (_e4023 - _e4018[1]);
+                                        let _e4027 = (_e4024 - _e4018[2]);
+                                        let _e4028 = (_e4006[0] - _e4018[0]);
+                                        let _e4029 = (_e4006[1] - _e4018[1]);
+                                        let _e4030 = (_e4006[2] - _e4018[2]);
+                                        let _e4033 = local_1.member[0u];
+                                        if (_e4033[0] < 0f) {
+                                            phi_7103_ = -(_e4033[0]);
+                                        } else {
+                                            phi_7103_ = _e4033[0];
+                                        }
+                                        let _e4040 = phi_7103_;
+                                        if (_e4033[1] < 0f) {
+                                            phi_7110_ = -(_e4033[1]);
+                                        } else {
+                                            phi_7110_ = _e4033[1];
+                                        }
+                                        let _e4044 = phi_7110_;
+                                        if (_e4040 > _e4044) {
+                                            phi_7115_ = _e4040;
+                                        } else {
+                                            phi_7115_ = _e4044;
+                                        }
+                                        let _e4047 = phi_7115_;
+                                        if (_e4033[2] < 0f) {
+                                            phi_7122_ = -(_e4033[2]);
+                                        } else {
+                                            phi_7122_ = _e4033[2];
+                                        }
+                                        let _e4051 = phi_7122_;
+                                        if (_e4047 > _e4051) {
+                                            phi_7127_ = _e4047;
+                                        } else {
+                                            phi_7127_ = _e4051;
+                                        }
+                                        let _e4054 = phi_7127_;
+                                        let _e4057 = local_1.member[1u];
+                                        if (_e4057[0] < 0f) {
+                                            phi_7140_ = -(_e4057[0]);
                                         } else {
-                                            phi_7132_ = _e4062[0];
+                                            phi_7140_ = _e4057[0];
                                         }
-                                        let _e4069 = phi_7132_;
-                                        if (_e4062[1] < 0f) {
-                                            phi_7139_ = -(_e4062[1]);
-                                        } else {
-                                            phi_7139_ = _e4062[1];
+                                        let _e4064 = phi_7140_;
+                                        if (_e4057[1] < 0f) {
+                                            phi_7147_ = -(_e4057[1]);
+                                        } else {
+                                            phi_7147_ = _e4057[1];
                                         }
-                                        let _e4073 = phi_7139_;
-                                        if (_e4069 > _e4073) {
-                                            phi_7144_ = _e4069;
+                                        let _e4068 = phi_7147_;
+                                        if (_e4064 > _e4068) {
+                                            phi_7152_ = _e4064;
                                         } else {
-                                            phi_7144_ = _e4073;
+                                            phi_7152_ = _e4068;
                                         }
-                                        let _e4076 = phi_7144_;
-                                        if (_e4062[2] < 0f) {
-                                            phi_7151_ = -(_e4062[2]);
+                                        let _e4071 = phi_7152_;
+                                        if (_e4057[2] < 0f) {
+                                            phi_7159_ = -(_e4057[2]);
                                         } else {
-                                            phi_7151_ = _e4062[2];
+                                            phi_7159_ = _e4057[2];
                                         }
-                                        let _e4080 = phi_7151_;
-                                        if (_e4076 > _e4080) {
-                                            phi_7156_ = _e4076;
+                                        let _e4075 = phi_7159_;
+                                        if (_e4071 > _e4075) {
+                                            phi_7164_ = _e4071;
                                         } else {
-                                            phi_7156_ = _e4080;
+                                            phi_7164_ = _e4075;
                                         }
-                                        let _e4083 = phi_7156_;
-                                        if (_e4059 > _e4083) {
-                                            phi_7161_ = _e4059;
+                                        let _e4078 = phi_7164_;
+                                        if (_e4054 > _e4078) {
+                                            phi_7169_ = _e4054;
                                         } else {
-                                            phi_7161_ = _e4083;
+                                            phi_7169_ = _e4078;
                                         }
-                                        let _e4086 = phi_7161_;
-                                        let _e4088 = local_1.member_3;
-                                        let _e4092 = local_1.member_1[0u];
-                                        if (_e4092[0] < 0f) {
-                                            phi_7178_ = -(_e4092[0]);
+                                        let _e4081 = phi_7169_;
+                                        let _e4083 = local_1.member_3;
+                                        let _e4087 = local_1.member_1[0u];
+                                        if (_e4087[0] < 0f) {
+                                            phi_7186_ = -(_e4087[0]);
                                         } else {
-                                            phi_7178_ = _e4092[0];
+                                            phi_7186_ = _e4087[0];
                                         }
-                                        let _e4099 = phi_7178_;
-                                        if (_e4092[1] < 0f) {
-                                            phi_7185_ = -(_e4092[1]);
+                                        let _e4094 = phi_7186_;
+                                        if (_e4087[1] < 0f) {
+                                            phi_7193_ = -(_e4087[1]);
                                         } else {
-                                            phi_7185_ = _e4092[1];
+                                            phi_7193_ = _e4087[1];
                                         }
-                                        let _e4103 = phi_7185_;
-                                        if (_e4099 > _e4103) {
-                                            phi_7190_ = _e4099;
+                                        let _e4098 = phi_7193_;
+                                        if (_e4094 > _e4098) {
+                                            phi_7198_ = _e4094;
                                         } else {
-                                            phi_7190_ = _e4103;
+                                            phi_7198_ = _e4098;
                                         }
-                                        let _e4106 = phi_7190_;
-                                        if (_e4092[2] < 0f) {
-                                            phi_7197_ = -(_e4092[2]);
+                                        let _e4101 = phi_7198_;
+                                        if (_e4087[2] < 0f) {
+                                            phi_7205_ = -(_e4087[2]);
                                         } else {
-                                            phi_7197_ = _e4092[2];
+                                            phi_7205_ = _e4087[2];
                                         }
-                                        let _e4110 = phi_7197_;
-                                        if (_e4106 > _e4110) {
-                                            phi_7202_ = _e4106;
+                                        let _e4105 = phi_7205_;
+                                        if (_e4101 > _e4105) {
+                                            phi_7210_ = _e4101;
                                         } else {
-                                            phi_7202_ = _e4110;
+                                            phi_7210_ = _e4105;
                                         }
-                                        let _e4113 = phi_7202_;
-                                        let _e4116 = local_1.member_1[1u];
-                                        if (_e4116[0] < 0f) {
-                                            phi_7216_ = -(_e4116[0]);
+                                        let _e4108 = phi_7210_;
+                                        let _e4111 = local_1.member_1[1u];
+                                        if (_e4111[0] < 0f) {
+                                            phi_7224_ = -(_e4111[0]);
                                         } else {
-                                            phi_7216_ = _e4116[0];
+                                            phi_7224_ = _e4111[0];
                                         }
-                                        let _e4123 = phi_7216_;
-                                        if (_e4116[1] < 0f) {
-                                            phi_7223_ = -(_e4116[1]);
+                                        let _e4118 = phi_7224_;
+                                        if (_e4111[1] < 0f) {
+                                            phi_7231_ = -(_e4111[1]);
                                         } else {
-                                            phi_7223_ = _e4116[1];
+                                            phi_7231_ = _e4111[1];
                                         }
-                                        let _e4127 = phi_7223_;
-                                        if (_e4123 > _e4127) {
-                                            phi_7228_ = _e4123;
+                                        let _e4122 = phi_7231_;
+                                        if (_e4118 > _e4122) {
+                                            phi_7236_ = _e4118;
                                         } else {
-                                            phi_7228_ = _e4127;
+                                            phi_7236_ = _e4122;
                                         }
-                                        let _e4130 = phi_7228_;
-                                        if (_e4116[2] < 0f) {
-                                            phi_7235_ = -(_e4116[2]);
+                                        let _e4125 = phi_7236_;
+                                        if (_e4111[2] < 0f) {
+                                            phi_7243_ = -(_e4111[2]);
                                         } else {
-                                            phi_7235_ = _e4116[2];
+                                            phi_7243_ = _e4111[2];
                                         }
-                                        let _e4134 = phi_7235_;
-                                        if (_e4130 > _e4134) {
-                                            phi_7240_ = _e4130;
+                                        let _e4129 = phi_7243_;
+                                        if (_e4125 > _e4129) {
+                                            phi_7248_ = _e4125;
                                         } else {
-                                            phi_7240_ = _e4134;
+                                            phi_7248_ = _e4129;
                                         }
-                                        let _e4137 = phi_7240_;
-                                        if (_e4113 > _e4137) {
-                                            phi_7245_ = _e4113;
+                                        let _e4132 = phi_7248_;
+                                        if (_e4108 > _e4132) {
+                                            phi_7253_ = _e4108;
                                         } else {
-                                            phi_7245_ = _e4137;
+                                            phi_7253_ = _e4132;
                                         }
-                                        let _e4140 = phi_7245_;
-                                        let _e4142 = local_1.member_3;
-                                        let _e4146 = local_1.member_2[0u];
-                                        if (_e4146[0] < 0f) {
-                                            phi_7262_ = -(_e4146[0]);
+                                        let _e4135 = phi_7253_;
+                                        let _e4137 = local_1.member_3;
+                                        let _e4141 = local_1.member_2[0u];
+                                        if (_e4141[0] < 0f) {
+                                            phi_7270_ = -(_e4141[0]);
                                         } else {
-                                            phi_7262_ = _e4146[0];
+                                            phi_7270_ = _e4141[0];
                                         }
-                                        let _e4153 = phi_7262_;
-                                        if (_e4146[1] < 0f) {
-                                            phi_7269_ = -(_e4146[1]);
+                                        let _e4148 = phi_7270_;
+                                        if (_e4141[1] < 0f) {
+                                            phi_7277_ = -(_e4141[1]);
                                         } else {
-                                            phi_7269_ = _e4146[1];
+                                            phi_7277_ = _e4141[1];
                                         }
-                                        let _e4157 = phi_7269_;
-                                        if (_e4153 > _e4157) {
-                                            phi_7274_ = _e4153;
+                                        let _e4152 = phi_7277_;
+                                        if (_e4148 > _e4152) {
+                                            phi_7282_ = _e4148;
                                         } else {
-                                            phi_7274_ = _e4157;
+                                            phi_7282_ = _e4152;
                                         }
-                                        let _e4160 = phi_7274_;
-                                        if (_e4146[2] < 0f) {
-                                            phi_7281_ = -(_e4146[2]);
+                                        let _e4155 = phi_7282_;
+                                        if (_e4141[2] < 0f) {
+                                            phi_7289_ = -(_e4141[2]);
                                         } else {
-                                            phi_7281_ = _e4146[2];
+                                            phi_7289_ = _e4141[2];
                                         }
-                                        let _e4164 = phi_7281_;
-                                        if (_e4160 > _e4164) {
-                                            phi_7286_ = _e4160;
+                                        let _e4159 = phi_7289_;
+                                        if (_e4155 > _e4159) {
+                                            phi_7294_ = _e4155;
                                         } else {
-                                            phi_7286_ = _e4164;
+                                            phi_7294_ = _e4159;
                                         }
-                                        let _e4167 = phi_7286_;
-                                        let _e4170 = local_1.member_2[1u];
-                                        if (_e4170[0] < 0f) {
-                                            phi_7300_ = -(_e4170[0]);
+                                        let _e4162 = phi_7294_;
+                                        let _e4165 = local_1.member_2[1u];
+                                        if (_e4165[0] < 0f) {
+                                            phi_7308_ = -(_e4165[0]);
                                         } else {
-                                            phi_7300_ = _e4170[0];
+                                            phi_7308_ = _e4165[0];
                                         }
-                                        let _e4177 = phi_7300_;
-                                        if (_e4170[1] < 0f) {
-                                            phi_7307_ = -(_e4170[1]);
+                                        let _e4172 = phi_7308_;
+                                        if (_e4165[1] < 0f) {
+                                            phi_7315_ = -(_e4165[1]);
                                         } else {
-                                            phi_7307_ = _e4170[1];
+                                            phi_7315_ = _e4165[1];
                                         }
-                                        let _e4181 = phi_7307_;
-                                        if (_e4177 > _e4181) {
-                                            phi_7312_ = _e4177;
+                                        let _e4176 = phi_7315_;
+                                        if (_e4172 > _e4176) {
+                                            phi_7320_ = _e4172;
                                         } else {
-                                            phi_7312_ = _e4181;
+                                            phi_7320_ = _e4176;
                                         }
-                                        let _e4184 = phi_7312_;
-                                        if (_e4170[2] < 0f) {
-                                            phi_7319_ = -(_e4170[2]);
+                                        let _e4179 = phi_7320_;
+                                        if (_e4165[2] < 0f) {
+                                            phi_7327_ = -(_e4165[2]);
                                         } else {
-                                            phi_7319_ = _e4170[2];
+                                            phi_7327_ = _e4165[2];
                                         }
-                                        let _e4188 = phi_7319_;
-                                        if (_e4184 > _e4188) {
-                                            phi_7324_ = _e4184;
+                                        let _e4183 = phi_7327_;
+                                        if (_e4179 > _e4183) {
+                                            phi_7332_ = _e4179;
                                         } else {
-                                            phi_7324_ = _e4188;
+                                            phi_7332_ = _e4183;
                                         }
-                                        let _e4191 = phi_7324_;
-                                        if (_e4167 > _e4191) {
-                                            phi_7329_ = _e4167;
+                                        let _e4186 = phi_7332_;
+                                        if (_e4162 > _e4186) {
+                                            phi_7337_ = _e4162;
                                         } else {
-                                            phi_7329_ = _e4191;
+                                            phi_7337_ = _e4186;
                                         }
-                                        let _e4194 = phi_7329_;
-                                        let _e4196 = local_1.member_3;
-                                        let _e4200 = ((((_e4086 + _e4088) + (_e4140 + _e4142)) + (_e4194 + _e4196)) * 2f);
-                                        let _e4203 = local_1.member_3;
-                                        let _e4207 = (((_e1454 * 1.0001f) + (_e4203 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4210 = ((_e3978 * _e3957) - (_e3981 * _e3956));
-                                        let _e4213 = ((_e3981 * _e3955) - (_e3975 * _e3957));
-                                        let _e4216 = ((_e3975 * _e3956) - (_e3978 * _e3955));
-                                        let _e4221 = (((_e4210 * _e3984[0]) + (_e4213 * _e3984[1])) + (_e4216 * _e3984[2]));
-                                        let _e4226 = (((_e4210 * _e4000) + (_e4213 * _e4001)) + (_e4216 * _e4002));
-                                        let _e4231 = (((_e4210 * _e4006) + (_e4213 * _e4007)) + (_e4216 * _e4008));
-                                        let _e4236 = (((_e4210 * _e4003) + (_e4213 * _e4004)) + (_e4216 * _e4005));
-                                        let _e4241 = (((_e4210 * _e4011[0]) + (_e4213 * _e4011[1])) + (_e4216 * _e4011[2]));
-                                        let _e4246 = (((_e4210 * _e4027) + (_e4213 * _e4028)) + (_e4216 * _e4029));
-                                        let _e4251 = (((_e4210 * _e4033) + (_e4213 * _e4034)) + (_e4216 * _e4035));
-                                        let _e4256 = (((_e4210 * _e4030) + (_e4213 * _e4031)) + (_e4216 * _e4032));
-                                        if (_e4221 < _e4226) {
-                                            phi_7408_ = _e4221;
+                                        let _e4189 = phi_7337_;
+                                        let _e4191 = local_1.member_3;
+                                        let _e4195 = ((((_e4081 + _e4083) + (_e4135 + _e4137)) + (_e4189 + _e4191)) * 2f);
+                                        let _e4198 = local_1.member_3;
+                                        let _e4202 = (((_e1449 * 1.0001f) + (_e4198 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4205 = ((_e3973 * _e3952) - (_e3976 * _e3951));
+                                        let _e4208 = ((_e3976 * _e3950) - (_e3970 * _e3952));
+                                        let _e4211 = ((_e3970 * _e3951) - (_e3973 * _e3950));
+                                        let _e4216 = (((_e4205 * _e3979[0]) + (_e4208 * _e3979[1])) + (_e4211 * _e3979[2]));
+                                        let _e4221 = (((_e4205 * _e3995) + (_e4208 * _e3996)) + (_e4211 * _e3997));
+                                        let _e4226 = (((_e4205 * _e4001) + (_e4208 * _e4002)) + (_e4211 * _e4003));
+                                        let _e4231 = (((_e4205 * _e3998) + (_e4208 * _e3999)) + (_e4211 * _e4000));
+                                        let _e4236 = (((_e4205 * _e4006[0]) + (_e4208 * _e4006[1])) + (_e4211 * _e4006[2]));
+                                        let _e4241 = (((_e4205 * _e4022) + (_e4208 * _e4023)) + (_e4211 * _e4024));
+                                        let _e4246 = (((_e4205 * _e4028) + (_e4208 * _e4029)) + (_e4211 * _e4030));
+                                        let _e4251 = (((_e4205 * _e4025) + (_e4208 * _e4026)) + (_e4211 * _e4027));
+                                        if (_e4216 < _e4221) {
+                                            phi_7416_ = _e4216;
                                         } else {
-                                            phi_7408_ = _e4226;
+                                            phi_7416_ = _e4221;
                                         }
-                                        let _e4259 = phi_7408_;
-                                        if (_e4231 < _e4236) {
-                                            phi_7413_ = _e4231;
+                                        let _e4254 = phi_7416_;
+                                        if (_e4226 < _e4231) {
+                                            phi_7421_ = _e4226;
                                         } else {
-                                            phi_7413_ = _e4236;
+                                            phi_7421_ = _e4231;
                                         }
-                                        let _e4262 = phi_7413_;
-                                        if (_e4259 < _e4262) {
-                                            phi_7418_ = _e4259;
+                                        let _e4257 = phi_7421_;
+                                        if (_e4254 < _e4257) {
+                                            phi_7426_ = _e4254;
                                         } else {
-                                            phi_7418_ = _e4262;
+                                            phi_7426_ = _e4257;
                                         }
-                                        let _e4265 = phi_7418_;
-                                        if (_e4241 < _e4246) {
-                                            phi_7423_ = _e4241;
+                                        let _e4260 = phi_7426_;
+                                        if (_e4236 < _e4241) {
+                                            phi_7431_ = _e4236;
                                         } else {
-                                            phi_7423_ = _e4246;
+                                            phi_7431_ = _e4241;
                                         }
-                                        let _e4268 = phi_7423_;
-                                        if (_e4251 < _e4256) {
-                                            phi_7428_ = _e4251;
+                                        let _e4263 = phi_7431_;
+                                        if (_e4246 < _e4251) {
+                                            phi_7436_ = _e4246;
                                         } else {
-                                            phi_7428_ = _e4256;
+                                            phi_7436_ = _e4251;
                                         }
-                                        let _e4271 = phi_7428_;
-                                        if (_e4268 < _e4271) {
-                                            phi_7433_ = _e4268;
+                                        let _e4266 = phi_7436_;
+                                        if (_e4263 < _e4266) {
+                                            phi_7441_ = _e4263;
                                         } else {
-                                            phi_7433_ = _e4271;
+                                            phi_7441_ = _e4266;
                                         }
-                                        let _e4274 = phi_7433_;
-                                        if (_e4265 < _e4274) {
-                                            phi_7438_ = _e4265;
+                                        let _e4269 = phi_7441_;
+                                        if (_e4260 < _e4269) {
+                                            phi_7446_ = _e4260;
                                         } else {
-                                            phi_7438_ = _e4274;
+                                            phi_7446_ = _e4269;
                                         }
-                                        let _e4277 = phi_7438_;
-                                        if (_e4221 > _e4226) {
-                                            phi_7443_ = _e4221;
+                                        let _e4272 = phi_7446_;
+                                        if (_e4216 > _e4221) {
+                                            phi_7451_ = _e4216;
                                         } else {
-                                            phi_7443_ = _e4226;
+                                            phi_7451_ = _e4221;
                                         }
-                                        let _e4280 = phi_7443_;
-                                        if (_e4231 > _e4236) {
-                                            phi_7448_ = _e4231;
+                                        let _e4275 = phi_7451_;
+                                        if (_e4226 > _e4231) {
+                                            phi_7456_ = _e4226;
                                         } else {
-                                            phi_7448_ = _e4236;
+                                            phi_7456_ = _e4231;
                                         }
-                                        let _e4283 = phi_7448_;
-                                        if (_e4280 > _e4283) {
-                                            phi_7453_ = _e4280;
+                                        let _e4278 = phi_7456_;
+                                        if (_e4275 > _e4278) {
+                                            phi_7461_ = _e4275;
                                         } else {
-                                            phi_7453_ = _e4283;
+                                            phi_7461_ = _e4278;
                                         }
-                                        let _e4286 = phi_7453_;
-                                        if (_e4241 > _e4246) {
-                                            phi_7458_ = _e4241;
+                                        let _e4281 = phi_7461_;
+                                        if (_e4236 > _e4241) {
+                                            phi_7466_ = _e4236;
                                         } else {
-                                            phi_7458_ = _e4246;
+                                            phi_7466_ = _e4241;
                                         }
-                                        let _e4289 = phi_7458_;
-                                        if (_e4251 > _e4256) {
-                                            phi_7463_ = _e4251;
+                                        let _e4284 = phi_7466_;
+                                        if (_e4246 > _e4251) {
+                                            phi_7471_ = _e4246;
                                         } else {
-                                            phi_7463_ = _e4256;
+                                            phi_7471_ = _e4251;
                                         }
-                                        let _e4292 = phi_7463_;
-                                        if (_e4289 > _e4292) {
-                                            phi_7468_ = _e4289;
+                                        let _e4287 = phi_7471_;
+                                        if (_e4284 > _e4287) {
+                                            phi_7476_ = _e4284;
                                         } else {
-                                            phi_7468_ = _e4292;
+                                            phi_7476_ = _e4287;
                                         }
-                                        let _e4295 = phi_7468_;
-                                        if (_e4286 > _e4295) {
-                                            phi_7473_ = _e4286;
+                                        let _e4290 = phi_7476_;
+                                        if (_e4281 > _e4290) {
+                                            phi_7481_ = _e4281;
                                         } else {
-                                            phi_7473_ = _e4295;
+                                            phi_7481_ = _e4290;
                                         }
-                                        let _e4298 = phi_7473_;
-                                        if (_e4210 < 0f) {
-                                            phi_7479_ = -(_e4210);
+                                        let _e4293 = phi_7481_;
+                                        if (_e4205 < 0f) {
+                                            phi_7487_ = -(_e4205);
                                         } else {
-                                            phi_7479_ = _e4210;
+                                            phi_7487_ = _e4205;
                                         }
-                                        let _e4302 = phi_7479_;
-                                        if (_e4213 < 0f) {
-                                            phi_7485_ = -(_e4213);
+                                        let _e4297 = phi_7487_;
+                                        if (_e4208 < 0f) {
+                                            phi_7493_ = -(_e4208);
                                         } else {
-                                            phi_7485_ = _e4213;
+                                            phi_7493_ = _e4208;
                                         }
-                                        let _e4306 = phi_7485_;
-                                        if (_e4216 < 0f) {
-                                            phi_7492_ = -(_e4216);
+                                        let _e4301 = phi_7493_;
+                                        if (_e4211 < 0f) {
+                                            phi_7500_ = -(_e4211);
                                         } else {
-                                            phi_7492_ = _e4216;
+                                            phi_7500_ = _e4211;
                                         }
-                                        let _e4311 = phi_7492_;
-                                        let _e4312 = ((_e4302 + _e4306) + _e4311);
-                                        let _e4317 = -(_e4298);
-                                        if (_e4277 > _e4317) {
-                                            phi_7503_ = _e4277;
+                                        let _e4306 = phi_7500_;
+                                        let _e4307 = ((_e4297 + _e4301) + _e4306);
+                                        let _e4312 = -(_e4293);
+                                        if (_e4272 > _e4312) {
+                                            phi_7511_ = _e4272;
                                         } else {
-                                            phi_7503_ = _e4317;
+                                            phi_7511_ = _e4312;
                                         }
-                                        let _e4320 = phi_7503_;
-                                        let _e4325 = (((_e4320 - ((_e4312 * _e4200) * (0.000000059604645f * (17f / 2f)))) - (_e4312 * _e4207)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4328 = ((_e3978 * _e3972) - (_e3981 * _e3971));
-                                        let _e4331 = ((_e3981 * _e3970) - (_e3975 * _e3972));
-                                        let _e4334 = ((_e3975 * _e3971) - (_e3978 * _e3970));
-                                        let _e4339 = (((_e4328 * _e3984[0]) + (_e4331 * _e3984[1])) + (_e4334 * _e3984[2]));
-                                        let _e4344 = (((_e4328 * _e4000) + (_e4331 * _e4001)) + (_e4334 * _e4002));
-                                        let _e4349 = (((_e4328 * _e4006) + (_e4331 * _e4007)) + (_e4334 * _e4008));
-                                        let _e4354 = (((_e4328 * _e4003) + (_e4331 * _e4004)) + (_e4334 * _e4005));
-                                        let _e4359 = (((_e4328 * _e4011[0]) + (_e4331 * _e4011[1])) + (_e4334 * _e4011[2]));
-                                        let _e4364 = (((_e4328 * _e4027) + (_e4331 * _e4028)) + (_e4334 * _e4029));
-                                        let _e4369 = (((_e4328 * _e4033) + (_e4331 * _e4034)) + (_e4334 * _e4035));
-                                        let _e4374 = (((_e4328 * _e4030) + (_e4331 * _e4031)) + (_e4334 * _e4032));
-                                        if (_e4339 < _e4344) {
-                                            phi_7574_ = _e4339;
+                                        let _e4315 = phi_7511_;
+                                        let _e4320 = (((_e4315 - ((_e4307 * _e4195) * (0.000000059604645f * (17f / 2f)))) - (_e4307 * _e4202)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4323 = ((_e3973 * _e3967) - (_e3976 * _e3966));
+                                        let _e4326 = ((_e3976 * _e3965) - (_e3970 * _e3967));
+                                        let _e4329 = ((_e3970 * _e3966) - (_e3973 * _e3965));
+                                        let _e4334 = (((_e4323 * _e3979[0]) + (_e4326 * _e3979[1])) + (_e4329 * _e3979[2]));
+                                        let _e4339 = (((_e4323 * _e3995) + (_e4326 * _e3996)) + (_e4329 * _e3997));
+                                        let _e4344 = (((_e4323 * _e4001) + (_e4326 * _e4002)) + (_e4329 * _e4003));
+                                        let _e4349 = (((_e4323 * _e3998) + (_e4326 * _e3999)) + (_e4329 * _e4000));
+                                        let _e4354 = (((_e4323 * _e4006[0]) + (_e4326 * _e4006[1])) + (_e4329 * _e4006[2]));
+                                        let _e4359 = (((_e4323 * _e4022) + (_e4326 * _e4023)) + (_e4329 * _e4024));
+                                        let _e4364 = (((_e4323 * _e4028) + (_e4326 * _e4029)) + (_e4329 * _e4030));
+                                        let _e4369 = (((_e4323 * _e4025) + (_e4326 * _e4026)) + (_e4329 * _e4027));
+                                        if (_e4334 < _e4339) {
+                                            phi_7582_ = _e4334;
                                         } else {
-                                            phi_7574_ = _e4344;
+                                            phi_7582_ = _e4339;
                                         }
-                                        let _e4377 = phi_7574_;
-                                        if (_e4349 < _e4354) {
-                                            phi_7579_ = _e4349;
+                                        let _e4372 = phi_7582_;
+                                        if (_e4344 < _e4349) {
+                                            phi_7587_ = _e4344;
                                         } else {
-                                            phi_7579_ = _e4354;
+                                            phi_7587_ = _e4349;
                                         }
-                                        let _e4380 = phi_7579_;
-                                        if (_e4377 < _e4380) {
-                                            phi_7584_ = _e4377;
+                                        let _e4375 = phi_7587_;
+                                        if (_e4372 < _e4375) {
+                                            phi_7592_ = _e4372;
                                         } else {
-                                            phi_7584_ = _e4380;
+                                            phi_7592_ = _e4375;
                                         }
-                                        let _e4383 = phi_7584_;
-                                        if (_e4359 < _e4364) {
-                                            phi_7589_ = _e4359;
+                                        let _e4378 = phi_7592_;
+                                        if (_e4354 < _e4359) {
+                                            phi_7597_ = _e4354;
                                         } else {
-                                            phi_7589_ = _e4364;
+                                            phi_7597_ = _e4359;
                                         }
-                                        let _e4386 = phi_7589_;
-                                        if (_e4369 < _e4374) {
-                                            phi_7594_ = _e4369;
+                                        let _e4381 = phi_7597_;
+                                        if (_e4364 < _e4369) {
+                                            phi_7602_ = _e4364;
                                         } else {
-                                            phi_7594_ = _e4374;
+                                            phi_7602_ = _e4369;
                                         }
-                                        let _e4389 = phi_7594_;
-                                        if (_e4386 < _e4389) {
-                                            phi_7599_ = _e4386;
+                                        let _e4384 = phi_7602_;
+                                        if (_e4381 < _e4384) {
+                                            phi_7607_ = _e4381;
                                         } else {
-                                            phi_7599_ = _e4389;
+                                            phi_7607_ = _e4384;
                                         }
-                                        let _e4392 = phi_7599_;
-                                        if (_e4383 < _e4392) {
-                                            phi_7604_ = _e4383;
+                                        let _e4387 = phi_7607_;
+                                        if (_e4378 < _e4387) {
+                                            phi_7612_ = _e4378;
                                         } else {
-                                            phi_7604_ = _e4392;
+                                            phi_7612_ = _e4387;
                                         }
-                                        let _e4395 = phi_7604_;
-                                        if (_e4339 > _e4344) {
-                                            phi_7609_ = _e4339;
+                                        let _e4390 = phi_7612_;
+                                        if (_e4334 > _e4339) {
+                                            phi_7617_ = _e4334;
                                         } else {
-                                            phi_7609_ = _e4344;
+                                            phi_7617_ = _e4339;
                                         }
-                                        let _e4398 = phi_7609_;
-                                        if (_e4349 > _e4354) {
-                                            phi_7614_ = _e4349;
+                                        let _e4393 = phi_7617_;
+                                        if (_e4344 > _e4349) {
+                                            phi_7622_ = _e4344;
                                         } else {
-                                            phi_7614_ = _e4354;
+                                            phi_7622_ = _e4349;
                                         }
-                                        let _e4401 = phi_7614_;
-                                        if (_e4398 > _e4401) {
-                                            phi_7619_ = _e4398;
+                                        let _e4396 = phi_7622_;
+                                        if (_e4393 > _e4396) {
+                                            phi_7627_ = _e4393;
                                         } else {
-                                            phi_7619_ = _e4401;
+                                            phi_7627_ = _e4396;
                                         }
-                                        let _e4404 = phi_7619_;
-                                        if (_e4359 > _e4364) {
-                                            phi_7624_ = _e4359;
+                                        let _e4399 = phi_7627_;
+                                        if (_e4354 > _e4359) {
+                                            phi_7632_ = _e4354;
                                         } else {
-                                            phi_7624_ = _e4364;
+                                            phi_7632_ = _e4359;
                                         }
-                                        let _e4407 = phi_7624_;
-                                        if (_e4369 > _e4374) {
-                                            phi_7629_ = _e4369;
+                                        let _e4402 = phi_7632_;
+                                        if (_e4364 > _e4369) {
+                                            phi_7637_ = _e4364;
                                         } else {
-                                            phi_7629_ = _e4374;
+                                            phi_7637_ = _e4369;
                                         }
-                                        let _e4410 = phi_7629_;
-                                        if (_e4407 > _e4410) {
-                                            phi_7634_ = _e4407;
+                                        let _e4405 = phi_7637_;
+                                        if (_e4402 > _e4405) {
+                                            phi_7642_ = _e4402;
                                         } else {
-                                            phi_7634_ = _e4410;
+                                            phi_7642_ = _e4405;
                                         }
-                                        let _e4413 = phi_7634_;
-                                        if (_e4404 > _e4413) {
-                                            phi_7639_ = _e4404;
+                                        let _e4408 = phi_7642_;
+                                        if (_e4399 > _e4408) {
+                                            phi_7647_ = _e4399;
                                         } else {
-                                            phi_7639_ = _e4413;
+                                            phi_7647_ = _e4408;
                                         }
-                                        let _e4416 = phi_7639_;
-                                        if (_e4328 < 0f) {
-                                            phi_7645_ = -(_e4328);
+                                        let _e4411 = phi_7647_;
+                                        if (_e4323 < 0f) {
+                                            phi_7653_ = -(_e4323);
                                         } else {
-                                            phi_7645_ = _e4328;
+                                            phi_7653_ = _e4323;
                                         }
-                                        let _e4420 = phi_7645_;
-                                        if (_e4331 < 0f) {
-                                            phi_7651_ = -(_e4331);
+                                        let _e4415 = phi_7653_;
+                                        if (_e4326 < 0f) {
+                                            phi_7659_ = -(_e4326);
                                         } else {
-                                            phi_7651_ = _e4331;
+                                            phi_7659_ = _e4326;
                                         }
-                                        let _e4424 = phi_7651_;
-                                        if (_e4334 < 0f) {
-                                            phi_7658_ = -(_e4334);
+                                        let _e4419 = phi_7659_;
+                                        if (_e4329 < 0f) {
+                                            phi_7666_ = -(_e4329);
                                         } else {
-                                            phi_7658_ = _e4334;
+                                            phi_7666_ = _e4329;
                                         }
-                                        let _e4429 = phi_7658_;
-                                        let _e4430 = ((_e4420 + _e4424) + _e4429);
-                                        let _e4435 = -(_e4416);
-                                        if (_e4395 > _e4435) {
-                                            phi_7669_ = _e4395;
+                                        let _e4424 = phi_7666_;
+                                        let _e4425 = ((_e4415 + _e4419) + _e4424);
+                                        let _e4430 = -(_e4411);
+                                        if (_e4390 > _e4430) {
+                                            phi_7677_ = _e4390;
                                         } else {
-                                            phi_7669_ = _e4435;
+                                            phi_7677_ = _e4430;
                                         }
-                                        let _e4438 = phi_7669_;
-                                        let _e4443 = (((_e4438 - ((_e4430 * _e4200) * (0.000000059604645f * (17f / 2f)))) - (_e4430 * _e4207)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4325 > _e4443) {
-                                            phi_7679_ = _e4325;
+                                        let _e4433 = phi_7677_;
+                                        let _e4438 = (((_e4433 - ((_e4425 * _e4195) * (0.000000059604645f * (17f / 2f)))) - (_e4425 * _e4202)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4320 > _e4438) {
+                                            phi_7687_ = _e4320;
                                         } else {
-                                            phi_7679_ = _e4443;
+                                            phi_7687_ = _e4438;
                                         }
-                                        let _e4446 = phi_7679_;
-                                        phi_7861_ = (_e3942 || (_e4446 > 0f));
+                                        let _e4441 = phi_7687_;
+                                        phi_7869_ = (_e3937 || (_e4441 > 0f));
                                     }
-                                    let _e4450 = phi_7861_;
-                                    phi_7863_ = (_e3507 && _e4450);
+                                    let _e4445 = phi_7869_;
+                                    phi_7871_ = (_e3502 && _e4445);
                                 } else {
-                                    phi_7863_ = _e3507;
+                                    phi_7871_ = _e3502;
                                 }
-                                let _e4453 = phi_7863_;
-                                phi_7865_ = (_e2474 || _e4453);
+                                let _e4448 = phi_7871_;
+                                phi_7873_ = (_e2469 || _e4448);
                             }
-                            let _e4456 = phi_7865_;
-                            if !(_e4456) {
-                                let _e4459 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1001] = ((2147483648u | (_e4459 << bitcast<u32>(12i))) | _e1004);
+                            let _e4451 = phi_7873_;
+                            if !(_e4451) {
+                                let _e4454 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e996] = ((2147483648u | (_e4454 << bitcast<u32>(12i))) | _e999);
                             }
                         }
-                        phi_7876_ = true;
+                        phi_7884_ = true;
                     }
-                    let _e4466 = phi_7876_;
-                    phi_7877_ = _e4466;
+                    let _e4461 = phi_7884_;
+                    phi_7885_ = _e4461;
                 } else {
-                    phi_7877_ = false;
+                    phi_7885_ = false;
                 }
-                let _e4468 = phi_7877_;
+                let _e4463 = phi_7885_;
                 continue;
                 continuing {
-                    phi_1849_ = _e993;
-                    break if !(_e4468);
+                    phi_1857_ = _e988;
+                    break if !(_e4463);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4472 = atomicLoad((&counters[5u]));
-                if (_e4472 > 0u) {
-                    let _e4475 = atomicAdd((&output.member[0u]), _e4472);
-                    if ((_e4475 + _e4472) < _e4475) {
-                        let _e4479 = atomicAdd((&output.member[2u]), 1u);
+                let _e4467 = atomicLoad((&counters[5u]));
+                if (_e4467 > 0u) {
+                    let _e4470 = atomicAdd((&output.member[0u]), _e4467);
+                    if ((_e4470 + _e4467) < _e4470) {
+                        let _e4474 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4475);
+                    atomicStore((&counters[6u]), _e4470);
                 }
             }
             workgroupBarrier();
-            let _e4482 = atomicLoad((&counters[6u]));
+            let _e4477 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4485 = atomicLoad((&counters[7u]));
-                if (_e4485 > 0u) {
-                    let _e4488 = atomicAdd((&output.member[1u]), _e4485);
-                    if ((_e4488 + _e4485) < _e4488) {
-                        let _e4492 = atomicAdd((&output.member[3u]), 1u);
+                let _e4480 = atomicLoad((&counters[7u]));
+                if (_e4480 > 0u) {
+                    let _e4483 = atomicAdd((&output.member[1u]), _e4480);
+                    if ((_e4483 + _e4480) < _e4483) {
+                        let _e4487 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7927_ = type_9(0u, 16u);
+            phi_7935_ = type_9(0u, 16u);
             loop {
-                let _e4494 = phi_7927_;
-                if (_e4494.member < _e4494.member_1) {
-                    phi_7928_ = type_9((_e4494.member + 1u), _e4494.member_1);
-                    phi_7951_ = type_9(1u, _e4494.member);
+                let _e4489 = phi_7935_;
+                if (_e4489.member < _e4489.member_1) {
+                    phi_7936_ = type_9((_e4489.member + 1u), _e4489.member_1);
+                    phi_7959_ = type_9(1u, _e4489.member);
                 } else {
-                    phi_7928_ = _e4494;
-                    phi_7951_ = type_9(0u, type_9().member_1);
+                    phi_7936_ = _e4489;
+                    phi_7959_ = type_9(0u, type_9().member_1);
                 }
-                let _e4506 = phi_7928_;
-                let _e4508 = phi_7951_;
-                if (bitcast<i32>(_e4508.member) != 0i) {
-                    let _e4514 = (_e67 + (_e4508.member_1 * 128u));
-                    if (_e4514 >= _e979) {
-                        phi_8048_ = false;
+                let _e4501 = phi_7936_;
+                let _e4503 = phi_7959_;
+                if (bitcast<i32>(_e4503.member) != 0i) {
+                    let _e4509 = (_e67 + (_e4503.member_1 * 128u));
+                    if (_e4509 >= _e974) {
+                        phi_8056_ = false;
                     } else {
-                        let _e4517 = hits[_e4514];
-                        if ((_e4517 & 2147483648u) == 0u) {
-                            phi_7974_ = 4294967295u;
+                        let _e4512 = hits[_e4509];
+                        if ((_e4512 & 2147483648u) == 0u) {
+                            phi_7982_ = 4294967295u;
                         } else {
-                            phi_7974_ = ((_e4517 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7982_ = ((_e4512 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4524 = phi_7974_;
-                        if (_e4524 != 4294967295u) {
-                            let _e4528 = ((_e4517 >> bitcast<u32>(10i)) & 3u);
-                            let _e4535 = firsts[(2u * _e4528)];
-                            let _e4538 = leaves.member[(_e4535 + ((_e4517 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4542 = firsts[((2u * _e4528) + 1u)];
-                            let _e4545 = leaves.member[(_e4542 + (_e4517 & 31u))];
-                            let _e4550 = params.member.member_1.member_3;
-                            let _e4551 = (_e4482 + _e4524);
-                            if (_e4538.member_1 < _e4545.member_1) {
-                                phi_8029_ = type_9(_e4538.member_1, _e4545.member_1);
+                        let _e4519 = phi_7982_;
+                        if (_e4519 != 4294967295u) {
+                            let _e4523 = ((_e4512 >> bitcast<u32>(10i)) & 3u);
+                            let _e4530 = firsts[(2u * _e4523)];
+                            let _e4533 = leaves.member[(_e4530 + ((_e4512 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4537 = firsts[((2u * _e4523) + 1u)];
+                            let _e4540 = leaves.member[(_e4537 + (_e4512 & 31u))];
+                            let _e4545 = params.member.member_1.member_3;
+                            let _e4546 = (_e4477 + _e4519);
+                            if (_e4533.member_1 < _e4540.member_1) {
+                                phi_8037_ = type_9(_e4533.member_1, _e4540.member_1);
                             } else {
-                                phi_8029_ = type_9(_e4545.member_1, _e4538.member_1);
+                                phi_8037_ = type_9(_e4540.member_1, _e4533.member_1);
                             }
-                            let _e4556 = phi_8029_;
-                            if (_e4551 < _e4550) {
-                                let _e4560 = (2u * _e4551);
-                                atomicStore((&output.member[(4u + _e4560)]), _e4556.member);
-                                atomicStore((&output.member[(_e4560 + 5u)]), _e4556.member_1);
+                            let _e4551 = phi_8037_;
+                            if (_e4546 < _e4545) {
+                                let _e4555 = (2u * _e4546);
+                                atomicStore((&output.member[(4u + _e4555)]), _e4551.member);
+                                atomicStore((&output.member[(_e4555 + 5u)]), _e4551.member_1);
                             }
                         }
-                        phi_8048_ = true;
+                        phi_8056_ = true;
                     }
-                    let _e4566 = phi_8048_;
-                    phi_8049_ = _e4566;
+                    let _e4561 = phi_8056_;
+                    phi_8057_ = _e4561;
                 } else {
-                    phi_8049_ = false;
+                    phi_8057_ = false;
                 }
-                let _e4568 = phi_8049_;
+                let _e4563 = phi_8057_;
                 continue;
                 continuing {
-                    phi_7927_ = _e4506;
-                    break if !(_e4568);
+                    phi_7935_ = _e4501;
+                    break if !(_e4563);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_435_ = _e153;
+            phi_437_ = _e153;
             break if !(_e159);
         }
     }

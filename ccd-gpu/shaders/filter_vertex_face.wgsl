@@ -66,26 +66,32 @@ struct type_25 {
 }
 
 struct type_27 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_29 {
     member: array<type_27>,
 }
 
-struct type_35 {
-    member: array<array<array<u32, 2>, 6>>,
+struct type_31 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_37 {
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_39 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -97,708 +103,708 @@ var<storage> leaves: type_25;
 var<storage> nodes: type_29;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_27, 128>;
+var<workgroup> columns: array<type_31, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_35;
+var<storage> keys: type_37;
 @group(0) @binding(5) 
 var<storage> paths: type_22;
 @group(0) @binding(6) 
 var<storage> input: type_11;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_41;
+var<storage, read_write> output: type_43;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_172_: bool;
-    var phi_173_: bool;
-    var phi_177_: array<u32, 2>;
+    var phi_174_: bool;
+    var phi_175_: bool;
+    var phi_179_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_173_ = true;
+        phi_175_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_172_ = (param[0] > param_1[0]);
+            phi_174_ = (param[0] > param_1[0]);
         } else {
-            phi_172_ = false;
+            phi_174_ = false;
         }
-        let _e14 = phi_172_;
-        phi_173_ = _e14;
+        let _e14 = phi_174_;
+        phi_175_ = _e14;
     }
-    let _e16 = phi_173_;
+    let _e16 = phi_175_;
     if _e16 {
-        phi_177_ = param_1;
+        phi_179_ = param_1;
     } else {
-        phi_177_ = param;
+        phi_179_ = param;
     }
-    let _e18 = phi_177_;
+    let _e18 = phi_179_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_196_: bool;
-    var phi_197_: bool;
-    var phi_201_: array<u32, 2>;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_203_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_197_ = true;
+        phi_199_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_196_ = (param_3[0] > param_2[0]);
+            phi_198_ = (param_3[0] > param_2[0]);
         } else {
-            phi_196_ = false;
+            phi_198_ = false;
         }
-        let _e14 = phi_196_;
-        phi_197_ = _e14;
+        let _e14 = phi_198_;
+        phi_199_ = _e14;
     }
-    let _e16 = phi_197_;
+    let _e16 = phi_199_;
     if _e16 {
-        phi_201_ = param_3;
+        phi_203_ = param_3;
     } else {
-        phi_201_ = param_2;
+        phi_203_ = param_2;
     }
-    let _e18 = phi_201_;
+    let _e18 = phi_203_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_220_: bool;
-    var phi_221_: bool;
-    var phi_225_: array<u32, 2>;
+    var phi_222_: bool;
+    var phi_223_: bool;
+    var phi_227_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_221_ = true;
+        phi_223_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_220_ = (param_4[0] > param_5[0]);
+            phi_222_ = (param_4[0] > param_5[0]);
         } else {
-            phi_220_ = false;
+            phi_222_ = false;
         }
-        let _e14 = phi_220_;
-        phi_221_ = _e14;
+        let _e14 = phi_222_;
+        phi_223_ = _e14;
     }
-    let _e16 = phi_221_;
+    let _e16 = phi_223_;
     if _e16 {
-        phi_225_ = param_5;
+        phi_227_ = param_5;
     } else {
-        phi_225_ = param_4;
+        phi_227_ = param_4;
     }
-    let _e18 = phi_225_;
+    let _e18 = phi_227_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_249_: array<u32, 2>;
+    var phi_246_: bool;
+    var phi_247_: bool;
+    var phi_251_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_245_ = true;
+        phi_247_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_244_ = (param_7[0] > param_6[0]);
+            phi_246_ = (param_7[0] > param_6[0]);
         } else {
-            phi_244_ = false;
+            phi_246_ = false;
         }
-        let _e14 = phi_244_;
-        phi_245_ = _e14;
+        let _e14 = phi_246_;
+        phi_247_ = _e14;
     }
-    let _e16 = phi_245_;
+    let _e16 = phi_247_;
     if _e16 {
-        phi_249_ = param_7;
+        phi_251_ = param_7;
     } else {
-        phi_249_ = param_6;
+        phi_251_ = param_6;
     }
-    let _e18 = phi_249_;
+    let _e18 = phi_251_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_268_: bool;
-    var phi_269_: bool;
-    var phi_273_: array<u32, 2>;
+    var phi_270_: bool;
+    var phi_271_: bool;
+    var phi_275_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_269_ = true;
+        phi_271_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_268_ = (param_8[0] > param_9[0]);
+            phi_270_ = (param_8[0] > param_9[0]);
         } else {
-            phi_268_ = false;
+            phi_270_ = false;
         }
-        let _e14 = phi_268_;
-        phi_269_ = _e14;
+        let _e14 = phi_270_;
+        phi_271_ = _e14;
     }
-    let _e16 = phi_269_;
+    let _e16 = phi_271_;
     if _e16 {
-        phi_273_ = param_9;
+        phi_275_ = param_9;
     } else {
-        phi_273_ = param_8;
+        phi_275_ = param_8;
     }
-    let _e18 = phi_273_;
+    let _e18 = phi_275_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_292_: bool;
-    var phi_293_: bool;
-    var phi_297_: array<u32, 2>;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_299_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_293_ = true;
+        phi_295_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_292_ = (param_11[0] > param_10[0]);
+            phi_294_ = (param_11[0] > param_10[0]);
         } else {
-            phi_292_ = false;
+            phi_294_ = false;
         }
-        let _e14 = phi_292_;
-        phi_293_ = _e14;
+        let _e14 = phi_294_;
+        phi_295_ = _e14;
     }
-    let _e16 = phi_293_;
+    let _e16 = phi_295_;
     if _e16 {
-        phi_297_ = param_11;
+        phi_299_ = param_11;
     } else {
-        phi_297_ = param_10;
+        phi_299_ = param_10;
     }
-    let _e18 = phi_297_;
+    let _e18 = phi_299_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_37;
-    var local_1: type_37;
-    var local_2: type_37;
-    var phi_344_: u32;
-    var phi_385_: u32;
-    var phi_386_: u32;
-    var phi_394_: u32;
-    var phi_410_: u32;
-    var phi_431_: u32;
-    var phi_432_: u32;
-    var phi_435_: type_9;
-    var phi_436_: type_9;
-    var phi_459_: type_9;
-    var phi_500_: u32;
-    var phi_501_: u32;
-    var phi_509_: u32;
-    var phi_521_: u32;
-    var phi_606_: array<u32, 2>;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_809_: type_27;
-    var phi_822_: type_9;
-    var phi_825_: u32;
-    var phi_823_: type_9;
-    var phi_848_: type_9;
-    var phi_938_: u32;
-    var phi_940_: u32;
-    var phi_826_: u32;
-    var phi_943_: type_9;
+    var local: type_39;
+    var local_1: type_39;
+    var local_2: type_39;
+    var phi_346_: u32;
+    var phi_387_: u32;
+    var phi_388_: u32;
+    var phi_396_: u32;
+    var phi_412_: u32;
+    var phi_433_: u32;
+    var phi_434_: u32;
+    var phi_437_: type_9;
+    var phi_438_: type_9;
+    var phi_461_: type_9;
+    var phi_502_: u32;
+    var phi_503_: u32;
+    var phi_511_: u32;
+    var phi_523_: u32;
+    var phi_608_: array<u32, 2>;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_817_: type_31;
+    var phi_830_: type_9;
+    var phi_833_: u32;
+    var phi_831_: type_9;
+    var phi_856_: type_9;
     var phi_946_: u32;
-    var phi_944_: type_9;
-    var phi_969_: type_9;
-    var phi_1051_: bool;
-    var phi_1058_: bool;
-    var phi_1066_: bool;
-    var phi_1089_: bool;
-    var phi_1090_: bool;
-    var phi_1136_: bool;
-    var phi_1143_: bool;
-    var phi_1147_: bool;
-    var phi_1283_: bool;
-    var phi_1284_: bool;
-    var phi_1377_: bool;
-    var phi_1378_: bool;
-    var phi_1472_: bool;
-    var phi_1473_: bool;
-    var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
+    var phi_948_: u32;
+    var phi_834_: u32;
+    var phi_951_: type_9;
+    var phi_954_: u32;
+    var phi_952_: type_9;
+    var phi_977_: type_9;
+    var phi_1071_: bool;
+    var phi_1078_: bool;
+    var phi_1086_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1156_: bool;
+    var phi_1163_: bool;
+    var phi_1167_: bool;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1670_: bool;
+    var phi_1671_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
     var phi_1769_: bool;
     var phi_1770_: bool;
     var phi_1771_: bool;
     var phi_1775_: bool;
-    var phi_1837_: u32;
-    var phi_1838_: bool;
-    var phi_947_: u32;
-    var phi_1839_: bool;
-    var phi_1846_: u32;
-    var phi_1849_: type_9;
-    var phi_1850_: type_9;
-    var phi_1873_: type_9;
-    var phi_1963_: bool;
-    var phi_1970_: bool;
-    var phi_1978_: bool;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
-    var phi_2048_: bool;
-    var phi_2055_: bool;
-    var phi_2059_: bool;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2289_: bool;
-    var phi_2290_: bool;
-    var phi_2384_: bool;
-    var phi_2385_: bool;
-    var phi_2478_: bool;
-    var phi_2479_: bool;
-    var phi_2574_: bool;
-    var phi_2575_: bool;
-    var phi_2668_: bool;
-    var phi_2669_: bool;
-    var phi_2673_: bool;
-    var phi_2674_: bool;
-    var phi_2675_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1783_: bool;
+    var phi_1845_: u32;
+    var phi_1846_: bool;
+    var phi_955_: u32;
+    var phi_1847_: bool;
+    var phi_1854_: u32;
+    var phi_1857_: type_9;
+    var phi_1858_: type_9;
+    var phi_1881_: type_9;
+    var phi_1983_: bool;
+    var phi_1990_: bool;
+    var phi_1998_: bool;
+    var phi_2021_: bool;
+    var phi_2022_: bool;
+    var phi_2068_: bool;
+    var phi_2075_: bool;
+    var phi_2079_: bool;
+    var phi_2203_: bool;
+    var phi_2204_: bool;
+    var phi_2297_: bool;
+    var phi_2298_: bool;
+    var phi_2392_: bool;
+    var phi_2393_: bool;
+    var phi_2486_: bool;
+    var phi_2487_: bool;
+    var phi_2582_: bool;
+    var phi_2583_: bool;
+    var phi_2676_: bool;
+    var phi_2677_: bool;
     var phi_2681_: bool;
     var phi_2682_: bool;
     var phi_2683_: bool;
     var phi_2687_: bool;
-    var phi_3082_: f32;
-    var phi_3089_: f32;
-    var phi_3094_: f32;
-    var phi_3101_: f32;
-    var phi_3106_: f32;
-    var phi_3119_: f32;
-    var phi_3126_: f32;
-    var phi_3131_: f32;
-    var phi_3138_: f32;
-    var phi_3143_: f32;
-    var phi_3148_: f32;
-    var phi_3165_: f32;
-    var phi_3172_: f32;
-    var phi_3177_: f32;
-    var phi_3184_: f32;
-    var phi_3189_: f32;
-    var phi_3203_: f32;
-    var phi_3210_: f32;
-    var phi_3215_: f32;
-    var phi_3222_: f32;
-    var phi_3227_: f32;
-    var phi_3232_: f32;
-    var phi_3249_: f32;
-    var phi_3256_: f32;
-    var phi_3261_: f32;
-    var phi_3268_: f32;
-    var phi_3273_: f32;
-    var phi_3287_: f32;
-    var phi_3294_: f32;
-    var phi_3299_: f32;
-    var phi_3306_: f32;
-    var phi_3311_: f32;
-    var phi_3316_: f32;
-    var phi_3347_: f32;
-    var phi_3353_: f32;
-    var phi_3360_: f32;
-    var phi_3367_: f32;
-    var phi_3373_: f32;
-    var phi_3380_: f32;
-    var phi_3386_: f32;
-    var phi_3392_: f32;
-    var phi_3398_: f32;
-    var phi_3405_: f32;
-    var phi_3412_: f32;
-    var phi_3436_: f32;
-    var phi_3441_: f32;
-    var phi_3446_: f32;
-    var phi_3451_: f32;
-    var phi_3456_: f32;
-    var phi_3461_: f32;
-    var phi_3471_: f32;
-    var phi_3674_: f32;
-    var phi_3681_: f32;
-    var phi_3686_: f32;
-    var phi_3693_: f32;
-    var phi_3698_: f32;
-    var phi_3711_: f32;
-    var phi_3718_: f32;
-    var phi_3723_: f32;
-    var phi_3730_: f32;
-    var phi_3735_: f32;
-    var phi_3740_: f32;
-    var phi_3757_: f32;
-    var phi_3764_: f32;
-    var phi_3769_: f32;
-    var phi_3776_: f32;
-    var phi_3781_: f32;
-    var phi_3795_: f32;
-    var phi_3802_: f32;
-    var phi_3807_: f32;
-    var phi_3814_: f32;
-    var phi_3819_: f32;
-    var phi_3824_: f32;
-    var phi_3841_: f32;
-    var phi_3848_: f32;
-    var phi_3853_: f32;
-    var phi_3860_: f32;
-    var phi_3865_: f32;
-    var phi_3879_: f32;
-    var phi_3886_: f32;
-    var phi_3891_: f32;
-    var phi_3898_: f32;
-    var phi_3903_: f32;
-    var phi_3908_: f32;
-    var phi_3987_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4007_: f32;
-    var phi_4012_: f32;
-    var phi_4017_: f32;
-    var phi_4022_: f32;
-    var phi_4027_: f32;
-    var phi_4032_: f32;
-    var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4047_: f32;
-    var phi_4052_: f32;
-    var phi_4058_: f32;
-    var phi_4064_: f32;
-    var phi_4071_: f32;
-    var phi_4082_: f32;
-    var phi_4153_: f32;
-    var phi_4158_: f32;
-    var phi_4163_: f32;
-    var phi_4168_: f32;
-    var phi_4173_: f32;
-    var phi_4178_: f32;
-    var phi_4183_: f32;
-    var phi_4188_: f32;
-    var phi_4193_: f32;
-    var phi_4198_: f32;
-    var phi_4203_: f32;
-    var phi_4208_: f32;
-    var phi_4213_: f32;
-    var phi_4218_: f32;
-    var phi_4224_: f32;
-    var phi_4230_: f32;
-    var phi_4237_: f32;
-    var phi_4248_: f32;
-    var phi_4258_: f32;
-    var phi_4331_: f32;
-    var phi_4336_: f32;
-    var phi_4341_: f32;
-    var phi_4346_: f32;
-    var phi_4351_: f32;
-    var phi_4356_: f32;
-    var phi_4361_: f32;
-    var phi_4366_: f32;
-    var phi_4371_: f32;
-    var phi_4376_: f32;
-    var phi_4381_: f32;
-    var phi_4386_: f32;
-    var phi_4391_: f32;
-    var phi_4396_: f32;
-    var phi_4402_: f32;
-    var phi_4408_: f32;
-    var phi_4415_: f32;
-    var phi_4426_: f32;
-    var phi_4436_: f32;
-    var phi_4440_: bool;
-    var phi_4892_: f32;
-    var phi_4899_: f32;
-    var phi_4904_: f32;
-    var phi_4911_: f32;
-    var phi_4916_: f32;
-    var phi_4929_: f32;
-    var phi_4936_: f32;
-    var phi_4941_: f32;
-    var phi_4948_: f32;
-    var phi_4953_: f32;
-    var phi_4958_: f32;
-    var phi_4975_: f32;
-    var phi_4982_: f32;
-    var phi_4987_: f32;
-    var phi_4994_: f32;
-    var phi_4999_: f32;
-    var phi_5013_: f32;
-    var phi_5020_: f32;
-    var phi_5025_: f32;
-    var phi_5032_: f32;
-    var phi_5037_: f32;
-    var phi_5042_: f32;
-    var phi_5059_: f32;
-    var phi_5066_: f32;
-    var phi_5071_: f32;
-    var phi_5078_: f32;
-    var phi_5083_: f32;
-    var phi_5097_: f32;
-    var phi_5104_: f32;
-    var phi_5109_: f32;
-    var phi_5116_: f32;
-    var phi_5121_: f32;
-    var phi_5126_: f32;
-    var phi_5157_: f32;
-    var phi_5163_: f32;
-    var phi_5170_: f32;
-    var phi_5177_: f32;
-    var phi_5183_: f32;
-    var phi_5190_: f32;
-    var phi_5196_: f32;
-    var phi_5202_: f32;
-    var phi_5208_: f32;
-    var phi_5215_: f32;
-    var phi_5222_: f32;
-    var phi_5246_: f32;
-    var phi_5251_: f32;
-    var phi_5256_: f32;
-    var phi_5261_: f32;
-    var phi_5266_: f32;
-    var phi_5271_: f32;
-    var phi_5281_: f32;
-    var phi_5484_: f32;
-    var phi_5491_: f32;
-    var phi_5496_: f32;
-    var phi_5503_: f32;
-    var phi_5508_: f32;
-    var phi_5521_: f32;
-    var phi_5528_: f32;
-    var phi_5533_: f32;
-    var phi_5540_: f32;
-    var phi_5545_: f32;
-    var phi_5550_: f32;
-    var phi_5567_: f32;
-    var phi_5574_: f32;
-    var phi_5579_: f32;
-    var phi_5586_: f32;
-    var phi_5591_: f32;
-    var phi_5605_: f32;
-    var phi_5612_: f32;
-    var phi_5617_: f32;
-    var phi_5624_: f32;
-    var phi_5629_: f32;
-    var phi_5634_: f32;
-    var phi_5651_: f32;
-    var phi_5658_: f32;
-    var phi_5663_: f32;
-    var phi_5670_: f32;
-    var phi_5675_: f32;
-    var phi_5689_: f32;
-    var phi_5696_: f32;
-    var phi_5701_: f32;
-    var phi_5708_: f32;
-    var phi_5713_: f32;
-    var phi_5718_: f32;
-    var phi_5797_: f32;
-    var phi_5802_: f32;
-    var phi_5807_: f32;
-    var phi_5812_: f32;
-    var phi_5817_: f32;
-    var phi_5822_: f32;
-    var phi_5827_: f32;
-    var phi_5832_: f32;
-    var phi_5837_: f32;
-    var phi_5842_: f32;
-    var phi_5847_: f32;
-    var phi_5852_: f32;
-    var phi_5857_: f32;
-    var phi_5862_: f32;
-    var phi_5868_: f32;
-    var phi_5874_: f32;
-    var phi_5881_: f32;
-    var phi_5892_: f32;
-    var phi_5963_: f32;
-    var phi_5968_: f32;
-    var phi_5973_: f32;
-    var phi_5978_: f32;
-    var phi_5983_: f32;
-    var phi_5988_: f32;
-    var phi_5993_: f32;
-    var phi_5998_: f32;
-    var phi_6003_: f32;
-    var phi_6008_: f32;
-    var phi_6013_: f32;
-    var phi_6018_: f32;
-    var phi_6023_: f32;
-    var phi_6028_: f32;
-    var phi_6034_: f32;
-    var phi_6040_: f32;
-    var phi_6047_: f32;
-    var phi_6058_: f32;
-    var phi_6068_: f32;
-    var phi_6141_: f32;
-    var phi_6146_: f32;
-    var phi_6151_: f32;
-    var phi_6156_: f32;
-    var phi_6161_: f32;
-    var phi_6166_: f32;
-    var phi_6171_: f32;
-    var phi_6176_: f32;
-    var phi_6181_: f32;
-    var phi_6186_: f32;
-    var phi_6191_: f32;
-    var phi_6196_: f32;
-    var phi_6201_: f32;
-    var phi_6206_: f32;
-    var phi_6212_: f32;
-    var phi_6218_: f32;
-    var phi_6225_: f32;
-    var phi_6236_: f32;
-    var phi_6246_: f32;
-    var phi_6250_: bool;
-    var phi_6495_: f32;
-    var phi_6502_: f32;
-    var phi_6507_: f32;
-    var phi_6514_: f32;
-    var phi_6519_: f32;
-    var phi_6532_: f32;
-    var phi_6539_: f32;
-    var phi_6544_: f32;
-    var phi_6551_: f32;
-    var phi_6556_: f32;
-    var phi_6561_: f32;
-    var phi_6578_: f32;
-    var phi_6585_: f32;
-    var phi_6590_: f32;
-    var phi_6597_: f32;
-    var phi_6602_: f32;
-    var phi_6616_: f32;
-    var phi_6623_: f32;
-    var phi_6628_: f32;
-    var phi_6635_: f32;
-    var phi_6640_: f32;
-    var phi_6645_: f32;
-    var phi_6662_: f32;
-    var phi_6669_: f32;
-    var phi_6674_: f32;
-    var phi_6681_: f32;
-    var phi_6686_: f32;
-    var phi_6700_: f32;
-    var phi_6707_: f32;
-    var phi_6712_: f32;
-    var phi_6719_: f32;
-    var phi_6724_: f32;
-    var phi_6729_: f32;
-    var phi_6760_: f32;
-    var phi_6766_: f32;
-    var phi_6773_: f32;
-    var phi_6780_: f32;
-    var phi_6786_: f32;
-    var phi_6793_: f32;
-    var phi_6799_: f32;
-    var phi_6805_: f32;
-    var phi_6811_: f32;
-    var phi_6818_: f32;
-    var phi_6825_: f32;
-    var phi_6849_: f32;
-    var phi_6854_: f32;
-    var phi_6859_: f32;
-    var phi_6864_: f32;
-    var phi_6869_: f32;
-    var phi_6874_: f32;
-    var phi_6884_: f32;
-    var phi_7087_: f32;
-    var phi_7094_: f32;
-    var phi_7099_: f32;
-    var phi_7106_: f32;
-    var phi_7111_: f32;
-    var phi_7124_: f32;
-    var phi_7131_: f32;
-    var phi_7136_: f32;
-    var phi_7143_: f32;
-    var phi_7148_: f32;
-    var phi_7153_: f32;
-    var phi_7170_: f32;
-    var phi_7177_: f32;
-    var phi_7182_: f32;
-    var phi_7189_: f32;
-    var phi_7194_: f32;
-    var phi_7208_: f32;
-    var phi_7215_: f32;
-    var phi_7220_: f32;
-    var phi_7227_: f32;
-    var phi_7232_: f32;
-    var phi_7237_: f32;
-    var phi_7254_: f32;
-    var phi_7261_: f32;
-    var phi_7266_: f32;
-    var phi_7273_: f32;
-    var phi_7278_: f32;
-    var phi_7292_: f32;
-    var phi_7299_: f32;
-    var phi_7304_: f32;
-    var phi_7311_: f32;
-    var phi_7316_: f32;
-    var phi_7321_: f32;
-    var phi_7400_: f32;
-    var phi_7405_: f32;
-    var phi_7410_: f32;
-    var phi_7415_: f32;
-    var phi_7420_: f32;
-    var phi_7425_: f32;
-    var phi_7430_: f32;
-    var phi_7435_: f32;
-    var phi_7440_: f32;
-    var phi_7445_: f32;
-    var phi_7450_: f32;
-    var phi_7455_: f32;
-    var phi_7460_: f32;
-    var phi_7465_: f32;
-    var phi_7471_: f32;
-    var phi_7477_: f32;
-    var phi_7484_: f32;
-    var phi_7495_: f32;
-    var phi_7566_: f32;
-    var phi_7571_: f32;
-    var phi_7576_: f32;
-    var phi_7581_: f32;
-    var phi_7586_: f32;
-    var phi_7591_: f32;
-    var phi_7596_: f32;
-    var phi_7601_: f32;
-    var phi_7606_: f32;
-    var phi_7611_: f32;
-    var phi_7616_: f32;
-    var phi_7621_: f32;
-    var phi_7626_: f32;
-    var phi_7631_: f32;
-    var phi_7637_: f32;
-    var phi_7643_: f32;
-    var phi_7650_: f32;
-    var phi_7661_: f32;
-    var phi_7671_: f32;
-    var phi_7744_: f32;
-    var phi_7749_: f32;
-    var phi_7754_: f32;
-    var phi_7759_: f32;
-    var phi_7764_: f32;
-    var phi_7769_: f32;
-    var phi_7774_: f32;
-    var phi_7779_: f32;
-    var phi_7784_: f32;
-    var phi_7789_: f32;
-    var phi_7794_: f32;
-    var phi_7799_: f32;
-    var phi_7804_: f32;
-    var phi_7809_: f32;
-    var phi_7815_: f32;
-    var phi_7821_: f32;
-    var phi_7828_: f32;
-    var phi_7839_: f32;
-    var phi_7849_: f32;
-    var phi_7853_: bool;
-    var phi_7855_: bool;
-    var phi_7857_: bool;
-    var phi_7868_: bool;
-    var phi_7869_: bool;
-    var phi_7919_: type_9;
-    var phi_7920_: type_9;
-    var phi_7943_: type_9;
-    var phi_7966_: u32;
-    var phi_8040_: bool;
-    var phi_8041_: bool;
+    var phi_2688_: bool;
+    var phi_2689_: bool;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2695_: bool;
+    var phi_3090_: f32;
+    var phi_3097_: f32;
+    var phi_3102_: f32;
+    var phi_3109_: f32;
+    var phi_3114_: f32;
+    var phi_3127_: f32;
+    var phi_3134_: f32;
+    var phi_3139_: f32;
+    var phi_3146_: f32;
+    var phi_3151_: f32;
+    var phi_3156_: f32;
+    var phi_3173_: f32;
+    var phi_3180_: f32;
+    var phi_3185_: f32;
+    var phi_3192_: f32;
+    var phi_3197_: f32;
+    var phi_3211_: f32;
+    var phi_3218_: f32;
+    var phi_3223_: f32;
+    var phi_3230_: f32;
+    var phi_3235_: f32;
+    var phi_3240_: f32;
+    var phi_3257_: f32;
+    var phi_3264_: f32;
+    var phi_3269_: f32;
+    var phi_3276_: f32;
+    var phi_3281_: f32;
+    var phi_3295_: f32;
+    var phi_3302_: f32;
+    var phi_3307_: f32;
+    var phi_3314_: f32;
+    var phi_3319_: f32;
+    var phi_3324_: f32;
+    var phi_3355_: f32;
+    var phi_3361_: f32;
+    var phi_3368_: f32;
+    var phi_3375_: f32;
+    var phi_3381_: f32;
+    var phi_3388_: f32;
+    var phi_3394_: f32;
+    var phi_3400_: f32;
+    var phi_3406_: f32;
+    var phi_3413_: f32;
+    var phi_3420_: f32;
+    var phi_3444_: f32;
+    var phi_3449_: f32;
+    var phi_3454_: f32;
+    var phi_3459_: f32;
+    var phi_3464_: f32;
+    var phi_3469_: f32;
+    var phi_3479_: f32;
+    var phi_3682_: f32;
+    var phi_3689_: f32;
+    var phi_3694_: f32;
+    var phi_3701_: f32;
+    var phi_3706_: f32;
+    var phi_3719_: f32;
+    var phi_3726_: f32;
+    var phi_3731_: f32;
+    var phi_3738_: f32;
+    var phi_3743_: f32;
+    var phi_3748_: f32;
+    var phi_3765_: f32;
+    var phi_3772_: f32;
+    var phi_3777_: f32;
+    var phi_3784_: f32;
+    var phi_3789_: f32;
+    var phi_3803_: f32;
+    var phi_3810_: f32;
+    var phi_3815_: f32;
+    var phi_3822_: f32;
+    var phi_3827_: f32;
+    var phi_3832_: f32;
+    var phi_3849_: f32;
+    var phi_3856_: f32;
+    var phi_3861_: f32;
+    var phi_3868_: f32;
+    var phi_3873_: f32;
+    var phi_3887_: f32;
+    var phi_3894_: f32;
+    var phi_3899_: f32;
+    var phi_3906_: f32;
+    var phi_3911_: f32;
+    var phi_3916_: f32;
+    var phi_3995_: f32;
+    var phi_4000_: f32;
+    var phi_4005_: f32;
+    var phi_4010_: f32;
+    var phi_4015_: f32;
+    var phi_4020_: f32;
+    var phi_4025_: f32;
+    var phi_4030_: f32;
+    var phi_4035_: f32;
+    var phi_4040_: f32;
+    var phi_4045_: f32;
+    var phi_4050_: f32;
+    var phi_4055_: f32;
+    var phi_4060_: f32;
+    var phi_4066_: f32;
+    var phi_4072_: f32;
+    var phi_4079_: f32;
+    var phi_4090_: f32;
+    var phi_4161_: f32;
+    var phi_4166_: f32;
+    var phi_4171_: f32;
+    var phi_4176_: f32;
+    var phi_4181_: f32;
+    var phi_4186_: f32;
+    var phi_4191_: f32;
+    var phi_4196_: f32;
+    var phi_4201_: f32;
+    var phi_4206_: f32;
+    var phi_4211_: f32;
+    var phi_4216_: f32;
+    var phi_4221_: f32;
+    var phi_4226_: f32;
+    var phi_4232_: f32;
+    var phi_4238_: f32;
+    var phi_4245_: f32;
+    var phi_4256_: f32;
+    var phi_4266_: f32;
+    var phi_4339_: f32;
+    var phi_4344_: f32;
+    var phi_4349_: f32;
+    var phi_4354_: f32;
+    var phi_4359_: f32;
+    var phi_4364_: f32;
+    var phi_4369_: f32;
+    var phi_4374_: f32;
+    var phi_4379_: f32;
+    var phi_4384_: f32;
+    var phi_4389_: f32;
+    var phi_4394_: f32;
+    var phi_4399_: f32;
+    var phi_4404_: f32;
+    var phi_4410_: f32;
+    var phi_4416_: f32;
+    var phi_4423_: f32;
+    var phi_4434_: f32;
+    var phi_4444_: f32;
+    var phi_4448_: bool;
+    var phi_4900_: f32;
+    var phi_4907_: f32;
+    var phi_4912_: f32;
+    var phi_4919_: f32;
+    var phi_4924_: f32;
+    var phi_4937_: f32;
+    var phi_4944_: f32;
+    var phi_4949_: f32;
+    var phi_4956_: f32;
+    var phi_4961_: f32;
+    var phi_4966_: f32;
+    var phi_4983_: f32;
+    var phi_4990_: f32;
+    var phi_4995_: f32;
+    var phi_5002_: f32;
+    var phi_5007_: f32;
+    var phi_5021_: f32;
+    var phi_5028_: f32;
+    var phi_5033_: f32;
+    var phi_5040_: f32;
+    var phi_5045_: f32;
+    var phi_5050_: f32;
+    var phi_5067_: f32;
+    var phi_5074_: f32;
+    var phi_5079_: f32;
+    var phi_5086_: f32;
+    var phi_5091_: f32;
+    var phi_5105_: f32;
+    var phi_5112_: f32;
+    var phi_5117_: f32;
+    var phi_5124_: f32;
+    var phi_5129_: f32;
+    var phi_5134_: f32;
+    var phi_5165_: f32;
+    var phi_5171_: f32;
+    var phi_5178_: f32;
+    var phi_5185_: f32;
+    var phi_5191_: f32;
+    var phi_5198_: f32;
+    var phi_5204_: f32;
+    var phi_5210_: f32;
+    var phi_5216_: f32;
+    var phi_5223_: f32;
+    var phi_5230_: f32;
+    var phi_5254_: f32;
+    var phi_5259_: f32;
+    var phi_5264_: f32;
+    var phi_5269_: f32;
+    var phi_5274_: f32;
+    var phi_5279_: f32;
+    var phi_5289_: f32;
+    var phi_5492_: f32;
+    var phi_5499_: f32;
+    var phi_5504_: f32;
+    var phi_5511_: f32;
+    var phi_5516_: f32;
+    var phi_5529_: f32;
+    var phi_5536_: f32;
+    var phi_5541_: f32;
+    var phi_5548_: f32;
+    var phi_5553_: f32;
+    var phi_5558_: f32;
+    var phi_5575_: f32;
+    var phi_5582_: f32;
+    var phi_5587_: f32;
+    var phi_5594_: f32;
+    var phi_5599_: f32;
+    var phi_5613_: f32;
+    var phi_5620_: f32;
+    var phi_5625_: f32;
+    var phi_5632_: f32;
+    var phi_5637_: f32;
+    var phi_5642_: f32;
+    var phi_5659_: f32;
+    var phi_5666_: f32;
+    var phi_5671_: f32;
+    var phi_5678_: f32;
+    var phi_5683_: f32;
+    var phi_5697_: f32;
+    var phi_5704_: f32;
+    var phi_5709_: f32;
+    var phi_5716_: f32;
+    var phi_5721_: f32;
+    var phi_5726_: f32;
+    var phi_5805_: f32;
+    var phi_5810_: f32;
+    var phi_5815_: f32;
+    var phi_5820_: f32;
+    var phi_5825_: f32;
+    var phi_5830_: f32;
+    var phi_5835_: f32;
+    var phi_5840_: f32;
+    var phi_5845_: f32;
+    var phi_5850_: f32;
+    var phi_5855_: f32;
+    var phi_5860_: f32;
+    var phi_5865_: f32;
+    var phi_5870_: f32;
+    var phi_5876_: f32;
+    var phi_5882_: f32;
+    var phi_5889_: f32;
+    var phi_5900_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: f32;
+    var phi_5981_: f32;
+    var phi_5986_: f32;
+    var phi_5991_: f32;
+    var phi_5996_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6011_: f32;
+    var phi_6016_: f32;
+    var phi_6021_: f32;
+    var phi_6026_: f32;
+    var phi_6031_: f32;
+    var phi_6036_: f32;
+    var phi_6042_: f32;
+    var phi_6048_: f32;
+    var phi_6055_: f32;
+    var phi_6066_: f32;
+    var phi_6076_: f32;
+    var phi_6149_: f32;
+    var phi_6154_: f32;
+    var phi_6159_: f32;
+    var phi_6164_: f32;
+    var phi_6169_: f32;
+    var phi_6174_: f32;
+    var phi_6179_: f32;
+    var phi_6184_: f32;
+    var phi_6189_: f32;
+    var phi_6194_: f32;
+    var phi_6199_: f32;
+    var phi_6204_: f32;
+    var phi_6209_: f32;
+    var phi_6214_: f32;
+    var phi_6220_: f32;
+    var phi_6226_: f32;
+    var phi_6233_: f32;
+    var phi_6244_: f32;
+    var phi_6254_: f32;
+    var phi_6258_: bool;
+    var phi_6503_: f32;
+    var phi_6510_: f32;
+    var phi_6515_: f32;
+    var phi_6522_: f32;
+    var phi_6527_: f32;
+    var phi_6540_: f32;
+    var phi_6547_: f32;
+    var phi_6552_: f32;
+    var phi_6559_: f32;
+    var phi_6564_: f32;
+    var phi_6569_: f32;
+    var phi_6586_: f32;
+    var phi_6593_: f32;
+    var phi_6598_: f32;
+    var phi_6605_: f32;
+    var phi_6610_: f32;
+    var phi_6624_: f32;
+    var phi_6631_: f32;
+    var phi_6636_: f32;
+    var phi_6643_: f32;
+    var phi_6648_: f32;
+    var phi_6653_: f32;
+    var phi_6670_: f32;
+    var phi_6677_: f32;
+    var phi_6682_: f32;
+    var phi_6689_: f32;
+    var phi_6694_: f32;
+    var phi_6708_: f32;
+    var phi_6715_: f32;
+    var phi_6720_: f32;
+    var phi_6727_: f32;
+    var phi_6732_: f32;
+    var phi_6737_: f32;
+    var phi_6768_: f32;
+    var phi_6774_: f32;
+    var phi_6781_: f32;
+    var phi_6788_: f32;
+    var phi_6794_: f32;
+    var phi_6801_: f32;
+    var phi_6807_: f32;
+    var phi_6813_: f32;
+    var phi_6819_: f32;
+    var phi_6826_: f32;
+    var phi_6833_: f32;
+    var phi_6857_: f32;
+    var phi_6862_: f32;
+    var phi_6867_: f32;
+    var phi_6872_: f32;
+    var phi_6877_: f32;
+    var phi_6882_: f32;
+    var phi_6892_: f32;
+    var phi_7095_: f32;
+    var phi_7102_: f32;
+    var phi_7107_: f32;
+    var phi_7114_: f32;
+    var phi_7119_: f32;
+    var phi_7132_: f32;
+    var phi_7139_: f32;
+    var phi_7144_: f32;
+    var phi_7151_: f32;
+    var phi_7156_: f32;
+    var phi_7161_: f32;
+    var phi_7178_: f32;
+    var phi_7185_: f32;
+    var phi_7190_: f32;
+    var phi_7197_: f32;
+    var phi_7202_: f32;
+    var phi_7216_: f32;
+    var phi_7223_: f32;
+    var phi_7228_: f32;
+    var phi_7235_: f32;
+    var phi_7240_: f32;
+    var phi_7245_: f32;
+    var phi_7262_: f32;
+    var phi_7269_: f32;
+    var phi_7274_: f32;
+    var phi_7281_: f32;
+    var phi_7286_: f32;
+    var phi_7300_: f32;
+    var phi_7307_: f32;
+    var phi_7312_: f32;
+    var phi_7319_: f32;
+    var phi_7324_: f32;
+    var phi_7329_: f32;
+    var phi_7408_: f32;
+    var phi_7413_: f32;
+    var phi_7418_: f32;
+    var phi_7423_: f32;
+    var phi_7428_: f32;
+    var phi_7433_: f32;
+    var phi_7438_: f32;
+    var phi_7443_: f32;
+    var phi_7448_: f32;
+    var phi_7453_: f32;
+    var phi_7458_: f32;
+    var phi_7463_: f32;
+    var phi_7468_: f32;
+    var phi_7473_: f32;
+    var phi_7479_: f32;
+    var phi_7485_: f32;
+    var phi_7492_: f32;
+    var phi_7503_: f32;
+    var phi_7574_: f32;
+    var phi_7579_: f32;
+    var phi_7584_: f32;
+    var phi_7589_: f32;
+    var phi_7594_: f32;
+    var phi_7599_: f32;
+    var phi_7604_: f32;
+    var phi_7609_: f32;
+    var phi_7614_: f32;
+    var phi_7619_: f32;
+    var phi_7624_: f32;
+    var phi_7629_: f32;
+    var phi_7634_: f32;
+    var phi_7639_: f32;
+    var phi_7645_: f32;
+    var phi_7651_: f32;
+    var phi_7658_: f32;
+    var phi_7669_: f32;
+    var phi_7679_: f32;
+    var phi_7752_: f32;
+    var phi_7757_: f32;
+    var phi_7762_: f32;
+    var phi_7767_: f32;
+    var phi_7772_: f32;
+    var phi_7777_: f32;
+    var phi_7782_: f32;
+    var phi_7787_: f32;
+    var phi_7792_: f32;
+    var phi_7797_: f32;
+    var phi_7802_: f32;
+    var phi_7807_: f32;
+    var phi_7812_: f32;
+    var phi_7817_: f32;
+    var phi_7823_: f32;
+    var phi_7829_: f32;
+    var phi_7836_: f32;
+    var phi_7847_: f32;
+    var phi_7857_: f32;
+    var phi_7861_: bool;
+    var phi_7863_: bool;
+    var phi_7865_: bool;
+    var phi_7876_: bool;
+    var phi_7877_: bool;
+    var phi_7927_: type_9;
+    var phi_7928_: type_9;
+    var phi_7951_: type_9;
+    var phi_7974_: u32;
+    var phi_8048_: bool;
+    var phi_8049_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -815,11 +821,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e86 = params.member.member_1.member_2;
     let _e88 = input.member[0u];
     if (_e86 < _e88) {
-        phi_344_ = _e86;
+        phi_346_ = _e86;
     } else {
-        phi_344_ = _e88;
+        phi_346_ = _e88;
     }
-    let _e91 = phi_344_;
+    let _e91 = phi_346_;
     let _e92 = (_e67 / 32u);
     let _e93 = (_e67 % 32u);
     let _e96 = params.member.member_1.member_1;
@@ -835,30 +841,30 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e101 % _e104) > 0u) {
-            phi_385_ = (_e106 + 1u);
+            phi_387_ = (_e106 + 1u);
         } else {
-            phi_385_ = _e106;
+            phi_387_ = _e106;
         }
-        let _e112 = phi_385_;
-        phi_386_ = _e112;
+        let _e112 = phi_387_;
+        phi_388_ = _e112;
     } else {
-        phi_386_ = 0u;
+        phi_388_ = 0u;
     }
-    let _e114 = phi_386_;
+    let _e114 = phi_388_;
     let _e117 = params.member.member_2.member_4;
     if (_e117 < _e114) {
-        phi_394_ = _e117;
+        phi_396_ = _e117;
     } else {
-        phi_394_ = _e114;
+        phi_396_ = _e114;
     }
-    let _e120 = phi_394_;
+    let _e120 = phi_396_;
     let _e121 = (_e120 / 4u);
     if ((_e120 % 4u) > 0u) {
-        phi_410_ = (_e121 + 1u);
+        phi_412_ = (_e121 + 1u);
     } else {
-        phi_410_ = _e121;
+        phi_412_ = _e121;
     }
-    let _e126 = phi_410_;
+    let _e126 = phi_412_;
     if (_e126 > _e80) {
         let _e128 = (_e126 - _e80);
         if (_e83 == 0u) {
@@ -869,28 +875,28 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e128 % _e83) > 0u) {
-            phi_431_ = (_e130 + 1u);
+            phi_433_ = (_e130 + 1u);
         } else {
-            phi_431_ = _e130;
+            phi_433_ = _e130;
         }
-        let _e136 = phi_431_;
-        phi_432_ = _e136;
+        let _e136 = phi_433_;
+        phi_434_ = _e136;
     } else {
-        phi_432_ = 0u;
+        phi_434_ = 0u;
     }
-    let _e138 = phi_432_;
-    phi_435_ = type_9(0u, _e138);
+    let _e138 = phi_434_;
+    phi_437_ = type_9(0u, _e138);
     loop {
-        let _e141 = phi_435_;
+        let _e141 = phi_437_;
         if (_e141.member < _e141.member_1) {
-            phi_436_ = type_9((_e141.member + 1u), _e141.member_1);
-            phi_459_ = type_9(1u, _e141.member);
+            phi_438_ = type_9((_e141.member + 1u), _e141.member_1);
+            phi_461_ = type_9(1u, _e141.member);
         } else {
-            phi_436_ = _e141;
-            phi_459_ = type_9(0u, type_9().member_1);
+            phi_438_ = _e141;
+            phi_461_ = type_9(0u, type_9().member_1);
         }
-        let _e153 = phi_436_;
-        let _e155 = phi_459_;
+        let _e153 = phi_438_;
+        let _e155 = phi_461_;
         let _e159 = (bitcast<i32>(_e155.member) != 0i);
         if _e159 {
             let _e163 = (((_e80 + (_e155.member_1 * _e83)) * 4u) + _e92);
@@ -907,32 +913,32 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e171 % _e174) > 0u) {
-                    phi_500_ = (_e176 + 1u);
+                    phi_502_ = (_e176 + 1u);
                 } else {
-                    phi_500_ = _e176;
+                    phi_502_ = _e176;
                 }
-                let _e182 = phi_500_;
-                phi_501_ = _e182;
+                let _e182 = phi_502_;
+                phi_503_ = _e182;
             } else {
-                phi_501_ = 0u;
+                phi_503_ = 0u;
             }
-            let _e184 = phi_501_;
+            let _e184 = phi_503_;
             let _e187 = params.member.member_2.member_4;
             if (_e187 < _e184) {
-                phi_509_ = _e187;
+                phi_511_ = _e187;
             } else {
-                phi_509_ = _e184;
+                phi_511_ = _e184;
             }
-            let _e190 = phi_509_;
+            let _e190 = phi_511_;
             let _e191 = (_e163 < _e190);
             let _e194 = params.member.member_1.member_1;
             if _e191 {
                 let _e197 = params.member.member_2.member_3;
-                phi_521_ = (_e163 * _e197);
+                phi_523_ = (_e163 * _e197);
             } else {
-                phi_521_ = 0u;
+                phi_523_ = 0u;
             }
-            let _e200 = phi_521_;
+            let _e200 = phi_523_;
             let _e202 = (2u * (_e194 + _e200));
             let _e205 = input.member[(4u + _e202)];
             let _e208 = input.member[(_e202 + 5u)];
@@ -950,3750 +956,3750 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e233 = params.member.member_2.member_1;
             if (_e233 == 0u) {
-                phi_606_ = array<u32, 2>(0u, 2u);
+                phi_608_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_606_ = array<u32, 2>(1u, 1u);
+                phi_608_ = array<u32, 2>(1u, 1u);
             }
-            let _e236 = phi_606_;
+            let _e236 = phi_608_;
             let _e239 = (_e67 / 32u);
             let _e240 = (_e67 % 32u);
             let _e244 = params.member.member_2.member_2;
             let _e248 = params.member.member_2.member[_e244][_e236[0]];
             let _e251 = nodes.member[(_e248 + _e205)];
-            let _e255 = params.member.member_2.member_2;
-            let _e259 = params.member.member_2.member[_e255][_e236[1]];
-            let _e262 = nodes.member[(_e259 + _e208)];
-            let _e266 = params.member.member_2.member_2;
-            let _e273 = params.member.member_2.member[(_e266 - 1u)][_e236[0]];
-            let _e276 = nodes.member[(_e273 + ((_e205 * 32u) + _e240))];
-            let _e280 = params.member.member_2.member_2;
-            let _e287 = params.member.member_2.member[(_e280 - 1u)][_e236[1]];
-            let _e290 = nodes.member[(_e287 + ((_e208 * 32u) + _e240))];
+            let _e267 = params.member.member_2.member_2;
+            let _e271 = params.member.member_2.member[_e267][_e236[1]];
+            let _e274 = nodes.member[(_e271 + _e208)];
+            let _e290 = params.member.member_2.member_2;
+            let _e297 = params.member.member_2.member[(_e290 - 1u)][_e236[0]];
+            let _e300 = nodes.member[(_e297 + ((_e205 * 32u) + _e240))];
+            let _e319 = params.member.member_2.member_2;
+            let _e326 = params.member.member_2.member[(_e319 - 1u)][_e236[1]];
+            let _e329 = nodes.member[(_e326 + ((_e208 * 32u) + _e240))];
             if _e191 {
-                if ((((((_e290.member[0] <= _e251.member_1[0]) && (_e251.member[0] <= _e290.member_1[0])) && (_e290.member[1] <= _e251.member_1[1])) && (_e251.member[1] <= _e290.member_1[1])) && (_e290.member[2] <= _e251.member_1[2])) && (_e251.member[2] <= _e290.member_1[2])) {
-                    let _e328 = atomicAdd((&counters[_e239]), 1u);
-                    let _e329 = ((_e239 * 32u) + _e328);
-                    columns[_e329] = type_27(array<f32, 3>(_e290.member[0], _e290.member[1], _e290.member[2]), array<f32, 3>(_e290.member_1[0], _e290.member_1[1], _e290.member_1[2]));
-                    names[_e329] = _e240;
+                if ((((((_e329.member.x <= _e251.member_1.y) && (_e251.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e251.member_2.x)) && (_e251.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e251.member_2.y)) && (_e251.member_1.x <= _e329.member_2.y)) {
+                    let _e355 = atomicAdd((&counters[_e239]), 1u);
+                    let _e356 = ((_e239 * 32u) + _e355);
+                    columns[_e356] = type_31(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
+                    names[_e356] = _e240;
                 }
             }
             workgroupBarrier();
             if _e191 {
-                if ((((((_e276.member[0] <= _e262.member_1[0]) && (_e262.member[0] <= _e276.member_1[0])) && (_e276.member[1] <= _e262.member_1[1])) && (_e262.member[1] <= _e276.member_1[1])) && (_e276.member[2] <= _e262.member_1[2])) && (_e262.member[2] <= _e276.member_1[2])) {
-                    phi_804_ = false;
+                if ((((((_e300.member.x <= _e274.member_1.y) && (_e274.member.x <= _e300.member_1.y)) && (_e300.member.y <= _e274.member_2.x)) && (_e274.member.y <= _e300.member_2.x)) && (_e300.member_1.x <= _e274.member_2.y)) && (_e274.member_1.x <= _e300.member_2.y)) {
+                    phi_812_ = false;
                 } else {
-                    phi_804_ = true;
+                    phi_812_ = true;
                 }
-                let _e379 = phi_804_;
-                phi_805_ = _e379;
+                let _e374 = phi_812_;
+                phi_813_ = _e374;
             } else {
-                phi_805_ = true;
+                phi_813_ = true;
             }
-            let _e381 = phi_805_;
-            if _e381 {
-                phi_809_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e376 = phi_813_;
+            if _e376 {
+                phi_817_ = type_31(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_809_ = _e276;
+                phi_817_ = type_31(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
             }
-            let _e383 = phi_809_;
-            let _e384 = (_e67 / 32u);
-            let _e387 = atomicLoad((&counters[_e384]));
-            phi_822_ = type_9(0u, _e387);
-            phi_825_ = 0u;
+            let _e378 = phi_817_;
+            let _e379 = (_e67 / 32u);
+            let _e382 = atomicLoad((&counters[_e379]));
+            phi_830_ = type_9(0u, _e382);
+            phi_833_ = 0u;
             loop {
-                let _e390 = phi_822_;
-                let _e392 = phi_825_;
-                local_3 = _e392;
-                if (_e390.member < _e390.member_1) {
-                    phi_823_ = type_9((_e390.member + 1u), _e390.member_1);
-                    phi_848_ = type_9(1u, _e390.member);
+                let _e385 = phi_830_;
+                let _e387 = phi_833_;
+                local_3 = _e387;
+                if (_e385.member < _e385.member_1) {
+                    phi_831_ = type_9((_e385.member + 1u), _e385.member_1);
+                    phi_856_ = type_9(1u, _e385.member);
                 } else {
-                    phi_823_ = _e390;
-                    phi_848_ = type_9(0u, type_9().member_1);
+                    phi_831_ = _e385;
+                    phi_856_ = type_9(0u, type_9().member_1);
                 }
-                let _e404 = phi_823_;
-                let _e406 = phi_848_;
-                let _e410 = (bitcast<i32>(_e406.member) != 0i);
-                if _e410 {
-                    let _e414 = names[((_e384 * 32u) + _e406.member_1)];
-                    let _e418 = columns[((_e384 * 32u) + _e406.member_1)];
-                    if ((((((_e383.member[0] <= _e418.member_1[0]) && (_e418.member[0] <= _e383.member_1[0])) && (_e383.member[1] <= _e418.member_1[1])) && (_e418.member[1] <= _e383.member_1[1])) && (_e383.member[2] <= _e418.member_1[2])) && (_e418.member[2] <= _e383.member_1[2])) {
-                        let _e451 = atomicAdd((&counters[4u]), 1u);
-                        if (_e451 < 2048u) {
-                            hits[_e451] = (((_e384 << bitcast<u32>(10i)) | ((_e67 % 32u) << bitcast<u32>(5i))) | _e414);
-                            phi_938_ = _e392;
+                let _e399 = phi_831_;
+                let _e401 = phi_856_;
+                let _e405 = (bitcast<i32>(_e401.member) != 0i);
+                if _e405 {
+                    let _e409 = names[((_e379 * 32u) + _e401.member_1)];
+                    let _e413 = columns[((_e379 * 32u) + _e401.member_1)];
+                    if ((((((_e378.member[0] <= _e413.member_1[0]) && (_e413.member[0] <= _e378.member_1[0])) && (_e378.member[1] <= _e413.member_1[1])) && (_e413.member[1] <= _e378.member_1[1])) && (_e378.member[2] <= _e413.member_1[2])) && (_e413.member[2] <= _e378.member_1[2])) {
+                        let _e446 = atomicAdd((&counters[4u]), 1u);
+                        if (_e446 < 2048u) {
+                            hits[_e446] = (((_e379 << bitcast<u32>(10i)) | ((_e67 % 32u) << bitcast<u32>(5i))) | _e409);
+                            phi_946_ = _e387;
                         } else {
-                            phi_938_ = (_e392 | (1u << bitcast<u32>((_e406.member_1 & 31u))));
+                            phi_946_ = (_e387 | (1u << bitcast<u32>((_e401.member_1 & 31u))));
                         }
-                        let _e465 = phi_938_;
-                        phi_940_ = _e465;
+                        let _e460 = phi_946_;
+                        phi_948_ = _e460;
                     } else {
-                        phi_940_ = _e392;
+                        phi_948_ = _e387;
                     }
-                    let _e467 = phi_940_;
-                    phi_826_ = _e467;
+                    let _e462 = phi_948_;
+                    phi_834_ = _e462;
                 } else {
-                    phi_826_ = u32();
+                    phi_834_ = u32();
                 }
-                let _e469 = phi_826_;
+                let _e464 = phi_834_;
                 continue;
                 continuing {
-                    phi_822_ = _e404;
-                    phi_825_ = _e469;
-                    break if !(_e410);
+                    phi_830_ = _e399;
+                    phi_833_ = _e464;
+                    break if !(_e405);
                 }
             }
-            phi_943_ = type_9(0u, 32u);
-            let _e4926 = local_3;
-            phi_946_ = _e4926;
+            phi_951_ = type_9(0u, 32u);
+            let _e4921 = local_3;
+            phi_954_ = _e4921;
             loop {
-                let _e472 = phi_943_;
-                let _e474 = phi_946_;
-                if (_e472.member < _e472.member_1) {
-                    phi_944_ = type_9((_e472.member + 1u), _e472.member_1);
-                    phi_969_ = type_9(1u, _e472.member);
+                let _e467 = phi_951_;
+                let _e469 = phi_954_;
+                if (_e467.member < _e467.member_1) {
+                    phi_952_ = type_9((_e467.member + 1u), _e467.member_1);
+                    phi_977_ = type_9(1u, _e467.member);
                 } else {
-                    phi_944_ = _e472;
-                    phi_969_ = type_9(0u, type_9().member_1);
+                    phi_952_ = _e467;
+                    phi_977_ = type_9(0u, type_9().member_1);
                 }
-                let _e486 = phi_944_;
-                let _e488 = phi_969_;
-                if (bitcast<i32>(_e488.member) != 0i) {
-                    if (_e474 == 0u) {
-                        phi_1837_ = u32();
-                        phi_1838_ = false;
+                let _e481 = phi_952_;
+                let _e483 = phi_977_;
+                if (bitcast<i32>(_e483.member) != 0i) {
+                    if (_e469 == 0u) {
+                        phi_1845_ = u32();
+                        phi_1846_ = false;
                     } else {
-                        let _e499 = names[((_e92 * 32u) + select(firstTrailingBit(_e474), 32u, (_e474 == 0u)))];
-                        let _e502 = (_e217 + _e93);
-                        let _e503 = (_e224 + _e499);
-                        let _e505 = leaves.member[_e502];
-                        let _e507 = leaves.member[_e503];
-                        let _e509 = nodes.member[_e502];
-                        let _e511 = nodes.member[_e503];
-                        let _e514 = params.member.member.member_1;
-                        if ((_e514 & 1u) != 0u) {
-                            if (_e507.member[0] == _e505.member[0]) {
-                                phi_1051_ = true;
+                        let _e494 = names[((_e92 * 32u) + select(firstTrailingBit(_e469), 32u, (_e469 == 0u)))];
+                        let _e497 = (_e217 + _e93);
+                        let _e498 = (_e224 + _e494);
+                        let _e500 = leaves.member[_e497];
+                        let _e502 = leaves.member[_e498];
+                        let _e504 = nodes.member[_e497];
+                        let _e518 = nodes.member[_e498];
+                        let _e533 = params.member.member.member_1;
+                        if ((_e533 & 1u) != 0u) {
+                            if (_e502.member[0] == _e500.member[0]) {
+                                phi_1071_ = true;
                             } else {
-                                phi_1051_ = (_e507.member[0] == _e505.member[0]);
+                                phi_1071_ = (_e502.member[0] == _e500.member[0]);
                             }
-                            let _e524 = phi_1051_;
-                            if (_e507.member[1] == _e505.member[0]) {
-                                phi_1058_ = true;
+                            let _e543 = phi_1071_;
+                            if (_e502.member[1] == _e500.member[0]) {
+                                phi_1078_ = true;
                             } else {
-                                phi_1058_ = (_e507.member[1] == _e505.member[0]);
+                                phi_1078_ = (_e502.member[1] == _e500.member[0]);
                             }
-                            let _e529 = phi_1058_;
-                            if (_e507.member[2] == _e505.member[0]) {
-                                phi_1066_ = true;
+                            let _e548 = phi_1078_;
+                            if (_e502.member[2] == _e500.member[0]) {
+                                phi_1086_ = true;
                             } else {
-                                phi_1066_ = (_e507.member[2] == _e505.member[0]);
+                                phi_1086_ = (_e502.member[2] == _e500.member[0]);
                             }
-                            let _e535 = phi_1066_;
-                            if ((_e524 || _e529) || _e535) {
-                                phi_1089_ = false;
+                            let _e554 = phi_1086_;
+                            if ((_e543 || _e548) || _e554) {
+                                phi_1109_ = false;
                             } else {
-                                phi_1089_ = true;
+                                phi_1109_ = true;
                             }
-                            let _e538 = phi_1089_;
-                            phi_1090_ = _e538;
+                            let _e557 = phi_1109_;
+                            phi_1110_ = _e557;
                         } else {
-                            phi_1090_ = true;
+                            phi_1110_ = true;
                         }
-                        let _e540 = phi_1090_;
-                        if _e540 {
-                            let _e542 = params.member.member.member_1;
-                            if ((_e542 & 2u) != 0u) {
-                                let _e546 = params.member.member.member_1;
-                                let _e552 = bodies.member[_e505.member[0]];
-                                let _e556 = bodies.member[_e507.member[0]];
-                                if ((_e552 / 2u) != (_e556 / 2u)) {
-                                    phi_1136_ = true;
+                        let _e559 = phi_1110_;
+                        if _e559 {
+                            let _e561 = params.member.member.member_1;
+                            if ((_e561 & 2u) != 0u) {
+                                let _e565 = params.member.member.member_1;
+                                let _e571 = bodies.member[_e500.member[0]];
+                                let _e575 = bodies.member[_e502.member[0]];
+                                if ((_e571 / 2u) != (_e575 / 2u)) {
+                                    phi_1156_ = true;
                                 } else {
-                                    phi_1136_ = ((_e546 & 4u) != 0u);
+                                    phi_1156_ = ((_e565 & 4u) != 0u);
                                 }
-                                let _e561 = phi_1136_;
-                                if _e561 {
-                                    phi_1143_ = (((_e552 & _e556) & 1u) == 0u);
+                                let _e580 = phi_1156_;
+                                if _e580 {
+                                    phi_1163_ = (((_e571 & _e575) & 1u) == 0u);
                                 } else {
-                                    phi_1143_ = false;
+                                    phi_1163_ = false;
                                 }
-                                let _e566 = phi_1143_;
-                                phi_1147_ = _e566;
+                                let _e585 = phi_1163_;
+                                phi_1167_ = _e585;
                             } else {
-                                phi_1147_ = true;
+                                phi_1167_ = true;
                             }
-                            let _e568 = phi_1147_;
-                            if _e568 {
-                                let _e570 = params.member.member.member_1;
-                                if ((_e570 & 32u) != 0u) {
-                                    let _e574 = params.member.member.member_6;
-                                    let _e615 = (((((_e509.member_1[0] - _e511.member[0]) > _e574) && ((_e511.member_1[0] - _e509.member[0]) > _e574)) && (((_e509.member_1[1] - _e511.member[1]) > _e574) && ((_e511.member_1[1] - _e509.member[1]) > _e574))) && (((_e509.member_1[2] - _e511.member[2]) > _e574) && ((_e511.member_1[2] - _e509.member[2]) > _e574)));
-                                    if _e615 {
-                                        phi_1761_ = bool();
+                            let _e587 = phi_1167_;
+                            if _e587 {
+                                let _e589 = params.member.member.member_1;
+                                if ((_e589 & 32u) != 0u) {
+                                    let _e593 = params.member.member.member_6;
+                                    let _e610 = (((((_e504.member_1.y - _e518.member.x) > _e593) && ((_e518.member_1.y - _e504.member.x) > _e593)) && (((_e504.member_2.x - _e518.member.y) > _e593) && ((_e518.member_2.x - _e504.member.y) > _e593))) && (((_e504.member_2.y - _e518.member_1.x) > _e593) && ((_e518.member_2.y - _e504.member_1.x) > _e593)));
+                                    if _e610 {
+                                        phi_1769_ = bool();
                                     } else {
-                                        let _e619 = keys.member[_e505.member[0]];
-                                        let _e624 = keys.member[_e505.member[1]];
-                                        let _e626 = function_(_e619[0], _e624[0]);
-                                        let _e630 = keys.member[_e505.member[2]];
-                                        let _e632 = function_(_e626, _e630[0]);
-                                        let _e636 = keys.member[_e507.member[0]];
-                                        let _e641 = keys.member[_e507.member[1]];
-                                        let _e643 = function_1(_e636[3], _e641[3]);
-                                        let _e647 = keys.member[_e507.member[2]];
-                                        let _e649 = function_1(_e643, _e647[3]);
-                                        if (_e632[1] > _e649[1]) {
-                                            phi_1284_ = true;
+                                        let _e614 = keys.member[_e500.member[0]];
+                                        let _e619 = keys.member[_e500.member[1]];
+                                        let _e621 = function_(_e614[0], _e619[0]);
+                                        let _e625 = keys.member[_e500.member[2]];
+                                        let _e627 = function_(_e621, _e625[0]);
+                                        let _e631 = keys.member[_e502.member[0]];
+                                        let _e636 = keys.member[_e502.member[1]];
+                                        let _e638 = function_1(_e631[3], _e636[3]);
+                                        let _e642 = keys.member[_e502.member[2]];
+                                        let _e644 = function_1(_e638, _e642[3]);
+                                        if (_e627[1] > _e644[1]) {
+                                            phi_1292_ = true;
                                         } else {
-                                            if (_e632[1] == _e649[1]) {
-                                                phi_1283_ = (_e632[0] > _e649[0]);
+                                            if (_e627[1] == _e644[1]) {
+                                                phi_1291_ = (_e627[0] > _e644[0]);
                                             } else {
-                                                phi_1283_ = false;
+                                                phi_1291_ = false;
                                             }
-                                            let _e660 = phi_1283_;
-                                            phi_1284_ = _e660;
+                                            let _e655 = phi_1291_;
+                                            phi_1292_ = _e655;
                                         }
-                                        let _e662 = phi_1284_;
-                                        let _e667 = keys.member[_e507.member[0]];
-                                        let _e672 = keys.member[_e507.member[1]];
-                                        let _e674 = function_(_e667[0], _e672[0]);
-                                        let _e678 = keys.member[_e507.member[2]];
-                                        let _e680 = function_(_e674, _e678[0]);
-                                        let _e684 = keys.member[_e505.member[0]];
-                                        let _e689 = keys.member[_e505.member[1]];
-                                        let _e691 = function_1(_e684[3], _e689[3]);
-                                        let _e695 = keys.member[_e505.member[2]];
-                                        let _e697 = function_1(_e691, _e695[3]);
-                                        if (_e680[1] > _e697[1]) {
-                                            phi_1378_ = true;
+                                        let _e657 = phi_1292_;
+                                        let _e662 = keys.member[_e502.member[0]];
+                                        let _e667 = keys.member[_e502.member[1]];
+                                        let _e669 = function_(_e662[0], _e667[0]);
+                                        let _e673 = keys.member[_e502.member[2]];
+                                        let _e675 = function_(_e669, _e673[0]);
+                                        let _e679 = keys.member[_e500.member[0]];
+                                        let _e684 = keys.member[_e500.member[1]];
+                                        let _e686 = function_1(_e679[3], _e684[3]);
+                                        let _e690 = keys.member[_e500.member[2]];
+                                        let _e692 = function_1(_e686, _e690[3]);
+                                        if (_e675[1] > _e692[1]) {
+                                            phi_1386_ = true;
                                         } else {
-                                            if (_e680[1] == _e697[1]) {
-                                                phi_1377_ = (_e680[0] > _e697[0]);
+                                            if (_e675[1] == _e692[1]) {
+                                                phi_1385_ = (_e675[0] > _e692[0]);
                                             } else {
-                                                phi_1377_ = false;
+                                                phi_1385_ = false;
                                             }
-                                            let _e708 = phi_1377_;
-                                            phi_1378_ = _e708;
+                                            let _e703 = phi_1385_;
+                                            phi_1386_ = _e703;
                                         }
-                                        let _e710 = phi_1378_;
-                                        let _e716 = keys.member[_e505.member[0]];
-                                        let _e721 = keys.member[_e505.member[1]];
-                                        let _e723 = function_2(_e716[1], _e721[1]);
-                                        let _e727 = keys.member[_e505.member[2]];
-                                        let _e729 = function_2(_e723, _e727[1]);
-                                        let _e733 = keys.member[_e507.member[0]];
-                                        let _e738 = keys.member[_e507.member[1]];
-                                        let _e740 = function_3(_e733[4], _e738[4]);
-                                        let _e744 = keys.member[_e507.member[2]];
-                                        let _e746 = function_3(_e740, _e744[4]);
-                                        if (_e729[1] > _e746[1]) {
-                                            phi_1473_ = true;
+                                        let _e705 = phi_1386_;
+                                        let _e711 = keys.member[_e500.member[0]];
+                                        let _e716 = keys.member[_e500.member[1]];
+                                        let _e718 = function_2(_e711[1], _e716[1]);
+                                        let _e722 = keys.member[_e500.member[2]];
+                                        let _e724 = function_2(_e718, _e722[1]);
+                                        let _e728 = keys.member[_e502.member[0]];
+                                        let _e733 = keys.member[_e502.member[1]];
+                                        let _e735 = function_3(_e728[4], _e733[4]);
+                                        let _e739 = keys.member[_e502.member[2]];
+                                        let _e741 = function_3(_e735, _e739[4]);
+                                        if (_e724[1] > _e741[1]) {
+                                            phi_1481_ = true;
                                         } else {
-                                            if (_e729[1] == _e746[1]) {
-                                                phi_1472_ = (_e729[0] > _e746[0]);
+                                            if (_e724[1] == _e741[1]) {
+                                                phi_1480_ = (_e724[0] > _e741[0]);
                                             } else {
-                                                phi_1472_ = false;
+                                                phi_1480_ = false;
                                             }
-                                            let _e757 = phi_1472_;
-                                            phi_1473_ = _e757;
+                                            let _e752 = phi_1480_;
+                                            phi_1481_ = _e752;
                                         }
-                                        let _e759 = phi_1473_;
-                                        let _e764 = keys.member[_e507.member[0]];
-                                        let _e769 = keys.member[_e507.member[1]];
-                                        let _e771 = function_2(_e764[1], _e769[1]);
-                                        let _e775 = keys.member[_e507.member[2]];
-                                        let _e777 = function_2(_e771, _e775[1]);
-                                        let _e781 = keys.member[_e505.member[0]];
-                                        let _e786 = keys.member[_e505.member[1]];
-                                        let _e788 = function_3(_e781[4], _e786[4]);
-                                        let _e792 = keys.member[_e505.member[2]];
-                                        let _e794 = function_3(_e788, _e792[4]);
-                                        if (_e777[1] > _e794[1]) {
-                                            phi_1567_ = true;
+                                        let _e754 = phi_1481_;
+                                        let _e759 = keys.member[_e502.member[0]];
+                                        let _e764 = keys.member[_e502.member[1]];
+                                        let _e766 = function_2(_e759[1], _e764[1]);
+                                        let _e770 = keys.member[_e502.member[2]];
+                                        let _e772 = function_2(_e766, _e770[1]);
+                                        let _e776 = keys.member[_e500.member[0]];
+                                        let _e781 = keys.member[_e500.member[1]];
+                                        let _e783 = function_3(_e776[4], _e781[4]);
+                                        let _e787 = keys.member[_e500.member[2]];
+                                        let _e789 = function_3(_e783, _e787[4]);
+                                        if (_e772[1] > _e789[1]) {
+                                            phi_1575_ = true;
                                         } else {
-                                            if (_e777[1] == _e794[1]) {
-                                                phi_1566_ = (_e777[0] > _e794[0]);
+                                            if (_e772[1] == _e789[1]) {
+                                                phi_1574_ = (_e772[0] > _e789[0]);
                                             } else {
-                                                phi_1566_ = false;
+                                                phi_1574_ = false;
                                             }
-                                            let _e805 = phi_1566_;
-                                            phi_1567_ = _e805;
+                                            let _e800 = phi_1574_;
+                                            phi_1575_ = _e800;
                                         }
-                                        let _e807 = phi_1567_;
-                                        let _e814 = keys.member[_e505.member[0]];
-                                        let _e819 = keys.member[_e505.member[1]];
-                                        let _e821 = function_4(_e814[2], _e819[2]);
-                                        let _e825 = keys.member[_e505.member[2]];
-                                        let _e827 = function_4(_e821, _e825[2]);
-                                        let _e831 = keys.member[_e507.member[0]];
-                                        let _e836 = keys.member[_e507.member[1]];
-                                        let _e838 = function_5(_e831[5], _e836[5]);
-                                        let _e842 = keys.member[_e507.member[2]];
-                                        let _e844 = function_5(_e838, _e842[5]);
-                                        if (_e827[1] > _e844[1]) {
-                                            phi_1663_ = true;
+                                        let _e802 = phi_1575_;
+                                        let _e809 = keys.member[_e500.member[0]];
+                                        let _e814 = keys.member[_e500.member[1]];
+                                        let _e816 = function_4(_e809[2], _e814[2]);
+                                        let _e820 = keys.member[_e500.member[2]];
+                                        let _e822 = function_4(_e816, _e820[2]);
+                                        let _e826 = keys.member[_e502.member[0]];
+                                        let _e831 = keys.member[_e502.member[1]];
+                                        let _e833 = function_5(_e826[5], _e831[5]);
+                                        let _e837 = keys.member[_e502.member[2]];
+                                        let _e839 = function_5(_e833, _e837[5]);
+                                        if (_e822[1] > _e839[1]) {
+                                            phi_1671_ = true;
                                         } else {
-                                            if (_e827[1] == _e844[1]) {
-                                                phi_1662_ = (_e827[0] > _e844[0]);
+                                            if (_e822[1] == _e839[1]) {
+                                                phi_1670_ = (_e822[0] > _e839[0]);
                                             } else {
-                                                phi_1662_ = false;
+                                                phi_1670_ = false;
                                             }
-                                            let _e855 = phi_1662_;
-                                            phi_1663_ = _e855;
+                                            let _e850 = phi_1670_;
+                                            phi_1671_ = _e850;
                                         }
-                                        let _e857 = phi_1663_;
-                                        let _e862 = keys.member[_e507.member[0]];
-                                        let _e867 = keys.member[_e507.member[1]];
-                                        let _e869 = function_4(_e862[2], _e867[2]);
-                                        let _e873 = keys.member[_e507.member[2]];
-                                        let _e875 = function_4(_e869, _e873[2]);
-                                        let _e879 = keys.member[_e505.member[0]];
-                                        let _e884 = keys.member[_e505.member[1]];
-                                        let _e886 = function_5(_e879[5], _e884[5]);
-                                        let _e890 = keys.member[_e505.member[2]];
-                                        let _e892 = function_5(_e886, _e890[5]);
-                                        if (_e875[1] > _e892[1]) {
-                                            phi_1757_ = true;
+                                        let _e852 = phi_1671_;
+                                        let _e857 = keys.member[_e502.member[0]];
+                                        let _e862 = keys.member[_e502.member[1]];
+                                        let _e864 = function_4(_e857[2], _e862[2]);
+                                        let _e868 = keys.member[_e502.member[2]];
+                                        let _e870 = function_4(_e864, _e868[2]);
+                                        let _e874 = keys.member[_e500.member[0]];
+                                        let _e879 = keys.member[_e500.member[1]];
+                                        let _e881 = function_5(_e874[5], _e879[5]);
+                                        let _e885 = keys.member[_e500.member[2]];
+                                        let _e887 = function_5(_e881, _e885[5]);
+                                        if (_e870[1] > _e887[1]) {
+                                            phi_1765_ = true;
                                         } else {
-                                            if (_e875[1] == _e892[1]) {
-                                                phi_1756_ = (_e875[0] > _e892[0]);
+                                            if (_e870[1] == _e887[1]) {
+                                                phi_1764_ = (_e870[0] > _e887[0]);
                                             } else {
-                                                phi_1756_ = false;
+                                                phi_1764_ = false;
                                             }
-                                            let _e903 = phi_1756_;
-                                            phi_1757_ = _e903;
+                                            let _e898 = phi_1764_;
+                                            phi_1765_ = _e898;
                                         }
-                                        let _e905 = phi_1757_;
-                                        phi_1761_ = (((!(_e662) && !(_e710)) && (!(_e759) && !(_e807))) && (!(_e857) && !(_e905)));
+                                        let _e900 = phi_1765_;
+                                        phi_1769_ = (((!(_e657) && !(_e705)) && (!(_e754) && !(_e802))) && (!(_e852) && !(_e900)));
                                     }
-                                    let _e910 = phi_1761_;
-                                    phi_1762_ = _e910;
-                                    phi_1763_ = _e615;
+                                    let _e905 = phi_1769_;
+                                    phi_1770_ = _e905;
+                                    phi_1771_ = _e610;
                                 } else {
-                                    phi_1762_ = bool();
-                                    phi_1763_ = true;
+                                    phi_1770_ = bool();
+                                    phi_1771_ = true;
                                 }
-                                let _e912 = phi_1762_;
-                                let _e914 = phi_1763_;
-                                if _e914 {
-                                    phi_1767_ = false;
+                                let _e907 = phi_1770_;
+                                let _e909 = phi_1771_;
+                                if _e909 {
+                                    phi_1775_ = false;
                                 } else {
-                                    phi_1767_ = true;
+                                    phi_1775_ = true;
                                 }
-                                let _e916 = phi_1767_;
-                                phi_1768_ = _e912;
-                                phi_1769_ = _e916;
+                                let _e911 = phi_1775_;
+                                phi_1776_ = _e907;
+                                phi_1777_ = _e911;
                             } else {
-                                phi_1768_ = false;
-                                phi_1769_ = true;
+                                phi_1776_ = false;
+                                phi_1777_ = true;
                             }
-                            let _e918 = phi_1768_;
-                            let _e920 = phi_1769_;
-                            phi_1770_ = _e918;
-                            phi_1771_ = _e920;
+                            let _e913 = phi_1776_;
+                            let _e915 = phi_1777_;
+                            phi_1778_ = _e913;
+                            phi_1779_ = _e915;
                         } else {
-                            phi_1770_ = false;
-                            phi_1771_ = true;
+                            phi_1778_ = false;
+                            phi_1779_ = true;
                         }
-                        let _e922 = phi_1770_;
-                        let _e924 = phi_1771_;
-                        if _e924 {
-                            phi_1775_ = _e922;
+                        let _e917 = phi_1778_;
+                        let _e919 = phi_1779_;
+                        if _e919 {
+                            phi_1783_ = _e917;
                         } else {
-                            phi_1775_ = true;
+                            phi_1783_ = true;
                         }
-                        let _e926 = phi_1775_;
-                        if _e926 {
-                            let _e929 = params.member.member_1.member_3;
-                            let _e933 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e933 + 1u) < _e933) {
-                                let _e937 = atomicAdd((&output.member[2u]), 1u);
+                        let _e921 = phi_1783_;
+                        if _e921 {
+                            let _e924 = params.member.member_1.member_3;
+                            let _e928 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e928 + 1u) < _e928) {
+                                let _e932 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e933 < _e929) {
-                                let _e939 = (2u * _e933);
-                                atomicStore((&output.member[(4u + _e939)]), _e505.member_1);
-                                atomicStore((&output.member[(_e939 + 5u)]), _e507.member_1);
+                            if (_e928 < _e924) {
+                                let _e934 = (2u * _e928);
+                                atomicStore((&output.member[(4u + _e934)]), _e500.member_1);
+                                atomicStore((&output.member[(_e934 + 5u)]), _e502.member_1);
                             }
-                            let _e945 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e945 + 1u) < _e945) {
-                                let _e949 = atomicAdd((&output.member[3u]), 1u);
+                            let _e940 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e940 + 1u) < _e940) {
+                                let _e944 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1837_ = (_e474 & (_e474 - 1u));
-                        phi_1838_ = true;
+                        phi_1845_ = (_e469 & (_e469 - 1u));
+                        phi_1846_ = true;
                     }
-                    let _e951 = phi_1837_;
-                    let _e953 = phi_1838_;
-                    phi_947_ = _e951;
-                    phi_1839_ = _e953;
+                    let _e946 = phi_1845_;
+                    let _e948 = phi_1846_;
+                    phi_955_ = _e946;
+                    phi_1847_ = _e948;
                 } else {
-                    phi_947_ = u32();
-                    phi_1839_ = false;
+                    phi_955_ = u32();
+                    phi_1847_ = false;
                 }
-                let _e955 = phi_947_;
-                let _e957 = phi_1839_;
+                let _e950 = phi_955_;
+                let _e952 = phi_1847_;
                 continue;
                 continuing {
-                    phi_943_ = _e486;
-                    phi_946_ = _e955;
-                    break if !(_e957);
+                    phi_951_ = _e481;
+                    phi_954_ = _e950;
+                    break if !(_e952);
                 }
             }
             workgroupBarrier();
-            let _e960 = atomicLoad((&counters[4u]));
-            if (2048u < _e960) {
-                phi_1846_ = 2048u;
+            let _e955 = atomicLoad((&counters[4u]));
+            if (2048u < _e955) {
+                phi_1854_ = 2048u;
             } else {
-                phi_1846_ = _e960;
+                phi_1854_ = _e955;
             }
-            let _e963 = phi_1846_;
-            phi_1849_ = type_9(0u, 16u);
+            let _e958 = phi_1854_;
+            phi_1857_ = type_9(0u, 16u);
             loop {
-                let _e965 = phi_1849_;
-                if (_e965.member < _e965.member_1) {
-                    phi_1850_ = type_9((_e965.member + 1u), _e965.member_1);
-                    phi_1873_ = type_9(1u, _e965.member);
+                let _e960 = phi_1857_;
+                if (_e960.member < _e960.member_1) {
+                    phi_1858_ = type_9((_e960.member + 1u), _e960.member_1);
+                    phi_1881_ = type_9(1u, _e960.member);
                 } else {
-                    phi_1850_ = _e965;
-                    phi_1873_ = type_9(0u, type_9().member_1);
+                    phi_1858_ = _e960;
+                    phi_1881_ = type_9(0u, type_9().member_1);
                 }
-                let _e977 = phi_1850_;
-                let _e979 = phi_1873_;
-                if (bitcast<i32>(_e979.member) != 0i) {
-                    let _e985 = (_e67 + (_e979.member_1 * 128u));
-                    if (_e985 >= _e963) {
-                        phi_7868_ = false;
+                let _e972 = phi_1858_;
+                let _e974 = phi_1881_;
+                if (bitcast<i32>(_e974.member) != 0i) {
+                    let _e980 = (_e67 + (_e974.member_1 * 128u));
+                    if (_e980 >= _e958) {
+                        phi_7876_ = false;
                     } else {
-                        let _e988 = hits[_e985];
-                        let _e991 = ((_e988 >> bitcast<u32>(10i)) & 3u);
-                        let _e998 = firsts[(2u * _e991)];
-                        let _e999 = (_e998 + ((_e988 >> bitcast<u32>(5i)) & 31u));
-                        let _e1003 = firsts[((2u * _e991) + 1u)];
-                        let _e1004 = (_e1003 + (_e988 & 31u));
-                        let _e1006 = leaves.member[_e999];
-                        let _e1008 = leaves.member[_e1004];
-                        let _e1010 = nodes.member[_e999];
-                        let _e1012 = nodes.member[_e1004];
-                        let _e1015 = params.member.member.member_1;
-                        if ((_e1015 & 1u) != 0u) {
-                            if (_e1008.member[0] == _e1006.member[0]) {
-                                phi_1963_ = true;
+                        let _e983 = hits[_e980];
+                        let _e986 = ((_e983 >> bitcast<u32>(10i)) & 3u);
+                        let _e993 = firsts[(2u * _e986)];
+                        let _e994 = (_e993 + ((_e983 >> bitcast<u32>(5i)) & 31u));
+                        let _e998 = firsts[((2u * _e986) + 1u)];
+                        let _e999 = (_e998 + (_e983 & 31u));
+                        let _e1001 = leaves.member[_e994];
+                        let _e1003 = leaves.member[_e999];
+                        let _e1005 = nodes.member[_e994];
+                        let _e1019 = nodes.member[_e999];
+                        let _e1034 = params.member.member.member_1;
+                        if ((_e1034 & 1u) != 0u) {
+                            if (_e1003.member[0] == _e1001.member[0]) {
+                                phi_1983_ = true;
                             } else {
-                                phi_1963_ = (_e1008.member[0] == _e1006.member[0]);
+                                phi_1983_ = (_e1003.member[0] == _e1001.member[0]);
                             }
-                            let _e1025 = phi_1963_;
-                            if (_e1008.member[1] == _e1006.member[0]) {
-                                phi_1970_ = true;
+                            let _e1044 = phi_1983_;
+                            if (_e1003.member[1] == _e1001.member[0]) {
+                                phi_1990_ = true;
                             } else {
-                                phi_1970_ = (_e1008.member[1] == _e1006.member[0]);
+                                phi_1990_ = (_e1003.member[1] == _e1001.member[0]);
                             }
-                            let _e1030 = phi_1970_;
-                            if (_e1008.member[2] == _e1006.member[0]) {
-                                phi_1978_ = true;
+                            let _e1049 = phi_1990_;
+                            if (_e1003.member[2] == _e1001.member[0]) {
+                                phi_1998_ = true;
                             } else {
-                                phi_1978_ = (_e1008.member[2] == _e1006.member[0]);
+                                phi_1998_ = (_e1003.member[2] == _e1001.member[0]);
                             }
-                            let _e1036 = phi_1978_;
-                            if ((_e1025 || _e1030) || _e1036) {
-                                phi_2001_ = false;
+                            let _e1055 = phi_1998_;
+                            if ((_e1044 || _e1049) || _e1055) {
+                                phi_2021_ = false;
                             } else {
-                                phi_2001_ = true;
+                                phi_2021_ = true;
                             }
-                            let _e1039 = phi_2001_;
-                            phi_2002_ = _e1039;
+                            let _e1058 = phi_2021_;
+                            phi_2022_ = _e1058;
                         } else {
-                            phi_2002_ = true;
+                            phi_2022_ = true;
                         }
-                        let _e1041 = phi_2002_;
-                        if _e1041 {
-                            let _e1043 = params.member.member.member_1;
-                            if ((_e1043 & 2u) != 0u) {
-                                let _e1047 = params.member.member.member_1;
-                                let _e1053 = bodies.member[_e1006.member[0]];
-                                let _e1057 = bodies.member[_e1008.member[0]];
-                                if ((_e1053 / 2u) != (_e1057 / 2u)) {
-                                    phi_2048_ = true;
+                        let _e1060 = phi_2022_;
+                        if _e1060 {
+                            let _e1062 = params.member.member.member_1;
+                            if ((_e1062 & 2u) != 0u) {
+                                let _e1066 = params.member.member.member_1;
+                                let _e1072 = bodies.member[_e1001.member[0]];
+                                let _e1076 = bodies.member[_e1003.member[0]];
+                                if ((_e1072 / 2u) != (_e1076 / 2u)) {
+                                    phi_2068_ = true;
                                 } else {
-                                    phi_2048_ = ((_e1047 & 4u) != 0u);
+                                    phi_2068_ = ((_e1066 & 4u) != 0u);
                                 }
-                                let _e1062 = phi_2048_;
-                                if _e1062 {
-                                    phi_2055_ = (((_e1053 & _e1057) & 1u) == 0u);
+                                let _e1081 = phi_2068_;
+                                if _e1081 {
+                                    phi_2075_ = (((_e1072 & _e1076) & 1u) == 0u);
                                 } else {
-                                    phi_2055_ = false;
+                                    phi_2075_ = false;
                                 }
-                                let _e1067 = phi_2055_;
-                                phi_2059_ = _e1067;
+                                let _e1086 = phi_2075_;
+                                phi_2079_ = _e1086;
                             } else {
-                                phi_2059_ = true;
+                                phi_2079_ = true;
                             }
-                            let _e1069 = phi_2059_;
-                            if _e1069 {
-                                let _e1071 = params.member.member.member_1;
-                                if ((_e1071 & 32u) != 0u) {
-                                    let _e1075 = params.member.member.member_6;
-                                    let _e1116 = (((((_e1010.member_1[0] - _e1012.member[0]) > _e1075) && ((_e1012.member_1[0] - _e1010.member[0]) > _e1075)) && (((_e1010.member_1[1] - _e1012.member[1]) > _e1075) && ((_e1012.member_1[1] - _e1010.member[1]) > _e1075))) && (((_e1010.member_1[2] - _e1012.member[2]) > _e1075) && ((_e1012.member_1[2] - _e1010.member[2]) > _e1075)));
-                                    if _e1116 {
-                                        phi_2673_ = bool();
+                            let _e1088 = phi_2079_;
+                            if _e1088 {
+                                let _e1090 = params.member.member.member_1;
+                                if ((_e1090 & 32u) != 0u) {
+                                    let _e1094 = params.member.member.member_6;
+                                    let _e1111 = (((((_e1005.member_1.y - _e1019.member.x) > _e1094) && ((_e1019.member_1.y - _e1005.member.x) > _e1094)) && (((_e1005.member_2.x - _e1019.member.y) > _e1094) && ((_e1019.member_2.x - _e1005.member.y) > _e1094))) && (((_e1005.member_2.y - _e1019.member_1.x) > _e1094) && ((_e1019.member_2.y - _e1005.member_1.x) > _e1094)));
+                                    if _e1111 {
+                                        phi_2681_ = bool();
                                     } else {
-                                        let _e1120 = keys.member[_e1006.member[0]];
-                                        let _e1125 = keys.member[_e1006.member[1]];
-                                        let _e1127 = function_(_e1120[0], _e1125[0]);
-                                        let _e1131 = keys.member[_e1006.member[2]];
-                                        let _e1133 = function_(_e1127, _e1131[0]);
-                                        let _e1137 = keys.member[_e1008.member[0]];
-                                        let _e1142 = keys.member[_e1008.member[1]];
-                                        let _e1144 = function_1(_e1137[3], _e1142[3]);
-                                        let _e1148 = keys.member[_e1008.member[2]];
-                                        let _e1150 = function_1(_e1144, _e1148[3]);
-                                        if (_e1133[1] > _e1150[1]) {
-                                            phi_2196_ = true;
+                                        let _e1115 = keys.member[_e1001.member[0]];
+                                        let _e1120 = keys.member[_e1001.member[1]];
+                                        let _e1122 = function_(_e1115[0], _e1120[0]);
+                                        let _e1126 = keys.member[_e1001.member[2]];
+                                        let _e1128 = function_(_e1122, _e1126[0]);
+                                        let _e1132 = keys.member[_e1003.member[0]];
+                                        let _e1137 = keys.member[_e1003.member[1]];
+                                        let _e1139 = function_1(_e1132[3], _e1137[3]);
+                                        let _e1143 = keys.member[_e1003.member[2]];
+                                        let _e1145 = function_1(_e1139, _e1143[3]);
+                                        if (_e1128[1] > _e1145[1]) {
+                                            phi_2204_ = true;
                                         } else {
-                                            if (_e1133[1] == _e1150[1]) {
-                                                phi_2195_ = (_e1133[0] > _e1150[0]);
+                                            if (_e1128[1] == _e1145[1]) {
+                                                phi_2203_ = (_e1128[0] > _e1145[0]);
                                             } else {
-                                                phi_2195_ = false;
+                                                phi_2203_ = false;
                                             }
-                                            let _e1161 = phi_2195_;
-                                            phi_2196_ = _e1161;
+                                            let _e1156 = phi_2203_;
+                                            phi_2204_ = _e1156;
                                         }
-                                        let _e1163 = phi_2196_;
-                                        let _e1168 = keys.member[_e1008.member[0]];
-                                        let _e1173 = keys.member[_e1008.member[1]];
-                                        let _e1175 = function_(_e1168[0], _e1173[0]);
-                                        let _e1179 = keys.member[_e1008.member[2]];
-                                        let _e1181 = function_(_e1175, _e1179[0]);
-                                        let _e1185 = keys.member[_e1006.member[0]];
-                                        let _e1190 = keys.member[_e1006.member[1]];
-                                        let _e1192 = function_1(_e1185[3], _e1190[3]);
-                                        let _e1196 = keys.member[_e1006.member[2]];
-                                        let _e1198 = function_1(_e1192, _e1196[3]);
-                                        if (_e1181[1] > _e1198[1]) {
-                                            phi_2290_ = true;
+                                        let _e1158 = phi_2204_;
+                                        let _e1163 = keys.member[_e1003.member[0]];
+                                        let _e1168 = keys.member[_e1003.member[1]];
+                                        let _e1170 = function_(_e1163[0], _e1168[0]);
+                                        let _e1174 = keys.member[_e1003.member[2]];
+                                        let _e1176 = function_(_e1170, _e1174[0]);
+                                        let _e1180 = keys.member[_e1001.member[0]];
+                                        let _e1185 = keys.member[_e1001.member[1]];
+                                        let _e1187 = function_1(_e1180[3], _e1185[3]);
+                                        let _e1191 = keys.member[_e1001.member[2]];
+                                        let _e1193 = function_1(_e1187, _e1191[3]);
+                                        if (_e1176[1] > _e1193[1]) {
+                                            phi_2298_ = true;
                                         } else {
-                                            if (_e1181[1] == _e1198[1]) {
-                                                phi_2289_ = (_e1181[0] > _e1198[0]);
+                                            if (_e1176[1] == _e1193[1]) {
+                                                phi_2297_ = (_e1176[0] > _e1193[0]);
                                             } else {
-                                                phi_2289_ = false;
+                                                phi_2297_ = false;
                                             }
-                                            let _e1209 = phi_2289_;
-                                            phi_2290_ = _e1209;
+                                            let _e1204 = phi_2297_;
+                                            phi_2298_ = _e1204;
                                         }
-                                        let _e1211 = phi_2290_;
-                                        let _e1217 = keys.member[_e1006.member[0]];
-                                        let _e1222 = keys.member[_e1006.member[1]];
-                                        let _e1224 = function_2(_e1217[1], _e1222[1]);
-                                        let _e1228 = keys.member[_e1006.member[2]];
-                                        let _e1230 = function_2(_e1224, _e1228[1]);
-                                        let _e1234 = keys.member[_e1008.member[0]];
-                                        let _e1239 = keys.member[_e1008.member[1]];
-                                        let _e1241 = function_3(_e1234[4], _e1239[4]);
-                                        let _e1245 = keys.member[_e1008.member[2]];
-                                        let _e1247 = function_3(_e1241, _e1245[4]);
-                                        if (_e1230[1] > _e1247[1]) {
-                                            phi_2385_ = true;
+                                        let _e1206 = phi_2298_;
+                                        let _e1212 = keys.member[_e1001.member[0]];
+                                        let _e1217 = keys.member[_e1001.member[1]];
+                                        let _e1219 = function_2(_e1212[1], _e1217[1]);
+                                        let _e1223 = keys.member[_e1001.member[2]];
+                                        let _e1225 = function_2(_e1219, _e1223[1]);
+                                        let _e1229 = keys.member[_e1003.member[0]];
+                                        let _e1234 = keys.member[_e1003.member[1]];
+                                        let _e1236 = function_3(_e1229[4], _e1234[4]);
+                                        let _e1240 = keys.member[_e1003.member[2]];
+                                        let _e1242 = function_3(_e1236, _e1240[4]);
+                                        if (_e1225[1] > _e1242[1]) {
+                                            phi_2393_ = true;
                                         } else {
-                                            if (_e1230[1] == _e1247[1]) {
-                                                phi_2384_ = (_e1230[0] > _e1247[0]);
+                                            if (_e1225[1] == _e1242[1]) {
+                                                phi_2392_ = (_e1225[0] > _e1242[0]);
                                             } else {
-                                                phi_2384_ = false;
+                                                phi_2392_ = false;
                                             }
-                                            let _e1258 = phi_2384_;
-                                            phi_2385_ = _e1258;
+                                            let _e1253 = phi_2392_;
+                                            phi_2393_ = _e1253;
                                         }
-                                        let _e1260 = phi_2385_;
-                                        let _e1265 = keys.member[_e1008.member[0]];
-                                        let _e1270 = keys.member[_e1008.member[1]];
-                                        let _e1272 = function_2(_e1265[1], _e1270[1]);
-                                        let _e1276 = keys.member[_e1008.member[2]];
-                                        let _e1278 = function_2(_e1272, _e1276[1]);
-                                        let _e1282 = keys.member[_e1006.member[0]];
-                                        let _e1287 = keys.member[_e1006.member[1]];
-                                        let _e1289 = function_3(_e1282[4], _e1287[4]);
-                                        let _e1293 = keys.member[_e1006.member[2]];
-                                        let _e1295 = function_3(_e1289, _e1293[4]);
-                                        if (_e1278[1] > _e1295[1]) {
-                                            phi_2479_ = true;
+                                        let _e1255 = phi_2393_;
+                                        let _e1260 = keys.member[_e1003.member[0]];
+                                        let _e1265 = keys.member[_e1003.member[1]];
+                                        let _e1267 = function_2(_e1260[1], _e1265[1]);
+                                        let _e1271 = keys.member[_e1003.member[2]];
+                                        let _e1273 = function_2(_e1267, _e1271[1]);
+                                        let _e1277 = keys.member[_e1001.member[0]];
+                                        let _e1282 = keys.member[_e1001.member[1]];
+                                        let _e1284 = function_3(_e1277[4], _e1282[4]);
+                                        let _e1288 = keys.member[_e1001.member[2]];
+                                        let _e1290 = function_3(_e1284, _e1288[4]);
+                                        if (_e1273[1] > _e1290[1]) {
+                                            phi_2487_ = true;
                                         } else {
-                                            if (_e1278[1] == _e1295[1]) {
-                                                phi_2478_ = (_e1278[0] > _e1295[0]);
+                                            if (_e1273[1] == _e1290[1]) {
+                                                phi_2486_ = (_e1273[0] > _e1290[0]);
                                             } else {
-                                                phi_2478_ = false;
+                                                phi_2486_ = false;
                                             }
-                                            let _e1306 = phi_2478_;
-                                            phi_2479_ = _e1306;
+                                            let _e1301 = phi_2486_;
+                                            phi_2487_ = _e1301;
                                         }
-                                        let _e1308 = phi_2479_;
-                                        let _e1315 = keys.member[_e1006.member[0]];
-                                        let _e1320 = keys.member[_e1006.member[1]];
-                                        let _e1322 = function_4(_e1315[2], _e1320[2]);
-                                        let _e1326 = keys.member[_e1006.member[2]];
-                                        let _e1328 = function_4(_e1322, _e1326[2]);
-                                        let _e1332 = keys.member[_e1008.member[0]];
-                                        let _e1337 = keys.member[_e1008.member[1]];
-                                        let _e1339 = function_5(_e1332[5], _e1337[5]);
-                                        let _e1343 = keys.member[_e1008.member[2]];
-                                        let _e1345 = function_5(_e1339, _e1343[5]);
-                                        if (_e1328[1] > _e1345[1]) {
-                                            phi_2575_ = true;
+                                        let _e1303 = phi_2487_;
+                                        let _e1310 = keys.member[_e1001.member[0]];
+                                        let _e1315 = keys.member[_e1001.member[1]];
+                                        let _e1317 = function_4(_e1310[2], _e1315[2]);
+                                        let _e1321 = keys.member[_e1001.member[2]];
+                                        let _e1323 = function_4(_e1317, _e1321[2]);
+                                        let _e1327 = keys.member[_e1003.member[0]];
+                                        let _e1332 = keys.member[_e1003.member[1]];
+                                        let _e1334 = function_5(_e1327[5], _e1332[5]);
+                                        let _e1338 = keys.member[_e1003.member[2]];
+                                        let _e1340 = function_5(_e1334, _e1338[5]);
+                                        if (_e1323[1] > _e1340[1]) {
+                                            phi_2583_ = true;
                                         } else {
-                                            if (_e1328[1] == _e1345[1]) {
-                                                phi_2574_ = (_e1328[0] > _e1345[0]);
+                                            if (_e1323[1] == _e1340[1]) {
+                                                phi_2582_ = (_e1323[0] > _e1340[0]);
                                             } else {
-                                                phi_2574_ = false;
+                                                phi_2582_ = false;
                                             }
-                                            let _e1356 = phi_2574_;
-                                            phi_2575_ = _e1356;
+                                            let _e1351 = phi_2582_;
+                                            phi_2583_ = _e1351;
                                         }
-                                        let _e1358 = phi_2575_;
-                                        let _e1363 = keys.member[_e1008.member[0]];
-                                        let _e1368 = keys.member[_e1008.member[1]];
-                                        let _e1370 = function_4(_e1363[2], _e1368[2]);
-                                        let _e1374 = keys.member[_e1008.member[2]];
-                                        let _e1376 = function_4(_e1370, _e1374[2]);
-                                        let _e1380 = keys.member[_e1006.member[0]];
-                                        let _e1385 = keys.member[_e1006.member[1]];
-                                        let _e1387 = function_5(_e1380[5], _e1385[5]);
-                                        let _e1391 = keys.member[_e1006.member[2]];
-                                        let _e1393 = function_5(_e1387, _e1391[5]);
-                                        if (_e1376[1] > _e1393[1]) {
-                                            phi_2669_ = true;
+                                        let _e1353 = phi_2583_;
+                                        let _e1358 = keys.member[_e1003.member[0]];
+                                        let _e1363 = keys.member[_e1003.member[1]];
+                                        let _e1365 = function_4(_e1358[2], _e1363[2]);
+                                        let _e1369 = keys.member[_e1003.member[2]];
+                                        let _e1371 = function_4(_e1365, _e1369[2]);
+                                        let _e1375 = keys.member[_e1001.member[0]];
+                                        let _e1380 = keys.member[_e1001.member[1]];
+                                        let _e1382 = function_5(_e1375[5], _e1380[5]);
+                                        let _e1386 = keys.member[_e1001.member[2]];
+                                        let _e1388 = function_5(_e1382, _e1386[5]);
+                                        if (_e1371[1] > _e1388[1]) {
+                                            phi_2677_ = true;
                                         } else {
-                                            if (_e1376[1] == _e1393[1]) {
-                                                phi_2668_ = (_e1376[0] > _e1393[0]);
+                                            if (_e1371[1] == _e1388[1]) {
+                                                phi_2676_ = (_e1371[0] > _e1388[0]);
                                             } else {
-                                                phi_2668_ = false;
+                                                phi_2676_ = false;
                                             }
-                                            let _e1404 = phi_2668_;
-                                            phi_2669_ = _e1404;
+                                            let _e1399 = phi_2676_;
+                                            phi_2677_ = _e1399;
                                         }
-                                        let _e1406 = phi_2669_;
-                                        phi_2673_ = (((!(_e1163) && !(_e1211)) && (!(_e1260) && !(_e1308))) && (!(_e1358) && !(_e1406)));
+                                        let _e1401 = phi_2677_;
+                                        phi_2681_ = (((!(_e1158) && !(_e1206)) && (!(_e1255) && !(_e1303))) && (!(_e1353) && !(_e1401)));
                                     }
-                                    let _e1411 = phi_2673_;
-                                    phi_2674_ = _e1411;
-                                    phi_2675_ = _e1116;
+                                    let _e1406 = phi_2681_;
+                                    phi_2682_ = _e1406;
+                                    phi_2683_ = _e1111;
                                 } else {
-                                    phi_2674_ = bool();
-                                    phi_2675_ = true;
+                                    phi_2682_ = bool();
+                                    phi_2683_ = true;
                                 }
-                                let _e1413 = phi_2674_;
-                                let _e1415 = phi_2675_;
-                                if _e1415 {
-                                    phi_2679_ = false;
+                                let _e1408 = phi_2682_;
+                                let _e1410 = phi_2683_;
+                                if _e1410 {
+                                    phi_2687_ = false;
                                 } else {
-                                    phi_2679_ = true;
+                                    phi_2687_ = true;
                                 }
-                                let _e1417 = phi_2679_;
-                                phi_2680_ = _e1413;
-                                phi_2681_ = _e1417;
+                                let _e1412 = phi_2687_;
+                                phi_2688_ = _e1408;
+                                phi_2689_ = _e1412;
                             } else {
-                                phi_2680_ = false;
-                                phi_2681_ = true;
+                                phi_2688_ = false;
+                                phi_2689_ = true;
                             }
-                            let _e1419 = phi_2680_;
-                            let _e1421 = phi_2681_;
-                            phi_2682_ = _e1419;
-                            phi_2683_ = _e1421;
+                            let _e1414 = phi_2688_;
+                            let _e1416 = phi_2689_;
+                            phi_2690_ = _e1414;
+                            phi_2691_ = _e1416;
                         } else {
-                            phi_2682_ = false;
-                            phi_2683_ = true;
+                            phi_2690_ = false;
+                            phi_2691_ = true;
                         }
-                        let _e1423 = phi_2682_;
-                        let _e1425 = phi_2683_;
-                        if _e1425 {
-                            phi_2687_ = _e1423;
+                        let _e1418 = phi_2690_;
+                        let _e1420 = phi_2691_;
+                        if _e1420 {
+                            phi_2695_ = _e1418;
                         } else {
-                            phi_2687_ = true;
+                            phi_2695_ = true;
                         }
-                        let _e1427 = phi_2687_;
-                        if _e1427 {
-                            let _e1429 = atomicAdd((&counters[7u]), 1u);
-                            let _e1432 = params.member.member.member_4;
-                            let _e1434 = params.member.member.member_5;
-                            let _e1444 = paths.member[_e1006.member[0]];
-                            let _e1446 = paths.member[_e1008.member[0]];
-                            let _e1452 = paths.member[_e1008.member[1]];
-                            let _e1454 = paths.member[_e1008.member[2]];
-                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1444.member[0] - _e1446.member[0]), (_e1444.member[1] - _e1446.member[1]), (_e1444.member[2] - _e1446.member[2])), array<f32, 3>((_e1444.member_1[0] - _e1446.member_1[0]), (_e1444.member_1[1] - _e1446.member_1[1]), (_e1444.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1452.member[0] - _e1446.member[0]), (_e1452.member[1] - _e1446.member[1]), (_e1452.member[2] - _e1446.member[2])), array<f32, 3>((_e1452.member_1[0] - _e1446.member_1[0]), (_e1452.member_1[1] - _e1446.member_1[1]), (_e1452.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1454.member[0] - _e1446.member[0]), (_e1454.member[1] - _e1446.member[1]), (_e1454.member[2] - _e1446.member[2])), array<f32, 3>((_e1454.member_1[0] - _e1446.member_1[0]), (_e1454.member_1[1] - _e1446.member_1[1]), (_e1454.member_1[2] - _e1446.member_1[2]))), (_e1432 + _e1432));
-                            let _e1514 = local_2.member_1[0u];
-                            let _e1520 = local_2.member_2[0u];
-                            let _e1526 = ((_e1514[1] * _e1520[2]) - (_e1514[2] * _e1520[1]));
-                            let _e1529 = ((_e1514[2] * _e1520[0]) - (_e1514[0] * _e1520[2]));
-                            let _e1532 = ((_e1514[0] * _e1520[1]) - (_e1514[1] * _e1520[0]));
-                            let _e1535 = local_2.member_1[1u];
-                            let _e1541 = local_2.member_2[1u];
-                            let _e1547 = ((_e1535[1] * _e1541[2]) - (_e1535[2] * _e1541[1]));
-                            let _e1550 = ((_e1535[2] * _e1541[0]) - (_e1535[0] * _e1541[2]));
-                            let _e1553 = ((_e1535[0] * _e1541[1]) - (_e1535[1] * _e1541[0]));
-                            let _e1556 = local_2.member_1[0u];
-                            let _e1562 = local_2.member_2[1u];
-                            let _e1577 = local_2.member_1[1u];
-                            let _e1583 = local_2.member_2[0u];
-                            let _e1596 = (((_e1556[1] * _e1562[2]) - (_e1556[2] * _e1562[1])) + ((_e1577[1] * _e1583[2]) - (_e1577[2] * _e1583[1])));
-                            let _e1597 = (((_e1556[2] * _e1562[0]) - (_e1556[0] * _e1562[2])) + ((_e1577[2] * _e1583[0]) - (_e1577[0] * _e1583[2])));
-                            let _e1598 = (((_e1556[0] * _e1562[1]) - (_e1556[1] * _e1562[0])) + ((_e1577[0] * _e1583[1]) - (_e1577[1] * _e1583[0])));
-                            let _e1601 = local_2.member[0u];
-                            let _e1612 = local_2.member[1u];
-                            let _e1623 = local_2.member[0u];
-                            let _e1632 = ((((_e1612[0] * _e1526) + (_e1612[1] * _e1529)) + (_e1612[2] * _e1532)) + (((_e1623[0] * _e1596) + (_e1623[1] * _e1597)) + (_e1623[2] * _e1598)));
-                            let _e1635 = local_2.member[0u];
-                            let _e1646 = local_2.member[1u];
-                            let _e1655 = ((((_e1635[0] * _e1547) + (_e1635[1] * _e1550)) + (_e1635[2] * _e1553)) + (((_e1646[0] * _e1596) + (_e1646[1] * _e1597)) + (_e1646[2] * _e1598)));
-                            let _e1658 = local_2.member[1u];
-                            let _e1669 = local_2.member[0u];
-                            if (_e1669[0] < 0f) {
-                                phi_3082_ = -(_e1669[0]);
+                        let _e1422 = phi_2695_;
+                        if _e1422 {
+                            let _e1424 = atomicAdd((&counters[7u]), 1u);
+                            let _e1427 = params.member.member.member_4;
+                            let _e1429 = params.member.member.member_5;
+                            let _e1439 = paths.member[_e1001.member[0]];
+                            let _e1441 = paths.member[_e1003.member[0]];
+                            let _e1447 = paths.member[_e1003.member[1]];
+                            let _e1449 = paths.member[_e1003.member[2]];
+                            local_2 = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e1439.member[0] - _e1441.member[0]), (_e1439.member[1] - _e1441.member[1]), (_e1439.member[2] - _e1441.member[2])), array<f32, 3>((_e1439.member_1[0] - _e1441.member_1[0]), (_e1439.member_1[1] - _e1441.member_1[1]), (_e1439.member_1[2] - _e1441.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1447.member[0] - _e1441.member[0]), (_e1447.member[1] - _e1441.member[1]), (_e1447.member[2] - _e1441.member[2])), array<f32, 3>((_e1447.member_1[0] - _e1441.member_1[0]), (_e1447.member_1[1] - _e1441.member_1[1]), (_e1447.member_1[2] - _e1441.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1449.member[0] - _e1441.member[0]), (_e1449.member[1] - _e1441.member[1]), (_e1449.member[2] - _e1441.member[2])), array<f32, 3>((_e1449.member_1[0] - _e1441.member_1[0]), (_e1449.member_1[1] - _e1441.member_1[1]), (_e1449.member_1[2] - _e1441.member_1[2]))), (_e1427 + _e1427));
+                            let _e1509 = local_2.member_1[0u];
+                            let _e1515 = local_2.member_2[0u];
+                            let _e1521 = ((_e1509[1] * _e1515[2]) - (_e1509[2] * _e1515[1]));
+                            let _e1524 = ((_e1509[2] * _e1515[0]) - (_e1509[0] * _e1515[2]));
+                            let _e1527 = ((_e1509[0] * _e1515[1]) - (_e1509[1] * _e1515[0]));
+                            let _e1530 = local_2.member_1[1u];
+                            let _e1536 = local_2.member_2[1u];
+                            let _e1542 = ((_e1530[1] * _e1536[2]) - (_e1530[2] * _e1536[1]));
+                            let _e1545 = ((_e1530[2] * _e1536[0]) - (_e1530[0] * _e1536[2]));
+                            let _e1548 = ((_e1530[0] * _e1536[1]) - (_e1530[1] * _e1536[0]));
+                            let _e1551 = local_2.member_1[0u];
+                            let _e1557 = local_2.member_2[1u];
+                            let _e1572 = local_2.member_1[1u];
+                            let _e1578 = local_2.member_2[0u];
+                            let _e1591 = (((_e1551[1] * _e1557[2]) - (_e1551[2] * _e1557[1])) + ((_e1572[1] * _e1578[2]) - (_e1572[2] * _e1578[1])));
+                            let _e1592 = (((_e1551[2] * _e1557[0]) - (_e1551[0] * _e1557[2])) + ((_e1572[2] * _e1578[0]) - (_e1572[0] * _e1578[2])));
+                            let _e1593 = (((_e1551[0] * _e1557[1]) - (_e1551[1] * _e1557[0])) + ((_e1572[0] * _e1578[1]) - (_e1572[1] * _e1578[0])));
+                            let _e1596 = local_2.member[0u];
+                            let _e1607 = local_2.member[1u];
+                            let _e1618 = local_2.member[0u];
+                            let _e1627 = ((((_e1607[0] * _e1521) + (_e1607[1] * _e1524)) + (_e1607[2] * _e1527)) + (((_e1618[0] * _e1591) + (_e1618[1] * _e1592)) + (_e1618[2] * _e1593)));
+                            let _e1630 = local_2.member[0u];
+                            let _e1641 = local_2.member[1u];
+                            let _e1650 = ((((_e1630[0] * _e1542) + (_e1630[1] * _e1545)) + (_e1630[2] * _e1548)) + (((_e1641[0] * _e1591) + (_e1641[1] * _e1592)) + (_e1641[2] * _e1593)));
+                            let _e1653 = local_2.member[1u];
+                            let _e1664 = local_2.member[0u];
+                            if (_e1664[0] < 0f) {
+                                phi_3090_ = -(_e1664[0]);
                             } else {
-                                phi_3082_ = _e1669[0];
+                                phi_3090_ = _e1664[0];
                             }
-                            let _e1676 = phi_3082_;
-                            if (_e1669[1] < 0f) {
-                                phi_3089_ = -(_e1669[1]);
+                            let _e1671 = phi_3090_;
+                            if (_e1664[1] < 0f) {
+                                phi_3097_ = -(_e1664[1]);
                             } else {
-                                phi_3089_ = _e1669[1];
+                                phi_3097_ = _e1664[1];
                             }
-                            let _e1680 = phi_3089_;
-                            if (_e1676 > _e1680) {
-                                phi_3094_ = _e1676;
+                            let _e1675 = phi_3097_;
+                            if (_e1671 > _e1675) {
+                                phi_3102_ = _e1671;
                             } else {
-                                phi_3094_ = _e1680;
+                                phi_3102_ = _e1675;
                             }
-                            let _e1683 = phi_3094_;
-                            if (_e1669[2] < 0f) {
-                                phi_3101_ = -(_e1669[2]);
+                            let _e1678 = phi_3102_;
+                            if (_e1664[2] < 0f) {
+                                phi_3109_ = -(_e1664[2]);
                             } else {
-                                phi_3101_ = _e1669[2];
+                                phi_3109_ = _e1664[2];
                             }
-                            let _e1687 = phi_3101_;
-                            if (_e1683 > _e1687) {
-                                phi_3106_ = _e1683;
+                            let _e1682 = phi_3109_;
+                            if (_e1678 > _e1682) {
+                                phi_3114_ = _e1678;
                             } else {
-                                phi_3106_ = _e1687;
+                                phi_3114_ = _e1682;
                             }
-                            let _e1690 = phi_3106_;
-                            let _e1693 = local_2.member[1u];
-                            if (_e1693[0] < 0f) {
-                                phi_3119_ = -(_e1693[0]);
+                            let _e1685 = phi_3114_;
+                            let _e1688 = local_2.member[1u];
+                            if (_e1688[0] < 0f) {
+                                phi_3127_ = -(_e1688[0]);
                             } else {
-                                phi_3119_ = _e1693[0];
+                                phi_3127_ = _e1688[0];
                             }
-                            let _e1700 = phi_3119_;
-                            if (_e1693[1] < 0f) {
-                                phi_3126_ = -(_e1693[1]);
+                            let _e1695 = phi_3127_;
+                            if (_e1688[1] < 0f) {
+                                phi_3134_ = -(_e1688[1]);
                             } else {
-                                phi_3126_ = _e1693[1];
+                                phi_3134_ = _e1688[1];
                             }
-                            let _e1704 = phi_3126_;
-                            if (_e1700 > _e1704) {
-                                phi_3131_ = _e1700;
+                            let _e1699 = phi_3134_;
+                            if (_e1695 > _e1699) {
+                                phi_3139_ = _e1695;
                             } else {
-                                phi_3131_ = _e1704;
+                                phi_3139_ = _e1699;
                             }
-                            let _e1707 = phi_3131_;
-                            if (_e1693[2] < 0f) {
-                                phi_3138_ = -(_e1693[2]);
+                            let _e1702 = phi_3139_;
+                            if (_e1688[2] < 0f) {
+                                phi_3146_ = -(_e1688[2]);
                             } else {
-                                phi_3138_ = _e1693[2];
+                                phi_3146_ = _e1688[2];
                             }
-                            let _e1711 = phi_3138_;
-                            if (_e1707 > _e1711) {
-                                phi_3143_ = _e1707;
+                            let _e1706 = phi_3146_;
+                            if (_e1702 > _e1706) {
+                                phi_3151_ = _e1702;
                             } else {
-                                phi_3143_ = _e1711;
+                                phi_3151_ = _e1706;
                             }
-                            let _e1714 = phi_3143_;
-                            if (_e1690 > _e1714) {
-                                phi_3148_ = _e1690;
+                            let _e1709 = phi_3151_;
+                            if (_e1685 > _e1709) {
+                                phi_3156_ = _e1685;
                             } else {
-                                phi_3148_ = _e1714;
+                                phi_3156_ = _e1709;
                             }
-                            let _e1717 = phi_3148_;
-                            let _e1719 = local_2.member_3;
-                            let _e1720 = (_e1717 + _e1719);
-                            let _e1723 = local_2.member_1[0u];
-                            if (_e1723[0] < 0f) {
-                                phi_3165_ = -(_e1723[0]);
+                            let _e1712 = phi_3156_;
+                            let _e1714 = local_2.member_3;
+                            let _e1715 = (_e1712 + _e1714);
+                            let _e1718 = local_2.member_1[0u];
+                            if (_e1718[0] < 0f) {
+                                phi_3173_ = -(_e1718[0]);
                             } else {
-                                phi_3165_ = _e1723[0];
+                                phi_3173_ = _e1718[0];
                             }
-                            let _e1730 = phi_3165_;
-                            if (_e1723[1] < 0f) {
-                                phi_3172_ = -(_e1723[1]);
+                            let _e1725 = phi_3173_;
+                            if (_e1718[1] < 0f) {
+                                phi_3180_ = -(_e1718[1]);
                             } else {
-                                phi_3172_ = _e1723[1];
+                                phi_3180_ = _e1718[1];
                             }
-                            let _e1734 = phi_3172_;
-                            if (_e1730 > _e1734) {
-                                phi_3177_ = _e1730;
+                            let _e1729 = phi_3180_;
+                            if (_e1725 > _e1729) {
+                                phi_3185_ = _e1725;
                             } else {
-                                phi_3177_ = _e1734;
+                                phi_3185_ = _e1729;
                             }
-                            let _e1737 = phi_3177_;
-                            if (_e1723[2] < 0f) {
-                                phi_3184_ = -(_e1723[2]);
+                            let _e1732 = phi_3185_;
+                            if (_e1718[2] < 0f) {
+                                phi_3192_ = -(_e1718[2]);
                             } else {
-                                phi_3184_ = _e1723[2];
+                                phi_3192_ = _e1718[2];
                             }
-                            let _e1741 = phi_3184_;
-                            if (_e1737 > _e1741) {
-                                phi_3189_ = _e1737;
+                            let _e1736 = phi_3192_;
+                            if (_e1732 > _e1736) {
+                                phi_3197_ = _e1732;
                             } else {
-                                phi_3189_ = _e1741;
+                                phi_3197_ = _e1736;
                             }
-                            let _e1744 = phi_3189_;
-                            let _e1747 = local_2.member_1[1u];
-                            if (_e1747[0] < 0f) {
-                                phi_3203_ = -(_e1747[0]);
+                            let _e1739 = phi_3197_;
+                            let _e1742 = local_2.member_1[1u];
+                            if (_e1742[0] < 0f) {
+                                phi_3211_ = -(_e1742[0]);
                             } else {
-                                phi_3203_ = _e1747[0];
+                                phi_3211_ = _e1742[0];
                             }
-                            let _e1754 = phi_3203_;
-                            if (_e1747[1] < 0f) {
-                                phi_3210_ = -(_e1747[1]);
+                            let _e1749 = phi_3211_;
+                            if (_e1742[1] < 0f) {
+                                phi_3218_ = -(_e1742[1]);
                             } else {
-                                phi_3210_ = _e1747[1];
+                                phi_3218_ = _e1742[1];
                             }
-                            let _e1758 = phi_3210_;
-                            if (_e1754 > _e1758) {
-                                phi_3215_ = _e1754;
+                            let _e1753 = phi_3218_;
+                            if (_e1749 > _e1753) {
+                                phi_3223_ = _e1749;
                             } else {
-                                phi_3215_ = _e1758;
+                                phi_3223_ = _e1753;
                             }
-                            let _e1761 = phi_3215_;
-                            if (_e1747[2] < 0f) {
-                                phi_3222_ = -(_e1747[2]);
+                            let _e1756 = phi_3223_;
+                            if (_e1742[2] < 0f) {
+                                phi_3230_ = -(_e1742[2]);
                             } else {
-                                phi_3222_ = _e1747[2];
+                                phi_3230_ = _e1742[2];
                             }
-                            let _e1765 = phi_3222_;
-                            if (_e1761 > _e1765) {
-                                phi_3227_ = _e1761;
+                            let _e1760 = phi_3230_;
+                            if (_e1756 > _e1760) {
+                                phi_3235_ = _e1756;
                             } else {
-                                phi_3227_ = _e1765;
+                                phi_3235_ = _e1760;
                             }
-                            let _e1768 = phi_3227_;
-                            if (_e1744 > _e1768) {
-                                phi_3232_ = _e1744;
+                            let _e1763 = phi_3235_;
+                            if (_e1739 > _e1763) {
+                                phi_3240_ = _e1739;
                             } else {
-                                phi_3232_ = _e1768;
+                                phi_3240_ = _e1763;
                             }
-                            let _e1771 = phi_3232_;
-                            let _e1773 = local_2.member_3;
-                            let _e1774 = (_e1771 + _e1773);
-                            let _e1777 = local_2.member_2[0u];
-                            if (_e1777[0] < 0f) {
-                                phi_3249_ = -(_e1777[0]);
+                            let _e1766 = phi_3240_;
+                            let _e1768 = local_2.member_3;
+                            let _e1769 = (_e1766 + _e1768);
+                            let _e1772 = local_2.member_2[0u];
+                            if (_e1772[0] < 0f) {
+                                phi_3257_ = -(_e1772[0]);
                             } else {
-                                phi_3249_ = _e1777[0];
+                                phi_3257_ = _e1772[0];
                             }
-                            let _e1784 = phi_3249_;
-                            if (_e1777[1] < 0f) {
-                                phi_3256_ = -(_e1777[1]);
+                            let _e1779 = phi_3257_;
+                            if (_e1772[1] < 0f) {
+                                phi_3264_ = -(_e1772[1]);
                             } else {
-                                phi_3256_ = _e1777[1];
+                                phi_3264_ = _e1772[1];
                             }
-                            let _e1788 = phi_3256_;
-                            if (_e1784 > _e1788) {
-                                phi_3261_ = _e1784;
+                            let _e1783 = phi_3264_;
+                            if (_e1779 > _e1783) {
+                                phi_3269_ = _e1779;
                             } else {
-                                phi_3261_ = _e1788;
+                                phi_3269_ = _e1783;
                             }
-                            let _e1791 = phi_3261_;
-                            if (_e1777[2] < 0f) {
-                                phi_3268_ = -(_e1777[2]);
+                            let _e1786 = phi_3269_;
+                            if (_e1772[2] < 0f) {
+                                phi_3276_ = -(_e1772[2]);
                             } else {
-                                phi_3268_ = _e1777[2];
+                                phi_3276_ = _e1772[2];
                             }
-                            let _e1795 = phi_3268_;
-                            if (_e1791 > _e1795) {
-                                phi_3273_ = _e1791;
+                            let _e1790 = phi_3276_;
+                            if (_e1786 > _e1790) {
+                                phi_3281_ = _e1786;
                             } else {
-                                phi_3273_ = _e1795;
+                                phi_3281_ = _e1790;
                             }
-                            let _e1798 = phi_3273_;
-                            let _e1801 = local_2.member_2[1u];
-                            if (_e1801[0] < 0f) {
-                                phi_3287_ = -(_e1801[0]);
+                            let _e1793 = phi_3281_;
+                            let _e1796 = local_2.member_2[1u];
+                            if (_e1796[0] < 0f) {
+                                phi_3295_ = -(_e1796[0]);
                             } else {
-                                phi_3287_ = _e1801[0];
+                                phi_3295_ = _e1796[0];
                             }
-                            let _e1808 = phi_3287_;
-                            if (_e1801[1] < 0f) {
-                                phi_3294_ = -(_e1801[1]);
+                            let _e1803 = phi_3295_;
+                            if (_e1796[1] < 0f) {
+                                phi_3302_ = -(_e1796[1]);
                             } else {
-                                phi_3294_ = _e1801[1];
+                                phi_3302_ = _e1796[1];
                             }
-                            let _e1812 = phi_3294_;
-                            if (_e1808 > _e1812) {
-                                phi_3299_ = _e1808;
+                            let _e1807 = phi_3302_;
+                            if (_e1803 > _e1807) {
+                                phi_3307_ = _e1803;
                             } else {
-                                phi_3299_ = _e1812;
+                                phi_3307_ = _e1807;
                             }
-                            let _e1815 = phi_3299_;
-                            if (_e1801[2] < 0f) {
-                                phi_3306_ = -(_e1801[2]);
+                            let _e1810 = phi_3307_;
+                            if (_e1796[2] < 0f) {
+                                phi_3314_ = -(_e1796[2]);
                             } else {
-                                phi_3306_ = _e1801[2];
+                                phi_3314_ = _e1796[2];
                             }
-                            let _e1819 = phi_3306_;
-                            if (_e1815 > _e1819) {
-                                phi_3311_ = _e1815;
+                            let _e1814 = phi_3314_;
+                            if (_e1810 > _e1814) {
+                                phi_3319_ = _e1810;
                             } else {
-                                phi_3311_ = _e1819;
+                                phi_3319_ = _e1814;
                             }
-                            let _e1822 = phi_3311_;
-                            if (_e1798 > _e1822) {
-                                phi_3316_ = _e1798;
+                            let _e1817 = phi_3319_;
+                            if (_e1793 > _e1817) {
+                                phi_3324_ = _e1793;
                             } else {
-                                phi_3316_ = _e1822;
+                                phi_3324_ = _e1817;
                             }
-                            let _e1825 = phi_3316_;
-                            let _e1827 = local_2.member_3;
-                            let _e1828 = (_e1825 + _e1827);
-                            let _e1830 = ((_e1774 * 8f) * _e1828);
-                            let _e1837 = local_2.member_3;
-                            if (_e1526 < 0f) {
-                                phi_3347_ = -(_e1526);
+                            let _e1820 = phi_3324_;
+                            let _e1822 = local_2.member_3;
+                            let _e1823 = (_e1820 + _e1822);
+                            let _e1825 = ((_e1769 * 8f) * _e1823);
+                            let _e1832 = local_2.member_3;
+                            if (_e1521 < 0f) {
+                                phi_3355_ = -(_e1521);
                             } else {
-                                phi_3347_ = _e1526;
+                                phi_3355_ = _e1521;
                             }
-                            let _e1854 = phi_3347_;
-                            if (_e1529 < 0f) {
-                                phi_3353_ = -(_e1529);
+                            let _e1849 = phi_3355_;
+                            if (_e1524 < 0f) {
+                                phi_3361_ = -(_e1524);
                             } else {
-                                phi_3353_ = _e1529;
+                                phi_3361_ = _e1524;
                             }
-                            let _e1858 = phi_3353_;
-                            if (_e1532 < 0f) {
-                                phi_3360_ = -(_e1532);
+                            let _e1853 = phi_3361_;
+                            if (_e1527 < 0f) {
+                                phi_3368_ = -(_e1527);
                             } else {
-                                phi_3360_ = _e1532;
+                                phi_3368_ = _e1527;
                             }
-                            let _e1863 = phi_3360_;
-                            let _e1864 = ((_e1854 + _e1858) + _e1863);
-                            if (_e1547 < 0f) {
-                                phi_3367_ = -(_e1547);
+                            let _e1858 = phi_3368_;
+                            let _e1859 = ((_e1849 + _e1853) + _e1858);
+                            if (_e1542 < 0f) {
+                                phi_3375_ = -(_e1542);
                             } else {
-                                phi_3367_ = _e1547;
+                                phi_3375_ = _e1542;
                             }
-                            let _e1868 = phi_3367_;
-                            if (_e1550 < 0f) {
-                                phi_3373_ = -(_e1550);
+                            let _e1863 = phi_3375_;
+                            if (_e1545 < 0f) {
+                                phi_3381_ = -(_e1545);
                             } else {
-                                phi_3373_ = _e1550;
+                                phi_3381_ = _e1545;
                             }
-                            let _e1872 = phi_3373_;
-                            if (_e1553 < 0f) {
-                                phi_3380_ = -(_e1553);
+                            let _e1867 = phi_3381_;
+                            if (_e1548 < 0f) {
+                                phi_3388_ = -(_e1548);
                             } else {
-                                phi_3380_ = _e1553;
+                                phi_3388_ = _e1548;
                             }
-                            let _e1877 = phi_3380_;
-                            let _e1878 = ((_e1868 + _e1872) + _e1877);
-                            if (_e1864 > _e1878) {
-                                phi_3386_ = _e1864;
+                            let _e1872 = phi_3388_;
+                            let _e1873 = ((_e1863 + _e1867) + _e1872);
+                            if (_e1859 > _e1873) {
+                                phi_3394_ = _e1859;
                             } else {
-                                phi_3386_ = _e1878;
+                                phi_3394_ = _e1873;
                             }
-                            let _e1881 = phi_3386_;
-                            if (_e1596 < 0f) {
-                                phi_3392_ = -(_e1596);
+                            let _e1876 = phi_3394_;
+                            if (_e1591 < 0f) {
+                                phi_3400_ = -(_e1591);
                             } else {
-                                phi_3392_ = _e1596;
+                                phi_3400_ = _e1591;
                             }
-                            let _e1885 = phi_3392_;
-                            if (_e1597 < 0f) {
-                                phi_3398_ = -(_e1597);
+                            let _e1880 = phi_3400_;
+                            if (_e1592 < 0f) {
+                                phi_3406_ = -(_e1592);
                             } else {
-                                phi_3398_ = _e1597;
+                                phi_3406_ = _e1592;
                             }
-                            let _e1889 = phi_3398_;
-                            if (_e1598 < 0f) {
-                                phi_3405_ = -(_e1598);
+                            let _e1884 = phi_3406_;
+                            if (_e1593 < 0f) {
+                                phi_3413_ = -(_e1593);
                             } else {
-                                phi_3405_ = _e1598;
+                                phi_3413_ = _e1593;
                             }
-                            let _e1894 = phi_3405_;
-                            let _e1896 = (((_e1885 + _e1889) + _e1894) * 0.5f);
-                            if (_e1881 > _e1896) {
-                                phi_3412_ = _e1881;
+                            let _e1889 = phi_3413_;
+                            let _e1891 = (((_e1880 + _e1884) + _e1889) * 0.5f);
+                            if (_e1876 > _e1891) {
+                                phi_3420_ = _e1876;
                             } else {
-                                phi_3412_ = _e1896;
+                                phi_3420_ = _e1891;
                             }
-                            let _e1899 = phi_3412_;
-                            let _e1904 = local_2.member_3;
-                            let _e1917 = ((((_e1601[0] * _e1526) + (_e1601[1] * _e1529)) + (_e1601[2] * _e1532)) * 3f);
-                            let _e1918 = ((((_e1658[0] * _e1547) + (_e1658[1] * _e1550)) + (_e1658[2] * _e1553)) * 3f);
-                            if (_e1917 < _e1918) {
-                                phi_3436_ = _e1917;
+                            let _e1894 = phi_3420_;
+                            let _e1899 = local_2.member_3;
+                            let _e1912 = ((((_e1596[0] * _e1521) + (_e1596[1] * _e1524)) + (_e1596[2] * _e1527)) * 3f);
+                            let _e1913 = ((((_e1653[0] * _e1542) + (_e1653[1] * _e1545)) + (_e1653[2] * _e1548)) * 3f);
+                            if (_e1912 < _e1913) {
+                                phi_3444_ = _e1912;
                             } else {
-                                phi_3436_ = _e1918;
+                                phi_3444_ = _e1913;
                             }
-                            let _e1921 = phi_3436_;
-                            if (_e1632 < _e1655) {
-                                phi_3441_ = _e1632;
+                            let _e1916 = phi_3444_;
+                            if (_e1627 < _e1650) {
+                                phi_3449_ = _e1627;
                             } else {
-                                phi_3441_ = _e1655;
+                                phi_3449_ = _e1650;
                             }
-                            let _e1924 = phi_3441_;
-                            if (_e1921 < _e1924) {
-                                phi_3446_ = _e1921;
+                            let _e1919 = phi_3449_;
+                            if (_e1916 < _e1919) {
+                                phi_3454_ = _e1916;
                             } else {
-                                phi_3446_ = _e1924;
+                                phi_3454_ = _e1919;
                             }
-                            let _e1927 = phi_3446_;
-                            if (_e1917 > _e1918) {
-                                phi_3451_ = _e1917;
+                            let _e1922 = phi_3454_;
+                            if (_e1912 > _e1913) {
+                                phi_3459_ = _e1912;
                             } else {
-                                phi_3451_ = _e1918;
+                                phi_3459_ = _e1913;
                             }
-                            let _e1930 = phi_3451_;
-                            if (_e1632 > _e1655) {
-                                phi_3456_ = _e1632;
+                            let _e1925 = phi_3459_;
+                            if (_e1627 > _e1650) {
+                                phi_3464_ = _e1627;
                             } else {
-                                phi_3456_ = _e1655;
+                                phi_3464_ = _e1650;
                             }
-                            let _e1933 = phi_3456_;
-                            if (_e1930 > _e1933) {
-                                phi_3461_ = _e1930;
+                            let _e1928 = phi_3464_;
+                            if (_e1925 > _e1928) {
+                                phi_3469_ = _e1925;
                             } else {
-                                phi_3461_ = _e1933;
+                                phi_3469_ = _e1928;
                             }
-                            let _e1936 = phi_3461_;
-                            let _e1941 = -(_e1936);
-                            if (_e1927 > _e1941) {
-                                phi_3471_ = _e1927;
+                            let _e1931 = phi_3469_;
+                            let _e1936 = -(_e1931);
+                            if (_e1922 > _e1936) {
+                                phi_3479_ = _e1922;
                             } else {
-                                phi_3471_ = _e1941;
+                                phi_3479_ = _e1936;
                             }
-                            let _e1944 = phi_3471_;
-                            let _e1946 = ((_e1944 - ((((((_e1720 * 8f) * _e1830) * (0.000000059604645f * (524f / 64f))) + ((_e1837 * 19f) * ((_e1720 * (_e1774 + _e1828)) + (_e1774 * _e1828)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1720) * ((1f + _e1774) * (1f + _e1828))))) + ((_e1434 * (((_e1899 + (_e1830 * (0.000000059604645f * 8f))) + ((_e1904 * 6f) * (_e1774 + _e1828))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1774) * (1f + _e1828))))) * (3f * 1.0001f)))) > 0f);
-                            if _e1946 {
-                                phi_4440_ = _e1946;
+                            let _e1939 = phi_3479_;
+                            let _e1941 = ((_e1939 - ((((((_e1715 * 8f) * _e1825) * (0.000000059604645f * (524f / 64f))) + ((_e1832 * 19f) * ((_e1715 * (_e1769 + _e1823)) + (_e1769 * _e1823)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1715) * ((1f + _e1769) * (1f + _e1823))))) + ((_e1429 * (((_e1894 + (_e1825 * (0.000000059604645f * 8f))) + ((_e1899 * 6f) * (_e1769 + _e1823))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1769) * (1f + _e1823))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1941 {
+                                phi_4448_ = _e1941;
                             } else {
-                                let _e1949 = local_2.member_1[0u];
-                                let _e1955 = local_2.member_1[1u];
-                                let _e1959 = (_e1949[0] + _e1955[0]);
-                                let _e1960 = (_e1949[1] + _e1955[1]);
-                                let _e1961 = (_e1949[2] + _e1955[2]);
-                                let _e1964 = local_2.member_2[0u];
-                                let _e1970 = local_2.member_2[1u];
-                                let _e1974 = (_e1964[0] + _e1970[0]);
-                                let _e1975 = (_e1964[1] + _e1970[1]);
-                                let _e1976 = (_e1964[2] + _e1970[2]);
-                                let _e1979 = ((_e1960 * _e1976) - (_e1961 * _e1975));
-                                let _e1982 = ((_e1961 * _e1974) - (_e1959 * _e1976));
-                                let _e1985 = ((_e1959 * _e1975) - (_e1960 * _e1974));
-                                let _e1988 = local_2.member[0u];
-                                let _e1994 = local_2.member_1[0u];
-                                let _e2000 = local_2.member_2[0u];
-                                let _e2004 = (_e1988[0] - _e1994[0]);
-                                let _e2005 = (_e1988[1] - _e1994[1]);
-                                let _e2006 = (_e1988[2] - _e1994[2]);
-                                let _e2007 = (_e1988[0] - _e2000[0]);
-                                let _e2008 = (_e1988[1] - _e2000[1]);
-                                let _e2009 = (_e1988[2] - _e2000[2]);
-                                let _e2012 = local_2.member[1u];
-                                let _e2018 = local_2.member_1[1u];
-                                let _e2024 = local_2.member_2[1u];
-                                let _e2028 = (_e2012[0] - _e2018[0]);
-                                let _e2029 = (_e2012[1] - _e2018[1]);
-                                let _e2030 = (_e2012[2] - _e2018[2]);
-                                let _e2031 = (_e2012[0] - _e2024[0]);
-                                let _e2032 = (_e2012[1] - _e2024[1]);
-                                let _e2033 = (_e2012[2] - _e2024[2]);
-                                let _e2036 = local_2.member[0u];
-                                if (_e2036[0] < 0f) {
-                                    phi_3674_ = -(_e2036[0]);
-                                } else {
-                                    phi_3674_ = _e2036[0];
-                                }
-                                let _e2043 = phi_3674_;
-                                if (_e2036[1] < 0f) {
-                                    phi_3681_ = -(_e2036[1]);
-                                } else {
-                                    phi_3681_ = _e2036[1];
-                                }
-                                let _e2047 = phi_3681_;
-                                if (_e2043 > _e2047) {
-                                    phi_3686_ = _e2043;
-                                } else {
-                                    phi_3686_ = _e2047;
+                                let _e1944 = local_2.member_1[0u];
+                                let _e1950 = local_2.member_1[1u];
+                                let _e1954 = (_e1944[0] + _e1950[0]);
+                                let _e1955 = (_e1944[1] + _e1950[1]);
+                                let _e1956 = (_e1944[2] + _e1950[2]);
+                                let _e1959 = local_2.member_2[0u];
+                                let _e1965 = local_2.member_2[1u];
+                                let _e1969 = (_e1959[0] + _e1965[0]);
+                                let _e1970 = (_e1959[1] + _e1965[1]);
+                                let _e1971 = (_e1959[2] + _e1965[2]);
+                                let _e1974 = ((_e1955 * _e1971) - (_e1956 * _e1970));
+                                let _e1977 = ((_e1956 * _e1969) - (_e1954 * _e1971));
+                                let _e1980 = ((_e1954 * _e1970) - (_e1955 * _e1969));
+                                let _e1983 = local_2.member[0u];
+                                let _e1989 = local_2.member_1[0u];
+                                let _e1995 = local_2.member_2[0u];
+                                let _e1999 = (_e1983[0] - _e1989[0]);
+                                let _e2000 = (_e1983[1] - _e1989[1]);
+                                let _e2001 = (_e1983[2] - _e1989[2]);
+                                let _e2002 = (_e1983[0] - _e1995[0]);
+                                let _e2003 = (_e1983[1] - _e1995[1]);
+                                let _e2004 = (_e1983[2] - _e1995[2]);
+                                let _e2007 = local_2.member[1u];
+                                let _e2013 = local_2.member_1[1u];
+                                let _e2019 = local_2.member_2[1u];
+                                let _e2023 = (_e2007[0] - _e2013[0]);
+                                let _e2024 = (_e2007[1] - _e2013[1]);
+                                let _e2025 = (_e2007[2] - _e2013[2]);
+                                let _e2026 = (_e2007[0] - _e2019[0]);
+                                let _e2027 = (_e2007[1] - _e2019[1]);
+                                let _e2028 = (_e2007[2] - _e2019[2]);
+                                let _e2031 = local_2.member[0u];
+                                if (_e2031[0] < 0f) {
+                                    phi_3682_ = -(_e2031[0]);
+                                } else {
+                                    phi_3682_ = _e2031[0];
+                                }
+                                let _e2038 = phi_3682_;
+                                if (_e2031[1] < 0f) {
+                                    phi_3689_ = -(_e2031[1]);
+                                } else {
+                                    phi_3689_ = _e2031[1];
+                                }
+                                let _e2042 = phi_3689_;
+                                if (_e2038 > _e2042) {
+                                    phi_3694_ = _e2038;
+                                } else {
+                                    phi_3694_ = _e2042;
                                 }
-                                let _e2050 = phi_3686_;
-                                if (_e2036[2] < 0f) {
-                                    phi_3693_ = -(_e2036[2]);
+                                let _e2045 = phi_3694_;
+                                if (_e2031[2] < 0f) {
+                                    phi_3701_ = -(_e2031[2]);
                                 } else {
-                                    phi_3693_ = _e2036[2];
+                                    phi_3701_ = _e2031[2];
                                 }
-                                let _e2054 = phi_3693_;
-                                if (_e2050 > _e2054) {
-                                    phi_3698_ = _e2050;
+                                let _e2049 = phi_3701_;
+                                if (_e2045 > _e2049) {
+                                    phi_3706_ = _e2045;
                                 } else {
-                                    phi_3698_ = _e2054;
+                                    phi_3706_ = _e2049;
                                 }
-                                let _e2057 = phi_3698_;
-                                let _e2060 = local_2.member[1u];
-                                if (_e2060[0] < 0f) {
-                                    phi_3711_ = -(_e2060[0]);
+                                let _e2052 = phi_3706_;
+                                let _e2055 = local_2.member[1u];
+                                if (_e2055[0] < 0f) {
+                                    phi_3719_ = -(_e2055[0]);
                                 } else {
-                                    phi_3711_ = _e2060[0];
+                                    phi_3719_ = _e2055[0];
                                 }
-                                let _e2067 = phi_3711_;
-                                if (_e2060[1] < 0f) {
-                                    phi_3718_ = -(_e2060[1]);
+                                let _e2062 = phi_3719_;
+                                if (_e2055[1] < 0f) {
+                                    phi_3726_ = -(_e2055[1]);
                                 } else {
-                                    phi_3718_ = _e2060[1];
+                                    phi_3726_ = _e2055[1];
                                 }
-                                let _e2071 = phi_3718_;
-                                if (_e2067 > _e2071) {
-                                    phi_3723_ = _e2067;
+                                let _e2066 = phi_3726_;
+                                if (_e2062 > _e2066) {
+                                    phi_3731_ = _e2062;
                                 } else {
-                                    phi_3723_ = _e2071;
+                                    phi_3731_ = _e2066;
                                 }
-                                let _e2074 = phi_3723_;
-                                if (_e2060[2] < 0f) {
-                                    phi_3730_ = -(_e2060[2]);
+                                let _e2069 = phi_3731_;
+                                if (_e2055[2] < 0f) {
+                                    phi_3738_ = -(_e2055[2]);
                                 } else {
-                                    phi_3730_ = _e2060[2];
+                                    phi_3738_ = _e2055[2];
                                 }
-                                let _e2078 = phi_3730_;
-                                if (_e2074 > _e2078) {
-                                    phi_3735_ = _e2074;
+                                let _e2073 = phi_3738_;
+                                if (_e2069 > _e2073) {
+                                    phi_3743_ = _e2069;
                                 } else {
-                                    phi_3735_ = _e2078;
+                                    phi_3743_ = _e2073;
                                 }
-                                let _e2081 = phi_3735_;
-                                if (_e2057 > _e2081) {
-                                    phi_3740_ = _e2057;
+                                let _e2076 = phi_3743_;
+                                if (_e2052 > _e2076) {
+                                    phi_3748_ = _e2052;
                                 } else {
-                                    phi_3740_ = _e2081;
+                                    phi_3748_ = _e2076;
                                 }
-                                let _e2084 = phi_3740_;
-                                let _e2086 = local_2.member_3;
-                                let _e2090 = local_2.member_1[0u];
-                                if (_e2090[0] < 0f) {
-                                    phi_3757_ = -(_e2090[0]);
+                                let _e2079 = phi_3748_;
+                                let _e2081 = local_2.member_3;
+                                let _e2085 = local_2.member_1[0u];
+                                if (_e2085[0] < 0f) {
+                                    phi_3765_ = -(_e2085[0]);
                                 } else {
-                                    phi_3757_ = _e2090[0];
+                                    phi_3765_ = _e2085[0];
                                 }
-                                let _e2097 = phi_3757_;
-                                if (_e2090[1] < 0f) {
-                                    phi_3764_ = -(_e2090[1]);
+                                let _e2092 = phi_3765_;
+                                if (_e2085[1] < 0f) {
+                                    phi_3772_ = -(_e2085[1]);
                                 } else {
-                                    phi_3764_ = _e2090[1];
+                                    phi_3772_ = _e2085[1];
                                 }
-                                let _e2101 = phi_3764_;
-                                if (_e2097 > _e2101) {
-                                    phi_3769_ = _e2097;
+                                let _e2096 = phi_3772_;
+                                if (_e2092 > _e2096) {
+                                    phi_3777_ = _e2092;
                                 } else {
-                                    phi_3769_ = _e2101;
+                                    phi_3777_ = _e2096;
                                 }
-                                let _e2104 = phi_3769_;
-                                if (_e2090[2] < 0f) {
-                                    phi_3776_ = -(_e2090[2]);
+                                let _e2099 = phi_3777_;
+                                if (_e2085[2] < 0f) {
+                                    phi_3784_ = -(_e2085[2]);
                                 } else {
-                                    phi_3776_ = _e2090[2];
+                                    phi_3784_ = _e2085[2];
                                 }
-                                let _e2108 = phi_3776_;
-                                if (_e2104 > _e2108) {
-                                    phi_3781_ = _e2104;
+                                let _e2103 = phi_3784_;
+                                if (_e2099 > _e2103) {
+                                    phi_3789_ = _e2099;
                                 } else {
-                                    phi_3781_ = _e2108;
+                                    phi_3789_ = _e2103;
                                 }
-                                let _e2111 = phi_3781_;
-                                let _e2114 = local_2.member_1[1u];
-                                if (_e2114[0] < 0f) {
-                                    phi_3795_ = -(_e2114[0]);
+                                let _e2106 = phi_3789_;
+                                let _e2109 = local_2.member_1[1u];
+                                if (_e2109[0] < 0f) {
+                                    phi_3803_ = -(_e2109[0]);
                                 } else {
-                                    phi_3795_ = _e2114[0];
+                                    phi_3803_ = _e2109[0];
                                 }
-                                let _e2121 = phi_3795_;
-                                if (_e2114[1] < 0f) {
-                                    phi_3802_ = -(_e2114[1]);
+                                let _e2116 = phi_3803_;
+                                if (_e2109[1] < 0f) {
+                                    phi_3810_ = -(_e2109[1]);
                                 } else {
-                                    phi_3802_ = _e2114[1];
+                                    phi_3810_ = _e2109[1];
                                 }
-                                let _e2125 = phi_3802_;
-                                if (_e2121 > _e2125) {
-                                    phi_3807_ = _e2121;
+                                let _e2120 = phi_3810_;
+                                if (_e2116 > _e2120) {
+                                    phi_3815_ = _e2116;
                                 } else {
-                                    phi_3807_ = _e2125;
+                                    phi_3815_ = _e2120;
                                 }
-                                let _e2128 = phi_3807_;
-                                if (_e2114[2] < 0f) {
-                                    phi_3814_ = -(_e2114[2]);
+                                let _e2123 = phi_3815_;
+                                if (_e2109[2] < 0f) {
+                                    phi_3822_ = -(_e2109[2]);
                                 } else {
-                                    phi_3814_ = _e2114[2];
+                                    phi_3822_ = _e2109[2];
                                 }
-                                let _e2132 = phi_3814_;
-                                if (_e2128 > _e2132) {
-                                    phi_3819_ = _e2128;
+                                let _e2127 = phi_3822_;
+                                if (_e2123 > _e2127) {
+                                    phi_3827_ = _e2123;
                                 } else {
-                                    phi_3819_ = _e2132;
+                                    phi_3827_ = _e2127;
                                 }
-                                let _e2135 = phi_3819_;
-                                if (_e2111 > _e2135) {
-                                    phi_3824_ = _e2111;
+                                let _e2130 = phi_3827_;
+                                if (_e2106 > _e2130) {
+                                    phi_3832_ = _e2106;
                                 } else {
-                                    phi_3824_ = _e2135;
+                                    phi_3832_ = _e2130;
                                 }
-                                let _e2138 = phi_3824_;
-                                let _e2140 = local_2.member_3;
-                                let _e2144 = local_2.member_2[0u];
-                                if (_e2144[0] < 0f) {
-                                    phi_3841_ = -(_e2144[0]);
+                                let _e2133 = phi_3832_;
+                                let _e2135 = local_2.member_3;
+                                let _e2139 = local_2.member_2[0u];
+                                if (_e2139[0] < 0f) {
+                                    phi_3849_ = -(_e2139[0]);
                                 } else {
-                                    phi_3841_ = _e2144[0];
+                                    phi_3849_ = _e2139[0];
                                 }
-                                let _e2151 = phi_3841_;
-                                if (_e2144[1] < 0f) {
-                                    phi_3848_ = -(_e2144[1]);
+                                let _e2146 = phi_3849_;
+                                if (_e2139[1] < 0f) {
+                                    phi_3856_ = -(_e2139[1]);
                                 } else {
-                                    phi_3848_ = _e2144[1];
+                                    phi_3856_ = _e2139[1];
                                 }
-                                let _e2155 = phi_3848_;
-                                if (_e2151 > _e2155) {
-                                    phi_3853_ = _e2151;
+                                let _e2150 = phi_3856_;
+                                if (_e2146 > _e2150) {
+                                    phi_3861_ = _e2146;
                                 } else {
-                                    phi_3853_ = _e2155;
+                                    phi_3861_ = _e2150;
                                 }
-                                let _e2158 = phi_3853_;
-                                if (_e2144[2] < 0f) {
-                                    phi_3860_ = -(_e2144[2]);
+                                let _e2153 = phi_3861_;
+                                if (_e2139[2] < 0f) {
+                                    phi_3868_ = -(_e2139[2]);
                                 } else {
-                                    phi_3860_ = _e2144[2];
+                                    phi_3868_ = _e2139[2];
                                 }
-                                let _e2162 = phi_3860_;
-                                if (_e2158 > _e2162) {
-                                    phi_3865_ = _e2158;
+                                let _e2157 = phi_3868_;
+                                if (_e2153 > _e2157) {
+                                    phi_3873_ = _e2153;
                                 } else {
-                                    phi_3865_ = _e2162;
+                                    phi_3873_ = _e2157;
                                 }
-                                let _e2165 = phi_3865_;
-                                let _e2168 = local_2.member_2[1u];
-                                if (_e2168[0] < 0f) {
-                                    phi_3879_ = -(_e2168[0]);
+                                let _e2160 = phi_3873_;
+                                let _e2163 = local_2.member_2[1u];
+                                if (_e2163[0] < 0f) {
+                                    phi_3887_ = -(_e2163[0]);
                                 } else {
-                                    phi_3879_ = _e2168[0];
+                                    phi_3887_ = _e2163[0];
                                 }
-                                let _e2175 = phi_3879_;
-                                if (_e2168[1] < 0f) {
-                                    phi_3886_ = -(_e2168[1]);
+                                let _e2170 = phi_3887_;
+                                if (_e2163[1] < 0f) {
+                                    phi_3894_ = -(_e2163[1]);
                                 } else {
-                                    phi_3886_ = _e2168[1];
+                                    phi_3894_ = _e2163[1];
                                 }
-                                let _e2179 = phi_3886_;
-                                if (_e2175 > _e2179) {
-                                    phi_3891_ = _e2175;
+                                let _e2174 = phi_3894_;
+                                if (_e2170 > _e2174) {
+                                    phi_3899_ = _e2170;
                                 } else {
-                                    phi_3891_ = _e2179;
+                                    phi_3899_ = _e2174;
                                 }
-                                let _e2182 = phi_3891_;
-                                if (_e2168[2] < 0f) {
-                                    phi_3898_ = -(_e2168[2]);
+                                let _e2177 = phi_3899_;
+                                if (_e2163[2] < 0f) {
+                                    phi_3906_ = -(_e2163[2]);
                                 } else {
-                                    phi_3898_ = _e2168[2];
+                                    phi_3906_ = _e2163[2];
                                 }
-                                let _e2186 = phi_3898_;
-                                if (_e2182 > _e2186) {
-                                    phi_3903_ = _e2182;
+                                let _e2181 = phi_3906_;
+                                if (_e2177 > _e2181) {
+                                    phi_3911_ = _e2177;
                                 } else {
-                                    phi_3903_ = _e2186;
+                                    phi_3911_ = _e2181;
                                 }
-                                let _e2189 = phi_3903_;
-                                if (_e2165 > _e2189) {
-                                    phi_3908_ = _e2165;
+                                let _e2184 = phi_3911_;
+                                if (_e2160 > _e2184) {
+                                    phi_3916_ = _e2160;
                                 } else {
-                                    phi_3908_ = _e2189;
+                                    phi_3916_ = _e2184;
                                 }
-                                let _e2192 = phi_3908_;
-                                let _e2194 = local_2.member_3;
-                                let _e2198 = ((((_e2084 + _e2086) + (_e2138 + _e2140)) + (_e2192 + _e2194)) * 2f);
-                                let _e2201 = local_2.member_3;
-                                let _e2205 = (((_e1434 * 1.0001f) + (_e2201 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2208 = ((_e1982 * _e1961) - (_e1985 * _e1960));
-                                let _e2211 = ((_e1985 * _e1959) - (_e1979 * _e1961));
-                                let _e2214 = ((_e1979 * _e1960) - (_e1982 * _e1959));
-                                let _e2219 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
-                                let _e2224 = (((_e2208 * _e2004) + (_e2211 * _e2005)) + (_e2214 * _e2006));
-                                let _e2229 = (((_e2208 * _e2007) + (_e2211 * _e2008)) + (_e2214 * _e2009));
-                                let _e2234 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
-                                let _e2239 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
-                                let _e2244 = (((_e2208 * _e2028) + (_e2211 * _e2029)) + (_e2214 * _e2030));
-                                let _e2249 = (((_e2208 * _e2031) + (_e2211 * _e2032)) + (_e2214 * _e2033));
-                                let _e2254 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
-                                if (_e2219 < _e2224) {
-                                    phi_3987_ = _e2219;
+                                let _e2187 = phi_3916_;
+                                let _e2189 = local_2.member_3;
+                                let _e2193 = ((((_e2079 + _e2081) + (_e2133 + _e2135)) + (_e2187 + _e2189)) * 2f);
+                                let _e2196 = local_2.member_3;
+                                let _e2200 = (((_e1429 * 1.0001f) + (_e2196 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2203 = ((_e1977 * _e1956) - (_e1980 * _e1955));
+                                let _e2206 = ((_e1980 * _e1954) - (_e1974 * _e1956));
+                                let _e2209 = ((_e1974 * _e1955) - (_e1977 * _e1954));
+                                let _e2214 = (((_e2203 * _e1983[0]) + (_e2206 * _e1983[1])) + (_e2209 * _e1983[2]));
+                                let _e2219 = (((_e2203 * _e1999) + (_e2206 * _e2000)) + (_e2209 * _e2001));
+                                let _e2224 = (((_e2203 * _e2002) + (_e2206 * _e2003)) + (_e2209 * _e2004));
+                                let _e2229 = (((_e2203 * _e1983[0]) + (_e2206 * _e1983[1])) + (_e2209 * _e1983[2]));
+                                let _e2234 = (((_e2203 * _e2007[0]) + (_e2206 * _e2007[1])) + (_e2209 * _e2007[2]));
+                                let _e2239 = (((_e2203 * _e2023) + (_e2206 * _e2024)) + (_e2209 * _e2025));
+                                let _e2244 = (((_e2203 * _e2026) + (_e2206 * _e2027)) + (_e2209 * _e2028));
+                                let _e2249 = (((_e2203 * _e2007[0]) + (_e2206 * _e2007[1])) + (_e2209 * _e2007[2]));
+                                if (_e2214 < _e2219) {
+                                    phi_3995_ = _e2214;
                                 } else {
-                                    phi_3987_ = _e2224;
+                                    phi_3995_ = _e2219;
                                 }
-                                let _e2257 = phi_3987_;
-                                if (_e2229 < _e2234) {
-                                    phi_3992_ = _e2229;
+                                let _e2252 = phi_3995_;
+                                if (_e2224 < _e2229) {
+                                    phi_4000_ = _e2224;
                                 } else {
-                                    phi_3992_ = _e2234;
+                                    phi_4000_ = _e2229;
                                 }
-                                let _e2260 = phi_3992_;
-                                if (_e2257 < _e2260) {
-                                    phi_3997_ = _e2257;
+                                let _e2255 = phi_4000_;
+                                if (_e2252 < _e2255) {
+                                    phi_4005_ = _e2252;
                                 } else {
-                                    phi_3997_ = _e2260;
+                                    phi_4005_ = _e2255;
                                 }
-                                let _e2263 = phi_3997_;
-                                if (_e2239 < _e2244) {
-                                    phi_4002_ = _e2239;
+                                let _e2258 = phi_4005_;
+                                if (_e2234 < _e2239) {
+                                    phi_4010_ = _e2234;
                                 } else {
-                                    phi_4002_ = _e2244;
+                                    phi_4010_ = _e2239;
                                 }
-                                let _e2266 = phi_4002_;
-                                if (_e2249 < _e2254) {
-                                    phi_4007_ = _e2249;
+                                let _e2261 = phi_4010_;
+                                if (_e2244 < _e2249) {
+                                    phi_4015_ = _e2244;
                                 } else {
-                                    phi_4007_ = _e2254;
+                                    phi_4015_ = _e2249;
                                 }
-                                let _e2269 = phi_4007_;
-                                if (_e2266 < _e2269) {
-                                    phi_4012_ = _e2266;
+                                let _e2264 = phi_4015_;
+                                if (_e2261 < _e2264) {
+                                    phi_4020_ = _e2261;
                                 } else {
-                                    phi_4012_ = _e2269;
+                                    phi_4020_ = _e2264;
                                 }
-                                let _e2272 = phi_4012_;
-                                if (_e2263 < _e2272) {
-                                    phi_4017_ = _e2263;
+                                let _e2267 = phi_4020_;
+                                if (_e2258 < _e2267) {
+                                    phi_4025_ = _e2258;
                                 } else {
-                                    phi_4017_ = _e2272;
+                                    phi_4025_ = _e2267;
                                 }
-                                let _e2275 = phi_4017_;
-                                if (_e2219 > _e2224) {
-                                    phi_4022_ = _e2219;
+                                let _e2270 = phi_4025_;
+                                if (_e2214 > _e2219) {
+                                    phi_4030_ = _e2214;
                                 } else {
-                                    phi_4022_ = _e2224;
+                                    phi_4030_ = _e2219;
                                 }
-                                let _e2278 = phi_4022_;
-                                if (_e2229 > _e2234) {
-                                    phi_4027_ = _e2229;
+                                let _e2273 = phi_4030_;
+                                if (_e2224 > _e2229) {
+                                    phi_4035_ = _e2224;
                                 } else {
-                                    phi_4027_ = _e2234;
+                                    phi_4035_ = _e2229;
                                 }
-                                let _e2281 = phi_4027_;
-                                if (_e2278 > _e2281) {
-                                    phi_4032_ = _e2278;
+                                let _e2276 = phi_4035_;
+                                if (_e2273 > _e2276) {
+                                    phi_4040_ = _e2273;
                                 } else {
-                                    phi_4032_ = _e2281;
+                                    phi_4040_ = _e2276;
                                 }
-                                let _e2284 = phi_4032_;
-                                if (_e2239 > _e2244) {
-                                    phi_4037_ = _e2239;
+                                let _e2279 = phi_4040_;
+                                if (_e2234 > _e2239) {
+                                    phi_4045_ = _e2234;
                                 } else {
-                                    phi_4037_ = _e2244;
+                                    phi_4045_ = _e2239;
                                 }
-                                let _e2287 = phi_4037_;
-                                if (_e2249 > _e2254) {
-                                    phi_4042_ = _e2249;
+                                let _e2282 = phi_4045_;
+                                if (_e2244 > _e2249) {
+                                    phi_4050_ = _e2244;
                                 } else {
-                                    phi_4042_ = _e2254;
+                                    phi_4050_ = _e2249;
                                 }
-                                let _e2290 = phi_4042_;
-                                if (_e2287 > _e2290) {
-                                    phi_4047_ = _e2287;
+                                let _e2285 = phi_4050_;
+                                if (_e2282 > _e2285) {
+                                    phi_4055_ = _e2282;
                                 } else {
-                                    phi_4047_ = _e2290;
+                                    phi_4055_ = _e2285;
                                 }
-                                let _e2293 = phi_4047_;
-                                if (_e2284 > _e2293) {
-                                    phi_4052_ = _e2284;
+                                let _e2288 = phi_4055_;
+                                if (_e2279 > _e2288) {
+                                    phi_4060_ = _e2279;
                                 } else {
-                                    phi_4052_ = _e2293;
+                                    phi_4060_ = _e2288;
                                 }
-                                let _e2296 = phi_4052_;
-                                if (_e2208 < 0f) {
-                                    phi_4058_ = -(_e2208);
+                                let _e2291 = phi_4060_;
+                                if (_e2203 < 0f) {
+                                    phi_4066_ = -(_e2203);
                                 } else {
-                                    phi_4058_ = _e2208;
+                                    phi_4066_ = _e2203;
                                 }
-                                let _e2300 = phi_4058_;
-                                if (_e2211 < 0f) {
-                                    phi_4064_ = -(_e2211);
+                                let _e2295 = phi_4066_;
+                                if (_e2206 < 0f) {
+                                    phi_4072_ = -(_e2206);
                                 } else {
-                                    phi_4064_ = _e2211;
+                                    phi_4072_ = _e2206;
                                 }
-                                let _e2304 = phi_4064_;
-                                if (_e2214 < 0f) {
-                                    phi_4071_ = -(_e2214);
+                                let _e2299 = phi_4072_;
+                                if (_e2209 < 0f) {
+                                    phi_4079_ = -(_e2209);
                                 } else {
-                                    phi_4071_ = _e2214;
+                                    phi_4079_ = _e2209;
                                 }
-                                let _e2309 = phi_4071_;
-                                let _e2310 = ((_e2300 + _e2304) + _e2309);
-                                let _e2315 = -(_e2296);
-                                if (_e2275 > _e2315) {
-                                    phi_4082_ = _e2275;
+                                let _e2304 = phi_4079_;
+                                let _e2305 = ((_e2295 + _e2299) + _e2304);
+                                let _e2310 = -(_e2291);
+                                if (_e2270 > _e2310) {
+                                    phi_4090_ = _e2270;
                                 } else {
-                                    phi_4082_ = _e2315;
+                                    phi_4090_ = _e2310;
                                 }
-                                let _e2318 = phi_4082_;
-                                let _e2323 = (((_e2318 - ((_e2310 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2310 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2326 = ((_e1982 * _e1976) - (_e1985 * _e1975));
-                                let _e2329 = ((_e1985 * _e1974) - (_e1979 * _e1976));
-                                let _e2332 = ((_e1979 * _e1975) - (_e1982 * _e1974));
-                                let _e2337 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
-                                let _e2342 = (((_e2326 * _e2004) + (_e2329 * _e2005)) + (_e2332 * _e2006));
-                                let _e2347 = (((_e2326 * _e2007) + (_e2329 * _e2008)) + (_e2332 * _e2009));
-                                let _e2352 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
-                                let _e2357 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
-                                let _e2362 = (((_e2326 * _e2028) + (_e2329 * _e2029)) + (_e2332 * _e2030));
-                                let _e2367 = (((_e2326 * _e2031) + (_e2329 * _e2032)) + (_e2332 * _e2033));
-                                let _e2372 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
-                                if (_e2337 < _e2342) {
-                                    phi_4153_ = _e2337;
+                                let _e2313 = phi_4090_;
+                                let _e2318 = (((_e2313 - ((_e2305 * _e2193) * (0.000000059604645f * (17f / 2f)))) - (_e2305 * _e2200)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2321 = ((_e1977 * _e1971) - (_e1980 * _e1970));
+                                let _e2324 = ((_e1980 * _e1969) - (_e1974 * _e1971));
+                                let _e2327 = ((_e1974 * _e1970) - (_e1977 * _e1969));
+                                let _e2332 = (((_e2321 * _e1983[0]) + (_e2324 * _e1983[1])) + (_e2327 * _e1983[2]));
+                                let _e2337 = (((_e2321 * _e1999) + (_e2324 * _e2000)) + (_e2327 * _e2001));
+                                let _e2342 = (((_e2321 * _e2002) + (_e2324 * _e2003)) + (_e2327 * _e2004));
+                                let _e2347 = (((_e2321 * _e1983[0]) + (_e2324 * _e1983[1])) + (_e2327 * _e1983[2]));
+                                let _e2352 = (((_e2321 * _e2007[0]) + (_e2324 * _e2007[1])) + (_e2327 * _e2007[2]));
+                                let _e2357 = (((_e2321 * _e2023) + (_e2324 * _e2024)) + (_e2327 * _e2025));
+                                let _e2362 = (((_e2321 * _e2026) + (_e2324 * _e2027)) + (_e2327 * _e2028));
+                                let _e2367 = (((_e2321 * _e2007[0]) + (_e2324 * _e2007[1])) + (_e2327 * _e2007[2]));
+                                if (_e2332 < _e2337) {
+                                    phi_4161_ = _e2332;
                                 } else {
-                                    phi_4153_ = _e2342;
+                                    phi_4161_ = _e2337;
                                 }
-                                let _e2375 = phi_4153_;
-                                if (_e2347 < _e2352) {
-                                    phi_4158_ = _e2347;
+                                let _e2370 = phi_4161_;
+                                if (_e2342 < _e2347) {
+                                    phi_4166_ = _e2342;
                                 } else {
-                                    phi_4158_ = _e2352;
+                                    phi_4166_ = _e2347;
                                 }
-                                let _e2378 = phi_4158_;
-                                if (_e2375 < _e2378) {
-                                    phi_4163_ = _e2375;
+                                let _e2373 = phi_4166_;
+                                if (_e2370 < _e2373) {
+                                    phi_4171_ = _e2370;
                                 } else {
-                                    phi_4163_ = _e2378;
+                                    phi_4171_ = _e2373;
                                 }
-                                let _e2381 = phi_4163_;
-                                if (_e2357 < _e2362) {
-                                    phi_4168_ = _e2357;
+                                let _e2376 = phi_4171_;
+                                if (_e2352 < _e2357) {
+                                    phi_4176_ = _e2352;
                                 } else {
-                                    phi_4168_ = _e2362;
+                                    phi_4176_ = _e2357;
                                 }
-                                let _e2384 = phi_4168_;
-                                if (_e2367 < _e2372) {
-                                    phi_4173_ = _e2367;
+                                let _e2379 = phi_4176_;
+                                if (_e2362 < _e2367) {
+                                    phi_4181_ = _e2362;
                                 } else {
-                                    phi_4173_ = _e2372;
+                                    phi_4181_ = _e2367;
                                 }
-                                let _e2387 = phi_4173_;
-                                if (_e2384 < _e2387) {
-                                    phi_4178_ = _e2384;
+                                let _e2382 = phi_4181_;
+                                if (_e2379 < _e2382) {
+                                    phi_4186_ = _e2379;
                                 } else {
-                                    phi_4178_ = _e2387;
+                                    phi_4186_ = _e2382;
                                 }
-                                let _e2390 = phi_4178_;
-                                if (_e2381 < _e2390) {
-                                    phi_4183_ = _e2381;
+                                let _e2385 = phi_4186_;
+                                if (_e2376 < _e2385) {
+                                    phi_4191_ = _e2376;
                                 } else {
-                                    phi_4183_ = _e2390;
+                                    phi_4191_ = _e2385;
                                 }
-                                let _e2393 = phi_4183_;
-                                if (_e2337 > _e2342) {
-                                    phi_4188_ = _e2337;
+                                let _e2388 = phi_4191_;
+                                if (_e2332 > _e2337) {
+                                    phi_4196_ = _e2332;
                                 } else {
-                                    phi_4188_ = _e2342;
+                                    phi_4196_ = _e2337;
                                 }
-                                let _e2396 = phi_4188_;
-                                if (_e2347 > _e2352) {
-                                    phi_4193_ = _e2347;
+                                let _e2391 = phi_4196_;
+                                if (_e2342 > _e2347) {
+                                    phi_4201_ = _e2342;
                                 } else {
-                                    phi_4193_ = _e2352;
+                                    phi_4201_ = _e2347;
                                 }
-                                let _e2399 = phi_4193_;
-                                if (_e2396 > _e2399) {
-                                    phi_4198_ = _e2396;
+                                let _e2394 = phi_4201_;
+                                if (_e2391 > _e2394) {
+                                    phi_4206_ = _e2391;
                                 } else {
-                                    phi_4198_ = _e2399;
+                                    phi_4206_ = _e2394;
                                 }
-                                let _e2402 = phi_4198_;
-                                if (_e2357 > _e2362) {
-                                    phi_4203_ = _e2357;
+                                let _e2397 = phi_4206_;
+                                if (_e2352 > _e2357) {
+                                    phi_4211_ = _e2352;
                                 } else {
-                                    phi_4203_ = _e2362;
+                                    phi_4211_ = _e2357;
                                 }
-                                let _e2405 = phi_4203_;
-                                if (_e2367 > _e2372) {
-                                    phi_4208_ = _e2367;
+                                let _e2400 = phi_4211_;
+                                if (_e2362 > _e2367) {
+                                    phi_4216_ = _e2362;
                                 } else {
-                                    phi_4208_ = _e2372;
+                                    phi_4216_ = _e2367;
                                 }
-                                let _e2408 = phi_4208_;
-                                if (_e2405 > _e2408) {
-                                    phi_4213_ = _e2405;
+                                let _e2403 = phi_4216_;
+                                if (_e2400 > _e2403) {
+                                    phi_4221_ = _e2400;
                                 } else {
-                                    phi_4213_ = _e2408;
+                                    phi_4221_ = _e2403;
                                 }
-                                let _e2411 = phi_4213_;
-                                if (_e2402 > _e2411) {
-                                    phi_4218_ = _e2402;
+                                let _e2406 = phi_4221_;
+                                if (_e2397 > _e2406) {
+                                    phi_4226_ = _e2397;
                                 } else {
-                                    phi_4218_ = _e2411;
+                                    phi_4226_ = _e2406;
                                 }
-                                let _e2414 = phi_4218_;
-                                if (_e2326 < 0f) {
-                                    phi_4224_ = -(_e2326);
+                                let _e2409 = phi_4226_;
+                                if (_e2321 < 0f) {
+                                    phi_4232_ = -(_e2321);
                                 } else {
-                                    phi_4224_ = _e2326;
+                                    phi_4232_ = _e2321;
                                 }
-                                let _e2418 = phi_4224_;
-                                if (_e2329 < 0f) {
-                                    phi_4230_ = -(_e2329);
+                                let _e2413 = phi_4232_;
+                                if (_e2324 < 0f) {
+                                    phi_4238_ = -(_e2324);
                                 } else {
-                                    phi_4230_ = _e2329;
+                                    phi_4238_ = _e2324;
                                 }
-                                let _e2422 = phi_4230_;
-                                if (_e2332 < 0f) {
-                                    phi_4237_ = -(_e2332);
+                                let _e2417 = phi_4238_;
+                                if (_e2327 < 0f) {
+                                    phi_4245_ = -(_e2327);
                                 } else {
-                                    phi_4237_ = _e2332;
+                                    phi_4245_ = _e2327;
                                 }
-                                let _e2427 = phi_4237_;
-                                let _e2428 = ((_e2418 + _e2422) + _e2427);
-                                let _e2433 = -(_e2414);
-                                if (_e2393 > _e2433) {
-                                    phi_4248_ = _e2393;
+                                let _e2422 = phi_4245_;
+                                let _e2423 = ((_e2413 + _e2417) + _e2422);
+                                let _e2428 = -(_e2409);
+                                if (_e2388 > _e2428) {
+                                    phi_4256_ = _e2388;
                                 } else {
-                                    phi_4248_ = _e2433;
+                                    phi_4256_ = _e2428;
                                 }
-                                let _e2436 = phi_4248_;
-                                let _e2441 = (((_e2436 - ((_e2428 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2428 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2323 > _e2441) {
-                                    phi_4258_ = _e2323;
+                                let _e2431 = phi_4256_;
+                                let _e2436 = (((_e2431 - ((_e2423 * _e2193) * (0.000000059604645f * (17f / 2f)))) - (_e2423 * _e2200)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2318 > _e2436) {
+                                    phi_4266_ = _e2318;
                                 } else {
-                                    phi_4258_ = _e2441;
+                                    phi_4266_ = _e2436;
                                 }
-                                let _e2444 = phi_4258_;
-                                let _e2445 = (_e1974 - _e1959);
-                                let _e2446 = (_e1975 - _e1960);
-                                let _e2447 = (_e1976 - _e1961);
-                                let _e2450 = ((_e1982 * _e2447) - (_e1985 * _e2446));
-                                let _e2453 = ((_e1985 * _e2445) - (_e1979 * _e2447));
-                                let _e2456 = ((_e1979 * _e2446) - (_e1982 * _e2445));
-                                let _e2461 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
-                                let _e2466 = (((_e2450 * _e2004) + (_e2453 * _e2005)) + (_e2456 * _e2006));
-                                let _e2471 = (((_e2450 * _e2007) + (_e2453 * _e2008)) + (_e2456 * _e2009));
-                                let _e2476 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
-                                let _e2481 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
-                                let _e2486 = (((_e2450 * _e2028) + (_e2453 * _e2029)) + (_e2456 * _e2030));
-                                let _e2491 = (((_e2450 * _e2031) + (_e2453 * _e2032)) + (_e2456 * _e2033));
-                                let _e2496 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
-                                if (_e2461 < _e2466) {
-                                    phi_4331_ = _e2461;
+                                let _e2439 = phi_4266_;
+                                let _e2440 = (_e1969 - _e1954);
+                                let _e2441 = (_e1970 - _e1955);
+                                let _e2442 = (_e1971 - _e1956);
+                                let _e2445 = ((_e1977 * _e2442) - (_e1980 * _e2441));
+                                let _e2448 = ((_e1980 * _e2440) - (_e1974 * _e2442));
+                                let _e2451 = ((_e1974 * _e2441) - (_e1977 * _e2440));
+                                let _e2456 = (((_e2445 * _e1983[0]) + (_e2448 * _e1983[1])) + (_e2451 * _e1983[2]));
+                                let _e2461 = (((_e2445 * _e1999) + (_e2448 * _e2000)) + (_e2451 * _e2001));
+                                let _e2466 = (((_e2445 * _e2002) + (_e2448 * _e2003)) + (_e2451 * _e2004));
+                                let _e2471 = (((_e2445 * _e1983[0]) + (_e2448 * _e1983[1])) + (_e2451 * _e1983[2]));
+                                let _e2476 = (((_e2445 * _e2007[0]) + (_e2448 * _e2007[1])) + (_e2451 * _e2007[2]));
+                                let _e2481 = (((_e2445 * _e2023) + (_e2448 * _e2024)) + (_e2451 * _e2025));
+                                let _e2486 = (((_e2445 * _e2026) + (_e2448 * _e2027)) + (_e2451 * _e2028));
+                                let _e2491 = (((_e2445 * _e2007[0]) + (_e2448 * _e2007[1])) + (_e2451 * _e2007[2]));
+                                if (_e2456 < _e2461) {
+                                    phi_4339_ = _e2456;
                                 } else {
-                                    phi_4331_ = _e2466;
+                                    phi_4339_ = _e2461;
                                 }
-                                let _e2499 = phi_4331_;
-                                if (_e2471 < _e2476) {
-                                    phi_4336_ = _e2471;
+                                let _e2494 = phi_4339_;
+                                if (_e2466 < _e2471) {
+                                    phi_4344_ = _e2466;
                                 } else {
-                                    phi_4336_ = _e2476;
+                                    phi_4344_ = _e2471;
                                 }
-                                let _e2502 = phi_4336_;
-                                if (_e2499 < _e2502) {
-                                    phi_4341_ = _e2499;
+                                let _e2497 = phi_4344_;
+                                if (_e2494 < _e2497) {
+                                    phi_4349_ = _e2494;
                                 } else {
-                                    phi_4341_ = _e2502;
+                                    phi_4349_ = _e2497;
                                 }
-                                let _e2505 = phi_4341_;
-                                if (_e2481 < _e2486) {
-                                    phi_4346_ = _e2481;
+                                let _e2500 = phi_4349_;
+                                if (_e2476 < _e2481) {
+                                    phi_4354_ = _e2476;
                                 } else {
-                                    phi_4346_ = _e2486;
+                                    phi_4354_ = _e2481;
                                 }
-                                let _e2508 = phi_4346_;
-                                if (_e2491 < _e2496) {
-                                    phi_4351_ = _e2491;
+                                let _e2503 = phi_4354_;
+                                if (_e2486 < _e2491) {
+                                    phi_4359_ = _e2486;
                                 } else {
-                                    phi_4351_ = _e2496;
+                                    phi_4359_ = _e2491;
                                 }
-                                let _e2511 = phi_4351_;
-                                if (_e2508 < _e2511) {
-                                    phi_4356_ = _e2508;
+                                let _e2506 = phi_4359_;
+                                if (_e2503 < _e2506) {
+                                    phi_4364_ = _e2503;
                                 } else {
-                                    phi_4356_ = _e2511;
+                                    phi_4364_ = _e2506;
                                 }
-                                let _e2514 = phi_4356_;
-                                if (_e2505 < _e2514) {
-                                    phi_4361_ = _e2505;
+                                let _e2509 = phi_4364_;
+                                if (_e2500 < _e2509) {
+                                    phi_4369_ = _e2500;
                                 } else {
-                                    phi_4361_ = _e2514;
+                                    phi_4369_ = _e2509;
                                 }
-                                let _e2517 = phi_4361_;
-                                if (_e2461 > _e2466) {
-                                    phi_4366_ = _e2461;
+                                let _e2512 = phi_4369_;
+                                if (_e2456 > _e2461) {
+                                    phi_4374_ = _e2456;
                                 } else {
-                                    phi_4366_ = _e2466;
+                                    phi_4374_ = _e2461;
                                 }
-                                let _e2520 = phi_4366_;
-                                if (_e2471 > _e2476) {
-                                    phi_4371_ = _e2471;
+                                let _e2515 = phi_4374_;
+                                if (_e2466 > _e2471) {
+                                    phi_4379_ = _e2466;
                                 } else {
-                                    phi_4371_ = _e2476;
+                                    phi_4379_ = _e2471;
                                 }
-                                let _e2523 = phi_4371_;
-                                if (_e2520 > _e2523) {
-                                    phi_4376_ = _e2520;
+                                let _e2518 = phi_4379_;
+                                if (_e2515 > _e2518) {
+                                    phi_4384_ = _e2515;
                                 } else {
-                                    phi_4376_ = _e2523;
+                                    phi_4384_ = _e2518;
                                 }
-                                let _e2526 = phi_4376_;
-                                if (_e2481 > _e2486) {
-                                    phi_4381_ = _e2481;
+                                let _e2521 = phi_4384_;
+                                if (_e2476 > _e2481) {
+                                    phi_4389_ = _e2476;
                                 } else {
-                                    phi_4381_ = _e2486;
+                                    phi_4389_ = _e2481;
                                 }
-                                let _e2529 = phi_4381_;
-                                if (_e2491 > _e2496) {
-                                    phi_4386_ = _e2491;
+                                let _e2524 = phi_4389_;
+                                if (_e2486 > _e2491) {
+                                    phi_4394_ = _e2486;
                                 } else {
-                                    phi_4386_ = _e2496;
+                                    phi_4394_ = _e2491;
                                 }
-                                let _e2532 = phi_4386_;
-                                if (_e2529 > _e2532) {
-                                    phi_4391_ = _e2529;
+                                let _e2527 = phi_4394_;
+                                if (_e2524 > _e2527) {
+                                    phi_4399_ = _e2524;
                                 } else {
-                                    phi_4391_ = _e2532;
+                                    phi_4399_ = _e2527;
                                 }
-                                let _e2535 = phi_4391_;
-                                if (_e2526 > _e2535) {
-                                    phi_4396_ = _e2526;
+                                let _e2530 = phi_4399_;
+                                if (_e2521 > _e2530) {
+                                    phi_4404_ = _e2521;
                                 } else {
-                                    phi_4396_ = _e2535;
+                                    phi_4404_ = _e2530;
                                 }
-                                let _e2538 = phi_4396_;
-                                if (_e2450 < 0f) {
-                                    phi_4402_ = -(_e2450);
+                                let _e2533 = phi_4404_;
+                                if (_e2445 < 0f) {
+                                    phi_4410_ = -(_e2445);
                                 } else {
-                                    phi_4402_ = _e2450;
+                                    phi_4410_ = _e2445;
                                 }
-                                let _e2542 = phi_4402_;
-                                if (_e2453 < 0f) {
-                                    phi_4408_ = -(_e2453);
+                                let _e2537 = phi_4410_;
+                                if (_e2448 < 0f) {
+                                    phi_4416_ = -(_e2448);
                                 } else {
-                                    phi_4408_ = _e2453;
+                                    phi_4416_ = _e2448;
                                 }
-                                let _e2546 = phi_4408_;
-                                if (_e2456 < 0f) {
-                                    phi_4415_ = -(_e2456);
+                                let _e2541 = phi_4416_;
+                                if (_e2451 < 0f) {
+                                    phi_4423_ = -(_e2451);
                                 } else {
-                                    phi_4415_ = _e2456;
+                                    phi_4423_ = _e2451;
                                 }
-                                let _e2551 = phi_4415_;
-                                let _e2552 = ((_e2542 + _e2546) + _e2551);
-                                let _e2557 = -(_e2538);
-                                if (_e2517 > _e2557) {
-                                    phi_4426_ = _e2517;
+                                let _e2546 = phi_4423_;
+                                let _e2547 = ((_e2537 + _e2541) + _e2546);
+                                let _e2552 = -(_e2533);
+                                if (_e2512 > _e2552) {
+                                    phi_4434_ = _e2512;
                                 } else {
-                                    phi_4426_ = _e2557;
+                                    phi_4434_ = _e2552;
                                 }
-                                let _e2560 = phi_4426_;
-                                let _e2565 = (((_e2560 - ((_e2552 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2552 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2444 > _e2565) {
-                                    phi_4436_ = _e2444;
+                                let _e2555 = phi_4434_;
+                                let _e2560 = (((_e2555 - ((_e2547 * _e2193) * (0.000000059604645f * (17f / 2f)))) - (_e2547 * _e2200)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2439 > _e2560) {
+                                    phi_4444_ = _e2439;
                                 } else {
-                                    phi_4436_ = _e2565;
+                                    phi_4444_ = _e2560;
                                 }
-                                let _e2568 = phi_4436_;
-                                phi_4440_ = (_e1946 || (_e2568 > 0f));
+                                let _e2563 = phi_4444_;
+                                phi_4448_ = (_e1941 || (_e2563 > 0f));
                             }
-                            let _e2572 = phi_4440_;
-                            if _e2572 {
-                                phi_7857_ = _e2572;
+                            let _e2567 = phi_4448_;
+                            if _e2567 {
+                                phi_7865_ = _e2567;
                             } else {
-                                let _e2575 = local_2.member[0u];
-                                let _e2581 = local_2.member[1u];
-                                let _e2588 = ((_e2575[0] + _e2581[0]) * 0.5f);
-                                let _e2589 = ((_e2575[1] + _e2581[1]) * 0.5f);
-                                let _e2590 = ((_e2575[2] + _e2581[2]) * 0.5f);
-                                let _e2593 = local_2.member_1[0u];
-                                let _e2599 = local_2.member_1[1u];
-                                let _e2606 = ((_e2593[0] + _e2599[0]) * 0.5f);
-                                let _e2607 = ((_e2593[1] + _e2599[1]) * 0.5f);
-                                let _e2608 = ((_e2593[2] + _e2599[2]) * 0.5f);
-                                let _e2611 = local_2.member_2[0u];
-                                let _e2617 = local_2.member_2[1u];
-                                let _e2624 = ((_e2611[0] + _e2617[0]) * 0.5f);
-                                let _e2625 = ((_e2611[1] + _e2617[1]) * 0.5f);
-                                let _e2626 = ((_e2611[2] + _e2617[2]) * 0.5f);
-                                let _e2629 = local_2.member[0u];
-                                let _e2632 = local_2.member_1[0u];
-                                let _e2635 = local_2.member_2[0u];
-                                let _e2637 = local_2.member_3;
-                                let _e2640 = local_2.member[1u];
-                                let _e2643 = local_2.member_1[1u];
-                                let _e2646 = local_2.member_2[1u];
-                                let _e2648 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2629, array<f32, 3>(_e2588, _e2589, _e2590)), array<array<f32, 3>, 2>(_e2632, array<f32, 3>(_e2606, _e2607, _e2608)), array<array<f32, 3>, 2>(_e2635, array<f32, 3>(_e2624, _e2625, _e2626)), _e2637);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2588, _e2589, _e2590), _e2640), array<array<f32, 3>, 2>(array<f32, 3>(_e2606, _e2607, _e2608), _e2643), array<array<f32, 3>, 2>(array<f32, 3>(_e2624, _e2625, _e2626), _e2646), _e2648);
-                                let _e2665 = local.member_1[0u];
-                                let _e2671 = local.member_2[0u];
-                                let _e2677 = ((_e2665[1] * _e2671[2]) - (_e2665[2] * _e2671[1]));
-                                let _e2680 = ((_e2665[2] * _e2671[0]) - (_e2665[0] * _e2671[2]));
-                                let _e2683 = ((_e2665[0] * _e2671[1]) - (_e2665[1] * _e2671[0]));
-                                let _e2686 = local.member_1[1u];
-                                let _e2692 = local.member_2[1u];
-                                let _e2698 = ((_e2686[1] * _e2692[2]) - (_e2686[2] * _e2692[1]));
-                                let _e2701 = ((_e2686[2] * _e2692[0]) - (_e2686[0] * _e2692[2]));
-                                let _e2704 = ((_e2686[0] * _e2692[1]) - (_e2686[1] * _e2692[0]));
-                                let _e2707 = local.member_1[0u];
-                                let _e2713 = local.member_2[1u];
-                                let _e2728 = local.member_1[1u];
-                                let _e2734 = local.member_2[0u];
-                                let _e2747 = (((_e2707[1] * _e2713[2]) - (_e2707[2] * _e2713[1])) + ((_e2728[1] * _e2734[2]) - (_e2728[2] * _e2734[1])));
-                                let _e2748 = (((_e2707[2] * _e2713[0]) - (_e2707[0] * _e2713[2])) + ((_e2728[2] * _e2734[0]) - (_e2728[0] * _e2734[2])));
-                                let _e2749 = (((_e2707[0] * _e2713[1]) - (_e2707[1] * _e2713[0])) + ((_e2728[0] * _e2734[1]) - (_e2728[1] * _e2734[0])));
-                                let _e2752 = local.member[0u];
-                                let _e2763 = local.member[1u];
-                                let _e2774 = local.member[0u];
-                                let _e2783 = ((((_e2763[0] * _e2677) + (_e2763[1] * _e2680)) + (_e2763[2] * _e2683)) + (((_e2774[0] * _e2747) + (_e2774[1] * _e2748)) + (_e2774[2] * _e2749)));
-                                let _e2786 = local.member[0u];
-                                let _e2797 = local.member[1u];
-                                let _e2806 = ((((_e2786[0] * _e2698) + (_e2786[1] * _e2701)) + (_e2786[2] * _e2704)) + (((_e2797[0] * _e2747) + (_e2797[1] * _e2748)) + (_e2797[2] * _e2749)));
-                                let _e2809 = local.member[1u];
-                                let _e2820 = local.member[0u];
-                                if (_e2820[0] < 0f) {
-                                    phi_4892_ = -(_e2820[0]);
+                                let _e2570 = local_2.member[0u];
+                                let _e2576 = local_2.member[1u];
+                                let _e2583 = ((_e2570[0] + _e2576[0]) * 0.5f);
+                                let _e2584 = ((_e2570[1] + _e2576[1]) * 0.5f);
+                                let _e2585 = ((_e2570[2] + _e2576[2]) * 0.5f);
+                                let _e2588 = local_2.member_1[0u];
+                                let _e2594 = local_2.member_1[1u];
+                                let _e2601 = ((_e2588[0] + _e2594[0]) * 0.5f);
+                                let _e2602 = ((_e2588[1] + _e2594[1]) * 0.5f);
+                                let _e2603 = ((_e2588[2] + _e2594[2]) * 0.5f);
+                                let _e2606 = local_2.member_2[0u];
+                                let _e2612 = local_2.member_2[1u];
+                                let _e2619 = ((_e2606[0] + _e2612[0]) * 0.5f);
+                                let _e2620 = ((_e2606[1] + _e2612[1]) * 0.5f);
+                                let _e2621 = ((_e2606[2] + _e2612[2]) * 0.5f);
+                                let _e2624 = local_2.member[0u];
+                                let _e2627 = local_2.member_1[0u];
+                                let _e2630 = local_2.member_2[0u];
+                                let _e2632 = local_2.member_3;
+                                let _e2635 = local_2.member[1u];
+                                let _e2638 = local_2.member_1[1u];
+                                let _e2641 = local_2.member_2[1u];
+                                let _e2643 = local_2.member_3;
+                                local = type_39(array<array<f32, 3>, 2>(_e2624, array<f32, 3>(_e2583, _e2584, _e2585)), array<array<f32, 3>, 2>(_e2627, array<f32, 3>(_e2601, _e2602, _e2603)), array<array<f32, 3>, 2>(_e2630, array<f32, 3>(_e2619, _e2620, _e2621)), _e2632);
+                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e2583, _e2584, _e2585), _e2635), array<array<f32, 3>, 2>(array<f32, 3>(_e2601, _e2602, _e2603), _e2638), array<array<f32, 3>, 2>(array<f32, 3>(_e2619, _e2620, _e2621), _e2641), _e2643);
+                                let _e2660 = local.member_1[0u];
+                                let _e2666 = local.member_2[0u];
+                                let _e2672 = ((_e2660[1] * _e2666[2]) - (_e2660[2] * _e2666[1]));
+                                let _e2675 = ((_e2660[2] * _e2666[0]) - (_e2660[0] * _e2666[2]));
+                                let _e2678 = ((_e2660[0] * _e2666[1]) - (_e2660[1] * _e2666[0]));
+                                let _e2681 = local.member_1[1u];
+                                let _e2687 = local.member_2[1u];
+                                let _e2693 = ((_e2681[1] * _e2687[2]) - (_e2681[2] * _e2687[1]));
+                                let _e2696 = ((_e2681[2] * _e2687[0]) - (_e2681[0] * _e2687[2]));
+                                let _e2699 = ((_e2681[0] * _e2687[1]) - (_e2681[1] * _e2687[0]));
+                                let _e2702 = local.member_1[0u];
+                                let _e2708 = local.member_2[1u];
+                                let _e2723 = local.member_1[1u];
+                                let _e2729 = local.member_2[0u];
+                                let _e2742 = (((_e2702[1] * _e2708[2]) - (_e2702[2] * _e2708[1])) + ((_e2723[1] * _e2729[2]) - (_e2723[2] * _e2729[1])));
+                                let _e2743 = (((_e2702[2] * _e2708[0]) - (_e2702[0] * _e2708[2])) + ((_e2723[2] * _e2729[0]) - (_e2723[0] * _e2729[2])));
+                                let _e2744 = (((_e2702[0] * _e2708[1]) - (_e2702[1] * _e2708[0])) + ((_e2723[0] * _e2729[1]) - (_e2723[1] * _e2729[0])));
+                                let _e2747 = local.member[0u];
+                                let _e2758 = local.member[1u];
+                                let _e2769 = local.member[0u];
+                                let _e2778 = ((((_e2758[0] * _e2672) + (_e2758[1] * _e2675)) + (_e2758[2] * _e2678)) + (((_e2769[0] * _e2742) + (_e2769[1] * _e2743)) + (_e2769[2] * _e2744)));
+                                let _e2781 = local.member[0u];
+                                let _e2792 = local.member[1u];
+                                let _e2801 = ((((_e2781[0] * _e2693) + (_e2781[1] * _e2696)) + (_e2781[2] * _e2699)) + (((_e2792[0] * _e2742) + (_e2792[1] * _e2743)) + (_e2792[2] * _e2744)));
+                                let _e2804 = local.member[1u];
+                                let _e2815 = local.member[0u];
+                                if (_e2815[0] < 0f) {
+                                    phi_4900_ = -(_e2815[0]);
                                 } else {
-                                    phi_4892_ = _e2820[0];
+                                    phi_4900_ = _e2815[0];
                                 }
-                                let _e2827 = phi_4892_;
-                                if (_e2820[1] < 0f) {
-                                    phi_4899_ = -(_e2820[1]);
+                                let _e2822 = phi_4900_;
+                                if (_e2815[1] < 0f) {
+                                    phi_4907_ = -(_e2815[1]);
                                 } else {
-                                    phi_4899_ = _e2820[1];
+                                    phi_4907_ = _e2815[1];
                                 }
-                                let _e2831 = phi_4899_;
-                                if (_e2827 > _e2831) {
-                                    phi_4904_ = _e2827;
+                                let _e2826 = phi_4907_;
+                                if (_e2822 > _e2826) {
+                                    phi_4912_ = _e2822;
                                 } else {
-                                    phi_4904_ = _e2831;
+                                    phi_4912_ = _e2826;
                                 }
-                                let _e2834 = phi_4904_;
-                                if (_e2820[2] < 0f) {
-                                    phi_4911_ = -(_e2820[2]);
+                                let _e2829 = phi_4912_;
+                                if (_e2815[2] < 0f) {
+                                    phi_4919_ = -(_e2815[2]);
                                 } else {
-                                    phi_4911_ = _e2820[2];
+                                    phi_4919_ = _e2815[2];
                                 }
-                                let _e2838 = phi_4911_;
-                                if (_e2834 > _e2838) {
-                                    phi_4916_ = _e2834;
+                                let _e2833 = phi_4919_;
+                                if (_e2829 > _e2833) {
+                                    phi_4924_ = _e2829;
                                 } else {
-                                    phi_4916_ = _e2838;
+                                    phi_4924_ = _e2833;
                                 }
-                                let _e2841 = phi_4916_;
-                                let _e2844 = local.member[1u];
-                                if (_e2844[0] < 0f) {
-                                    phi_4929_ = -(_e2844[0]);
+                                let _e2836 = phi_4924_;
+                                let _e2839 = local.member[1u];
+                                if (_e2839[0] < 0f) {
+                                    phi_4937_ = -(_e2839[0]);
                                 } else {
-                                    phi_4929_ = _e2844[0];
+                                    phi_4937_ = _e2839[0];
                                 }
-                                let _e2851 = phi_4929_;
-                                if (_e2844[1] < 0f) {
-                                    phi_4936_ = -(_e2844[1]);
+                                let _e2846 = phi_4937_;
+                                if (_e2839[1] < 0f) {
+                                    phi_4944_ = -(_e2839[1]);
                                 } else {
-                                    phi_4936_ = _e2844[1];
+                                    phi_4944_ = _e2839[1];
                                 }
-                                let _e2855 = phi_4936_;
-                                if (_e2851 > _e2855) {
-                                    phi_4941_ = _e2851;
+                                let _e2850 = phi_4944_;
+                                if (_e2846 > _e2850) {
+                                    phi_4949_ = _e2846;
                                 } else {
-                                    phi_4941_ = _e2855;
+                                    phi_4949_ = _e2850;
                                 }
-                                let _e2858 = phi_4941_;
-                                if (_e2844[2] < 0f) {
-                                    phi_4948_ = -(_e2844[2]);
+                                let _e2853 = phi_4949_;
+                                if (_e2839[2] < 0f) {
+                                    phi_4956_ = -(_e2839[2]);
                                 } else {
-                                    phi_4948_ = _e2844[2];
+                                    phi_4956_ = _e2839[2];
                                 }
-                                let _e2862 = phi_4948_;
-                                if (_e2858 > _e2862) {
-                                    phi_4953_ = _e2858;
+                                let _e2857 = phi_4956_;
+                                if (_e2853 > _e2857) {
+                                    phi_4961_ = _e2853;
                                 } else {
-                                    phi_4953_ = _e2862;
+                                    phi_4961_ = _e2857;
                                 }
-                                let _e2865 = phi_4953_;
-                                if (_e2841 > _e2865) {
-                                    phi_4958_ = _e2841;
+                                let _e2860 = phi_4961_;
+                                if (_e2836 > _e2860) {
+                                    phi_4966_ = _e2836;
                                 } else {
-                                    phi_4958_ = _e2865;
+                                    phi_4966_ = _e2860;
                                 }
-                                let _e2868 = phi_4958_;
-                                let _e2870 = local.member_3;
-                                let _e2871 = (_e2868 + _e2870);
-                                let _e2874 = local.member_1[0u];
-                                if (_e2874[0] < 0f) {
-                                    phi_4975_ = -(_e2874[0]);
+                                let _e2863 = phi_4966_;
+                                let _e2865 = local.member_3;
+                                let _e2866 = (_e2863 + _e2865);
+                                let _e2869 = local.member_1[0u];
+                                if (_e2869[0] < 0f) {
+                                    phi_4983_ = -(_e2869[0]);
                                 } else {
-                                    phi_4975_ = _e2874[0];
+                                    phi_4983_ = _e2869[0];
                                 }
-                                let _e2881 = phi_4975_;
-                                if (_e2874[1] < 0f) {
-                                    phi_4982_ = -(_e2874[1]);
+                                let _e2876 = phi_4983_;
+                                if (_e2869[1] < 0f) {
+                                    phi_4990_ = -(_e2869[1]);
                                 } else {
-                                    phi_4982_ = _e2874[1];
+                                    phi_4990_ = _e2869[1];
                                 }
-                                let _e2885 = phi_4982_;
-                                if (_e2881 > _e2885) {
-                                    phi_4987_ = _e2881;
+                                let _e2880 = phi_4990_;
+                                if (_e2876 > _e2880) {
+                                    phi_4995_ = _e2876;
                                 } else {
-                                    phi_4987_ = _e2885;
+                                    phi_4995_ = _e2880;
                                 }
-                                let _e2888 = phi_4987_;
-                                if (_e2874[2] < 0f) {
-                                    phi_4994_ = -(_e2874[2]);
+                                let _e2883 = phi_4995_;
+                                if (_e2869[2] < 0f) {
+                                    phi_5002_ = -(_e2869[2]);
                                 } else {
-                                    phi_4994_ = _e2874[2];
+                                    phi_5002_ = _e2869[2];
                                 }
-                                let _e2892 = phi_4994_;
-                                if (_e2888 > _e2892) {
-                                    phi_4999_ = _e2888;
+                                let _e2887 = phi_5002_;
+                                if (_e2883 > _e2887) {
+                                    phi_5007_ = _e2883;
                                 } else {
-                                    phi_4999_ = _e2892;
+                                    phi_5007_ = _e2887;
                                 }
-                                let _e2895 = phi_4999_;
-                                let _e2898 = local.member_1[1u];
-                                if (_e2898[0] < 0f) {
-                                    phi_5013_ = -(_e2898[0]);
+                                let _e2890 = phi_5007_;
+                                let _e2893 = local.member_1[1u];
+                                if (_e2893[0] < 0f) {
+                                    phi_5021_ = -(_e2893[0]);
                                 } else {
-                                    phi_5013_ = _e2898[0];
+                                    phi_5021_ = _e2893[0];
                                 }
-                                let _e2905 = phi_5013_;
-                                if (_e2898[1] < 0f) {
-                                    phi_5020_ = -(_e2898[1]);
+                                let _e2900 = phi_5021_;
+                                if (_e2893[1] < 0f) {
+                                    phi_5028_ = -(_e2893[1]);
                                 } else {
-                                    phi_5020_ = _e2898[1];
+                                    phi_5028_ = _e2893[1];
                                 }
-                                let _e2909 = phi_5020_;
-                                if (_e2905 > _e2909) {
-                                    phi_5025_ = _e2905;
+                                let _e2904 = phi_5028_;
+                                if (_e2900 > _e2904) {
+                                    phi_5033_ = _e2900;
                                 } else {
-                                    phi_5025_ = _e2909;
+                                    phi_5033_ = _e2904;
                                 }
-                                let _e2912 = phi_5025_;
-                                if (_e2898[2] < 0f) {
-                                    phi_5032_ = -(_e2898[2]);
+                                let _e2907 = phi_5033_;
+                                if (_e2893[2] < 0f) {
+                                    phi_5040_ = -(_e2893[2]);
                                 } else {
-                                    phi_5032_ = _e2898[2];
+                                    phi_5040_ = _e2893[2];
                                 }
-                                let _e2916 = phi_5032_;
-                                if (_e2912 > _e2916) {
-                                    phi_5037_ = _e2912;
+                                let _e2911 = phi_5040_;
+                                if (_e2907 > _e2911) {
+                                    phi_5045_ = _e2907;
                                 } else {
-                                    phi_5037_ = _e2916;
+                                    phi_5045_ = _e2911;
                                 }
-                                let _e2919 = phi_5037_;
-                                if (_e2895 > _e2919) {
-                                    phi_5042_ = _e2895;
+                                let _e2914 = phi_5045_;
+                                if (_e2890 > _e2914) {
+                                    phi_5050_ = _e2890;
                                 } else {
-                                    phi_5042_ = _e2919;
+                                    phi_5050_ = _e2914;
                                 }
-                                let _e2922 = phi_5042_;
-                                let _e2924 = local.member_3;
-                                let _e2925 = (_e2922 + _e2924);
-                                let _e2928 = local.member_2[0u];
-                                if (_e2928[0] < 0f) {
-                                    phi_5059_ = -(_e2928[0]);
+                                let _e2917 = phi_5050_;
+                                let _e2919 = local.member_3;
+                                let _e2920 = (_e2917 + _e2919);
+                                let _e2923 = local.member_2[0u];
+                                if (_e2923[0] < 0f) {
+                                    phi_5067_ = -(_e2923[0]);
                                 } else {
-                                    phi_5059_ = _e2928[0];
+                                    phi_5067_ = _e2923[0];
                                 }
-                                let _e2935 = phi_5059_;
-                                if (_e2928[1] < 0f) {
-                                    phi_5066_ = -(_e2928[1]);
+                                let _e2930 = phi_5067_;
+                                if (_e2923[1] < 0f) {
+                                    phi_5074_ = -(_e2923[1]);
                                 } else {
-                                    phi_5066_ = _e2928[1];
+                                    phi_5074_ = _e2923[1];
                                 }
-                                let _e2939 = phi_5066_;
-                                if (_e2935 > _e2939) {
-                                    phi_5071_ = _e2935;
+                                let _e2934 = phi_5074_;
+                                if (_e2930 > _e2934) {
+                                    phi_5079_ = _e2930;
                                 } else {
-                                    phi_5071_ = _e2939;
+                                    phi_5079_ = _e2934;
                                 }
-                                let _e2942 = phi_5071_;
-                                if (_e2928[2] < 0f) {
-                                    phi_5078_ = -(_e2928[2]);
+                                let _e2937 = phi_5079_;
+                                if (_e2923[2] < 0f) {
+                                    phi_5086_ = -(_e2923[2]);
                                 } else {
-                                    phi_5078_ = _e2928[2];
+                                    phi_5086_ = _e2923[2];
                                 }
-                                let _e2946 = phi_5078_;
-                                if (_e2942 > _e2946) {
-                                    phi_5083_ = _e2942;
+                                let _e2941 = phi_5086_;
+                                if (_e2937 > _e2941) {
+                                    phi_5091_ = _e2937;
                                 } else {
-                                    phi_5083_ = _e2946;
+                                    phi_5091_ = _e2941;
                                 }
-                                let _e2949 = phi_5083_;
-                                let _e2952 = local.member_2[1u];
-                                if (_e2952[0] < 0f) {
-                                    phi_5097_ = -(_e2952[0]);
+                                let _e2944 = phi_5091_;
+                                let _e2947 = local.member_2[1u];
+                                if (_e2947[0] < 0f) {
+                                    phi_5105_ = -(_e2947[0]);
                                 } else {
-                                    phi_5097_ = _e2952[0];
+                                    phi_5105_ = _e2947[0];
                                 }
-                                let _e2959 = phi_5097_;
-                                if (_e2952[1] < 0f) {
-                                    phi_5104_ = -(_e2952[1]);
+                                let _e2954 = phi_5105_;
+                                if (_e2947[1] < 0f) {
+                                    phi_5112_ = -(_e2947[1]);
                                 } else {
-                                    phi_5104_ = _e2952[1];
+                                    phi_5112_ = _e2947[1];
                                 }
-                                let _e2963 = phi_5104_;
-                                if (_e2959 > _e2963) {
-                                    phi_5109_ = _e2959;
+                                let _e2958 = phi_5112_;
+                                if (_e2954 > _e2958) {
+                                    phi_5117_ = _e2954;
                                 } else {
-                                    phi_5109_ = _e2963;
+                                    phi_5117_ = _e2958;
                                 }
-                                let _e2966 = phi_5109_;
-                                if (_e2952[2] < 0f) {
-                                    phi_5116_ = -(_e2952[2]);
+                                let _e2961 = phi_5117_;
+                                if (_e2947[2] < 0f) {
+                                    phi_5124_ = -(_e2947[2]);
                                 } else {
-                                    phi_5116_ = _e2952[2];
+                                    phi_5124_ = _e2947[2];
                                 }
-                                let _e2970 = phi_5116_;
-                                if (_e2966 > _e2970) {
-                                    phi_5121_ = _e2966;
+                                let _e2965 = phi_5124_;
+                                if (_e2961 > _e2965) {
+                                    phi_5129_ = _e2961;
                                 } else {
-                                    phi_5121_ = _e2970;
+                                    phi_5129_ = _e2965;
                                 }
-                                let _e2973 = phi_5121_;
-                                if (_e2949 > _e2973) {
-                                    phi_5126_ = _e2949;
+                                let _e2968 = phi_5129_;
+                                if (_e2944 > _e2968) {
+                                    phi_5134_ = _e2944;
                                 } else {
-                                    phi_5126_ = _e2973;
+                                    phi_5134_ = _e2968;
                                 }
-                                let _e2976 = phi_5126_;
-                                let _e2978 = local.member_3;
-                                let _e2979 = (_e2976 + _e2978);
-                                let _e2981 = ((_e2925 * 8f) * _e2979);
-                                let _e2988 = local.member_3;
-                                if (_e2677 < 0f) {
-                                    phi_5157_ = -(_e2677);
+                                let _e2971 = phi_5134_;
+                                let _e2973 = local.member_3;
+                                let _e2974 = (_e2971 + _e2973);
+                                let _e2976 = ((_e2920 * 8f) * _e2974);
+                                let _e2983 = local.member_3;
+                                if (_e2672 < 0f) {
+                                    phi_5165_ = -(_e2672);
                                 } else {
-                                    phi_5157_ = _e2677;
+                                    phi_5165_ = _e2672;
                                 }
-                                let _e3005 = phi_5157_;
-                                if (_e2680 < 0f) {
-                                    phi_5163_ = -(_e2680);
+                                let _e3000 = phi_5165_;
+                                if (_e2675 < 0f) {
+                                    phi_5171_ = -(_e2675);
                                 } else {
-                                    phi_5163_ = _e2680;
+                                    phi_5171_ = _e2675;
                                 }
-                                let _e3009 = phi_5163_;
-                                if (_e2683 < 0f) {
-                                    phi_5170_ = -(_e2683);
+                                let _e3004 = phi_5171_;
+                                if (_e2678 < 0f) {
+                                    phi_5178_ = -(_e2678);
                                 } else {
-                                    phi_5170_ = _e2683;
+                                    phi_5178_ = _e2678;
                                 }
-                                let _e3014 = phi_5170_;
-                                let _e3015 = ((_e3005 + _e3009) + _e3014);
-                                if (_e2698 < 0f) {
-                                    phi_5177_ = -(_e2698);
+                                let _e3009 = phi_5178_;
+                                let _e3010 = ((_e3000 + _e3004) + _e3009);
+                                if (_e2693 < 0f) {
+                                    phi_5185_ = -(_e2693);
                                 } else {
-                                    phi_5177_ = _e2698;
+                                    phi_5185_ = _e2693;
                                 }
-                                let _e3019 = phi_5177_;
-                                if (_e2701 < 0f) {
-                                    phi_5183_ = -(_e2701);
+                                let _e3014 = phi_5185_;
+                                if (_e2696 < 0f) {
+                                    phi_5191_ = -(_e2696);
                                 } else {
-                                    phi_5183_ = _e2701;
+                                    phi_5191_ = _e2696;
                                 }
-                                let _e3023 = phi_5183_;
-                                if (_e2704 < 0f) {
-                                    phi_5190_ = -(_e2704);
+                                let _e3018 = phi_5191_;
+                                if (_e2699 < 0f) {
+                                    phi_5198_ = -(_e2699);
                                 } else {
-                                    phi_5190_ = _e2704;
+                                    phi_5198_ = _e2699;
                                 }
-                                let _e3028 = phi_5190_;
-                                let _e3029 = ((_e3019 + _e3023) + _e3028);
-                                if (_e3015 > _e3029) {
-                                    phi_5196_ = _e3015;
+                                let _e3023 = phi_5198_;
+                                let _e3024 = ((_e3014 + _e3018) + _e3023);
+                                if (_e3010 > _e3024) {
+                                    phi_5204_ = _e3010;
                                 } else {
-                                    phi_5196_ = _e3029;
+                                    phi_5204_ = _e3024;
                                 }
-                                let _e3032 = phi_5196_;
-                                if (_e2747 < 0f) {
-                                    phi_5202_ = -(_e2747);
+                                let _e3027 = phi_5204_;
+                                if (_e2742 < 0f) {
+                                    phi_5210_ = -(_e2742);
                                 } else {
-                                    phi_5202_ = _e2747;
+                                    phi_5210_ = _e2742;
                                 }
-                                let _e3036 = phi_5202_;
-                                if (_e2748 < 0f) {
-                                    phi_5208_ = -(_e2748);
+                                let _e3031 = phi_5210_;
+                                if (_e2743 < 0f) {
+                                    phi_5216_ = -(_e2743);
                                 } else {
-                                    phi_5208_ = _e2748;
+                                    phi_5216_ = _e2743;
                                 }
-                                let _e3040 = phi_5208_;
-                                if (_e2749 < 0f) {
-                                    phi_5215_ = -(_e2749);
+                                let _e3035 = phi_5216_;
+                                if (_e2744 < 0f) {
+                                    phi_5223_ = -(_e2744);
                                 } else {
-                                    phi_5215_ = _e2749;
+                                    phi_5223_ = _e2744;
                                 }
-                                let _e3045 = phi_5215_;
-                                let _e3047 = (((_e3036 + _e3040) + _e3045) * 0.5f);
-                                if (_e3032 > _e3047) {
-                                    phi_5222_ = _e3032;
+                                let _e3040 = phi_5223_;
+                                let _e3042 = (((_e3031 + _e3035) + _e3040) * 0.5f);
+                                if (_e3027 > _e3042) {
+                                    phi_5230_ = _e3027;
                                 } else {
-                                    phi_5222_ = _e3047;
+                                    phi_5230_ = _e3042;
                                 }
-                                let _e3050 = phi_5222_;
-                                let _e3055 = local.member_3;
-                                let _e3068 = ((((_e2752[0] * _e2677) + (_e2752[1] * _e2680)) + (_e2752[2] * _e2683)) * 3f);
-                                let _e3069 = ((((_e2809[0] * _e2698) + (_e2809[1] * _e2701)) + (_e2809[2] * _e2704)) * 3f);
-                                if (_e3068 < _e3069) {
-                                    phi_5246_ = _e3068;
+                                let _e3045 = phi_5230_;
+                                let _e3050 = local.member_3;
+                                let _e3063 = ((((_e2747[0] * _e2672) + (_e2747[1] * _e2675)) + (_e2747[2] * _e2678)) * 3f);
+                                let _e3064 = ((((_e2804[0] * _e2693) + (_e2804[1] * _e2696)) + (_e2804[2] * _e2699)) * 3f);
+                                if (_e3063 < _e3064) {
+                                    phi_5254_ = _e3063;
                                 } else {
-                                    phi_5246_ = _e3069;
+                                    phi_5254_ = _e3064;
                                 }
-                                let _e3072 = phi_5246_;
-                                if (_e2783 < _e2806) {
-                                    phi_5251_ = _e2783;
+                                let _e3067 = phi_5254_;
+                                if (_e2778 < _e2801) {
+                                    phi_5259_ = _e2778;
                                 } else {
-                                    phi_5251_ = _e2806;
+                                    phi_5259_ = _e2801;
                                 }
-                                let _e3075 = phi_5251_;
-                                if (_e3072 < _e3075) {
-                                    phi_5256_ = _e3072;
+                                let _e3070 = phi_5259_;
+                                if (_e3067 < _e3070) {
+                                    phi_5264_ = _e3067;
                                 } else {
-                                    phi_5256_ = _e3075;
+                                    phi_5264_ = _e3070;
                                 }
-                                let _e3078 = phi_5256_;
-                                if (_e3068 > _e3069) {
-                                    phi_5261_ = _e3068;
+                                let _e3073 = phi_5264_;
+                                if (_e3063 > _e3064) {
+                                    phi_5269_ = _e3063;
                                 } else {
-                                    phi_5261_ = _e3069;
+                                    phi_5269_ = _e3064;
                                 }
-                                let _e3081 = phi_5261_;
-                                if (_e2783 > _e2806) {
-                                    phi_5266_ = _e2783;
+                                let _e3076 = phi_5269_;
+                                if (_e2778 > _e2801) {
+                                    phi_5274_ = _e2778;
                                 } else {
-                                    phi_5266_ = _e2806;
+                                    phi_5274_ = _e2801;
                                 }
-                                let _e3084 = phi_5266_;
-                                if (_e3081 > _e3084) {
-                                    phi_5271_ = _e3081;
+                                let _e3079 = phi_5274_;
+                                if (_e3076 > _e3079) {
+                                    phi_5279_ = _e3076;
                                 } else {
-                                    phi_5271_ = _e3084;
+                                    phi_5279_ = _e3079;
                                 }
-                                let _e3087 = phi_5271_;
-                                let _e3092 = -(_e3087);
-                                if (_e3078 > _e3092) {
-                                    phi_5281_ = _e3078;
+                                let _e3082 = phi_5279_;
+                                let _e3087 = -(_e3082);
+                                if (_e3073 > _e3087) {
+                                    phi_5289_ = _e3073;
                                 } else {
-                                    phi_5281_ = _e3092;
+                                    phi_5289_ = _e3087;
                                 }
-                                let _e3095 = phi_5281_;
-                                let _e3097 = ((_e3095 - ((((((_e2871 * 8f) * _e2981) * (0.000000059604645f * (524f / 64f))) + ((_e2988 * 19f) * ((_e2871 * (_e2925 + _e2979)) + (_e2925 * _e2979)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2871) * ((1f + _e2925) * (1f + _e2979))))) + ((_e1434 * (((_e3050 + (_e2981 * (0.000000059604645f * 8f))) + ((_e3055 * 6f) * (_e2925 + _e2979))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2925) * (1f + _e2979))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3097 {
-                                    phi_6250_ = _e3097;
+                                let _e3090 = phi_5289_;
+                                let _e3092 = ((_e3090 - ((((((_e2866 * 8f) * _e2976) * (0.000000059604645f * (524f / 64f))) + ((_e2983 * 19f) * ((_e2866 * (_e2920 + _e2974)) + (_e2920 * _e2974)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2866) * ((1f + _e2920) * (1f + _e2974))))) + ((_e1429 * (((_e3045 + (_e2976 * (0.000000059604645f * 8f))) + ((_e3050 * 6f) * (_e2920 + _e2974))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2920) * (1f + _e2974))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3092 {
+                                    phi_6258_ = _e3092;
                                 } else {
-                                    let _e3100 = local.member_1[0u];
-                                    let _e3106 = local.member_1[1u];
-                                    let _e3110 = (_e3100[0] + _e3106[0]);
-                                    let _e3111 = (_e3100[1] + _e3106[1]);
-                                    let _e3112 = (_e3100[2] + _e3106[2]);
-                                    let _e3115 = local.member_2[0u];
-                                    let _e3121 = local.member_2[1u];
-                                    let _e3125 = (_e3115[0] + _e3121[0]);
-                                    let _e3126 = (_e3115[1] + _e3121[1]);
-                                    let _e3127 = (_e3115[2] + _e3121[2]);
-                                    let _e3130 = ((_e3111 * _e3127) - (_e3112 * _e3126));
-                                    let _e3133 = ((_e3112 * _e3125) - (_e3110 * _e3127));
-                                    let _e3136 = ((_e3110 * _e3126) - (_e3111 * _e3125));
-                                    let _e3139 = local.member[0u];
-                                    let _e3145 = local.member_1[0u];
-                                    let _e3151 = local.member_2[0u];
-                                    let _e3155 = (_e3139[0] - _e3145[0]);
-                                    let _e3156 = (_e3139[1] - _e3145[1]);
-                                    let _e3157 = (_e3139[2] - _e3145[2]);
-                                    let _e3158 = (_e3139[0] - _e3151[0]);
-                                    let _e3159 = (_e3139[1] - _e3151[1]);
-                                    let _e3160 = (_e3139[2] - _e3151[2]);
-                                    let _e3163 = local.member[1u];
-                                    let _e3169 = local.member_1[1u];
-                                    let _e3175 = local.member_2[1u];
-                                    let _e3179 = (_e3163[0] - _e3169[0]);
-                                    let _e3180 = (_e3163[1] - _e3169[1]);
-                                    let _e3181 = (_e3163[2] - _e3169[2]);
-                                    let _e3182 = (_e3163[0] - _e3175[0]);
-                                    let _e3183 = (_e3163[1] - _e3175[1]);
-                                    let _e3184 = (_e3163[2] - _e3175[2]);
-                                    let _e3187 = local.member[0u];
-                                    if (_e3187[0] < 0f) {
-                                        phi_5484_ = -(_e3187[0]);
-                                    } else {
-                                        phi_5484_ = _e3187[0];
-                                    }
-                                    let _e3194 = phi_5484_;
-                                    if (_e3187[1] < 0f) {
-                                        phi_5491_ = -(_e3187[1]);
-                                    } else {
-                                        phi_5491_ = _e3187[1];
-                                    }
-                                    let _e3198 = phi_5491_;
-                                    if (_e3194 > _e3198) {
-                                        phi_5496_ = _e3194;
-                                    } else {
-                                        phi_5496_ = _e3198;
+                                    let _e3095 = local.member_1[0u];
+                                    let _e3101 = local.member_1[1u];
+                                    let _e3105 = (_e3095[0] + _e3101[0]);
+                                    let _e3106 = (_e3095[1] + _e3101[1]);
+                                    let _e3107 = (_e3095[2] + _e3101[2]);
+                                    let _e3110 = local.member_2[0u];
+                                    let _e3116 = local.member_2[1u];
+                                    let _e3120 = (_e3110[0] + _e3116[0]);
+                                    let _e3121 = (_e3110[1] + _e3116[1]);
+                                    let _e3122 = (_e3110[2] + _e3116[2]);
+                                    let _e3125 = ((_e3106 * _e3122) - (_e3107 * _e3121));
+                                    let _e3128 = ((_e3107 * _e3120) - (_e3105 * _e3122));
+                                    let _e3131 = ((_e3105 * _e3121) - (_e3106 * _e3120));
+                                    let _e3134 = local.member[0u];
+                                    let _e3140 = local.member_1[0u];
+                                    let _e3146 = local.member_2[0u];
+                                    let _e3150 = (_e3134[0] - _e3140[0]);
+                                    let _e3151 = (_e3134[1] - _e3140[1]);
+                                    let _e3152 = (_e3134[2] - _e3140[2]);
+                                    let _e3153 = (_e3134[0] - _e3146[0]);
+                                    let _e3154 = (_e3134[1] - _e3146[1]);
+                                    let _e3155 = (_e3134[2] - _e3146[2]);
+                                    let _e3158 = local.member[1u];
+                                    let _e3164 = local.member_1[1u];
+                                    let _e3170 = local.member_2[1u];
+                                    let _e3174 = (_e3158[0] - _e3164[0]);
+                                    let _e3175 = (_e3158[1] - _e3164[1]);
+                                    let _e3176 = (_e3158[2] - _e3164[2]);
+                                    let _e3177 = (_e3158[0] - _e3170[0]);
+                                    let _e3178 = (_e3158[1] - _e3170[1]);
+                                    let _e3179 = (_e3158[2] - _e3170[2]);
+                                    let _e3182 = local.member[0u];
+                                    if (_e3182[0] < 0f) {
+                                        phi_5492_ = -(_e3182[0]);
+                                    } else {
+                                        phi_5492_ = _e3182[0];
+                                    }
+                                    let _e3189 = phi_5492_;
+                                    if (_e3182[1] < 0f) {
+                                        phi_5499_ = -(_e3182[1]);
+                                    } else {
+                                        phi_5499_ = _e3182[1];
+                                    }
+                                    let _e3193 = phi_5499_;
+                                    if (_e3189 > _e3193) {
+                                        phi_5504_ = _e3189;
+                                    } else {
+                                        phi_5504_ = _e3193;
                                     }
-                                    let _e3201 = phi_5496_;
-                                    if (_e3187[2] < 0f) {
-                                        phi_5503_ = -(_e3187[2]);
+                                    let _e3196 = phi_5504_;
+                                    if (_e3182[2] < 0f) {
+                                        phi_5511_ = -(_e3182[2]);
                                     } else {
-                                        phi_5503_ = _e3187[2];
+                                        phi_5511_ = _e3182[2];
                                     }
-                                    let _e3205 = phi_5503_;
-                                    if (_e3201 > _e3205) {
-                                        phi_5508_ = _e3201;
+                                    let _e3200 = phi_5511_;
+                                    if (_e3196 > _e3200) {
+                                        phi_5516_ = _e3196;
                                     } else {
-                                        phi_5508_ = _e3205;
+                                        phi_5516_ = _e3200;
                                     }
-                                    let _e3208 = phi_5508_;
-                                    let _e3211 = local.member[1u];
-                                    if (_e3211[0] < 0f) {
-                                        phi_5521_ = -(_e3211[0]);
+                                    let _e3203 = phi_5516_;
+                                    let _e3206 = local.member[1u];
+                                    if (_e3206[0] < 0f) {
+                                        phi_5529_ = -(_e3206[0]);
                                     } else {
-                                        phi_5521_ = _e3211[0];
+                                        phi_5529_ = _e3206[0];
                                     }
-                                    let _e3218 = phi_5521_;
-                                    if (_e3211[1] < 0f) {
-                                        phi_5528_ = -(_e3211[1]);
+                                    let _e3213 = phi_5529_;
+                                    if (_e3206[1] < 0f) {
+                                        phi_5536_ = -(_e3206[1]);
                                     } else {
-                                        phi_5528_ = _e3211[1];
+                                        phi_5536_ = _e3206[1];
                                     }
-                                    let _e3222 = phi_5528_;
-                                    if (_e3218 > _e3222) {
-                                        phi_5533_ = _e3218;
+                                    let _e3217 = phi_5536_;
+                                    if (_e3213 > _e3217) {
+                                        phi_5541_ = _e3213;
                                     } else {
-                                        phi_5533_ = _e3222;
+                                        phi_5541_ = _e3217;
                                     }
-                                    let _e3225 = phi_5533_;
-                                    if (_e3211[2] < 0f) {
-                                        phi_5540_ = -(_e3211[2]);
+                                    let _e3220 = phi_5541_;
+                                    if (_e3206[2] < 0f) {
+                                        phi_5548_ = -(_e3206[2]);
                                     } else {
-                                        phi_5540_ = _e3211[2];
+                                        phi_5548_ = _e3206[2];
                                     }
-                                    let _e3229 = phi_5540_;
-                                    if (_e3225 > _e3229) {
-                                        phi_5545_ = _e3225;
+                                    let _e3224 = phi_5548_;
+                                    if (_e3220 > _e3224) {
+                                        phi_5553_ = _e3220;
                                     } else {
-                                        phi_5545_ = _e3229;
+                                        phi_5553_ = _e3224;
                                     }
-                                    let _e3232 = phi_5545_;
-                                    if (_e3208 > _e3232) {
-                                        phi_5550_ = _e3208;
+                                    let _e3227 = phi_5553_;
+                                    if (_e3203 > _e3227) {
+                                        phi_5558_ = _e3203;
                                     } else {
-                                        phi_5550_ = _e3232;
+                                        phi_5558_ = _e3227;
                                     }
-                                    let _e3235 = phi_5550_;
-                                    let _e3237 = local.member_3;
-                                    let _e3241 = local.member_1[0u];
-                                    if (_e3241[0] < 0f) {
-                                        phi_5567_ = -(_e3241[0]);
+                                    let _e3230 = phi_5558_;
+                                    let _e3232 = local.member_3;
+                                    let _e3236 = local.member_1[0u];
+                                    if (_e3236[0] < 0f) {
+                                        phi_5575_ = -(_e3236[0]);
                                     } else {
-                                        phi_5567_ = _e3241[0];
+                                        phi_5575_ = _e3236[0];
                                     }
-                                    let _e3248 = phi_5567_;
-                                    if (_e3241[1] < 0f) {
-                                        phi_5574_ = -(_e3241[1]);
+                                    let _e3243 = phi_5575_;
+                                    if (_e3236[1] < 0f) {
+                                        phi_5582_ = -(_e3236[1]);
                                     } else {
-                                        phi_5574_ = _e3241[1];
+                                        phi_5582_ = _e3236[1];
                                     }
-                                    let _e3252 = phi_5574_;
-                                    if (_e3248 > _e3252) {
-                                        phi_5579_ = _e3248;
+                                    let _e3247 = phi_5582_;
+                                    if (_e3243 > _e3247) {
+                                        phi_5587_ = _e3243;
                                     } else {
-                                        phi_5579_ = _e3252;
+                                        phi_5587_ = _e3247;
                                     }
-                                    let _e3255 = phi_5579_;
-                                    if (_e3241[2] < 0f) {
-                                        phi_5586_ = -(_e3241[2]);
+                                    let _e3250 = phi_5587_;
+                                    if (_e3236[2] < 0f) {
+                                        phi_5594_ = -(_e3236[2]);
                                     } else {
-                                        phi_5586_ = _e3241[2];
+                                        phi_5594_ = _e3236[2];
                                     }
-                                    let _e3259 = phi_5586_;
-                                    if (_e3255 > _e3259) {
-                                        phi_5591_ = _e3255;
+                                    let _e3254 = phi_5594_;
+                                    if (_e3250 > _e3254) {
+                                        phi_5599_ = _e3250;
                                     } else {
-                                        phi_5591_ = _e3259;
+                                        phi_5599_ = _e3254;
                                     }
-                                    let _e3262 = phi_5591_;
-                                    let _e3265 = local.member_1[1u];
-                                    if (_e3265[0] < 0f) {
-                                        phi_5605_ = -(_e3265[0]);
+                                    let _e3257 = phi_5599_;
+                                    let _e3260 = local.member_1[1u];
+                                    if (_e3260[0] < 0f) {
+                                        phi_5613_ = -(_e3260[0]);
                                     } else {
-                                        phi_5605_ = _e3265[0];
+                                        phi_5613_ = _e3260[0];
                                     }
-                                    let _e3272 = phi_5605_;
-                                    if (_e3265[1] < 0f) {
-                                        phi_5612_ = -(_e3265[1]);
+                                    let _e3267 = phi_5613_;
+                                    if (_e3260[1] < 0f) {
+                                        phi_5620_ = -(_e3260[1]);
                                     } else {
-                                        phi_5612_ = _e3265[1];
+                                        phi_5620_ = _e3260[1];
                                     }
-                                    let _e3276 = phi_5612_;
-                                    if (_e3272 > _e3276) {
-                                        phi_5617_ = _e3272;
+                                    let _e3271 = phi_5620_;
+                                    if (_e3267 > _e3271) {
+                                        phi_5625_ = _e3267;
                                     } else {
-                                        phi_5617_ = _e3276;
+                                        phi_5625_ = _e3271;
                                     }
-                                    let _e3279 = phi_5617_;
-                                    if (_e3265[2] < 0f) {
-                                        phi_5624_ = -(_e3265[2]);
+                                    let _e3274 = phi_5625_;
+                                    if (_e3260[2] < 0f) {
+                                        phi_5632_ = -(_e3260[2]);
                                     } else {
-                                        phi_5624_ = _e3265[2];
+                                        phi_5632_ = _e3260[2];
                                     }
-                                    let _e3283 = phi_5624_;
-                                    if (_e3279 > _e3283) {
-                                        phi_5629_ = _e3279;
+                                    let _e3278 = phi_5632_;
+                                    if (_e3274 > _e3278) {
+                                        phi_5637_ = _e3274;
                                     } else {
-                                        phi_5629_ = _e3283;
+                                        phi_5637_ = _e3278;
                                     }
-                                    let _e3286 = phi_5629_;
-                                    if (_e3262 > _e3286) {
-                                        phi_5634_ = _e3262;
+                                    let _e3281 = phi_5637_;
+                                    if (_e3257 > _e3281) {
+                                        phi_5642_ = _e3257;
                                     } else {
-                                        phi_5634_ = _e3286;
+                                        phi_5642_ = _e3281;
                                     }
-                                    let _e3289 = phi_5634_;
-                                    let _e3291 = local.member_3;
-                                    let _e3295 = local.member_2[0u];
-                                    if (_e3295[0] < 0f) {
-                                        phi_5651_ = -(_e3295[0]);
+                                    let _e3284 = phi_5642_;
+                                    let _e3286 = local.member_3;
+                                    let _e3290 = local.member_2[0u];
+                                    if (_e3290[0] < 0f) {
+                                        phi_5659_ = -(_e3290[0]);
                                     } else {
-                                        phi_5651_ = _e3295[0];
+                                        phi_5659_ = _e3290[0];
                                     }
-                                    let _e3302 = phi_5651_;
-                                    if (_e3295[1] < 0f) {
-                                        phi_5658_ = -(_e3295[1]);
+                                    let _e3297 = phi_5659_;
+                                    if (_e3290[1] < 0f) {
+                                        phi_5666_ = -(_e3290[1]);
                                     } else {
-                                        phi_5658_ = _e3295[1];
+                                        phi_5666_ = _e3290[1];
                                     }
-                                    let _e3306 = phi_5658_;
-                                    if (_e3302 > _e3306) {
-                                        phi_5663_ = _e3302;
+                                    let _e3301 = phi_5666_;
+                                    if (_e3297 > _e3301) {
+                                        phi_5671_ = _e3297;
                                     } else {
-                                        phi_5663_ = _e3306;
+                                        phi_5671_ = _e3301;
                                     }
-                                    let _e3309 = phi_5663_;
-                                    if (_e3295[2] < 0f) {
-                                        phi_5670_ = -(_e3295[2]);
+                                    let _e3304 = phi_5671_;
+                                    if (_e3290[2] < 0f) {
+                                        phi_5678_ = -(_e3290[2]);
                                     } else {
-                                        phi_5670_ = _e3295[2];
+                                        phi_5678_ = _e3290[2];
                                     }
-                                    let _e3313 = phi_5670_;
-                                    if (_e3309 > _e3313) {
-                                        phi_5675_ = _e3309;
+                                    let _e3308 = phi_5678_;
+                                    if (_e3304 > _e3308) {
+                                        phi_5683_ = _e3304;
                                     } else {
-                                        phi_5675_ = _e3313;
+                                        phi_5683_ = _e3308;
                                     }
-                                    let _e3316 = phi_5675_;
-                                    let _e3319 = local.member_2[1u];
-                                    if (_e3319[0] < 0f) {
-                                        phi_5689_ = -(_e3319[0]);
+                                    let _e3311 = phi_5683_;
+                                    let _e3314 = local.member_2[1u];
+                                    if (_e3314[0] < 0f) {
+                                        phi_5697_ = -(_e3314[0]);
                                     } else {
-                                        phi_5689_ = _e3319[0];
+                                        phi_5697_ = _e3314[0];
                                     }
-                                    let _e3326 = phi_5689_;
-                                    if (_e3319[1] < 0f) {
-                                        phi_5696_ = -(_e3319[1]);
+                                    let _e3321 = phi_5697_;
+                                    if (_e3314[1] < 0f) {
+                                        phi_5704_ = -(_e3314[1]);
                                     } else {
-                                        phi_5696_ = _e3319[1];
+                                        phi_5704_ = _e3314[1];
                                     }
-                                    let _e3330 = phi_5696_;
-                                    if (_e3326 > _e3330) {
-                                        phi_5701_ = _e3326;
+                                    let _e3325 = phi_5704_;
+                                    if (_e3321 > _e3325) {
+                                        phi_5709_ = _e3321;
                                     } else {
-                                        phi_5701_ = _e3330;
+                                        phi_5709_ = _e3325;
                                     }
-                                    let _e3333 = phi_5701_;
-                                    if (_e3319[2] < 0f) {
-                                        phi_5708_ = -(_e3319[2]);
+                                    let _e3328 = phi_5709_;
+                                    if (_e3314[2] < 0f) {
+                                        phi_5716_ = -(_e3314[2]);
                                     } else {
-                                        phi_5708_ = _e3319[2];
+                                        phi_5716_ = _e3314[2];
                                     }
-                                    let _e3337 = phi_5708_;
-                                    if (_e3333 > _e3337) {
-                                        phi_5713_ = _e3333;
+                                    let _e3332 = phi_5716_;
+                                    if (_e3328 > _e3332) {
+                                        phi_5721_ = _e3328;
                                     } else {
-                                        phi_5713_ = _e3337;
+                                        phi_5721_ = _e3332;
                                     }
-                                    let _e3340 = phi_5713_;
-                                    if (_e3316 > _e3340) {
-                                        phi_5718_ = _e3316;
+                                    let _e3335 = phi_5721_;
+                                    if (_e3311 > _e3335) {
+                                        phi_5726_ = _e3311;
                                     } else {
-                                        phi_5718_ = _e3340;
+                                        phi_5726_ = _e3335;
                                     }
-                                    let _e3343 = phi_5718_;
-                                    let _e3345 = local.member_3;
-                                    let _e3349 = ((((_e3235 + _e3237) + (_e3289 + _e3291)) + (_e3343 + _e3345)) * 2f);
-                                    let _e3352 = local.member_3;
-                                    let _e3356 = (((_e1434 * 1.0001f) + (_e3352 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3359 = ((_e3133 * _e3112) - (_e3136 * _e3111));
-                                    let _e3362 = ((_e3136 * _e3110) - (_e3130 * _e3112));
-                                    let _e3365 = ((_e3130 * _e3111) - (_e3133 * _e3110));
-                                    let _e3370 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
-                                    let _e3375 = (((_e3359 * _e3155) + (_e3362 * _e3156)) + (_e3365 * _e3157));
-                                    let _e3380 = (((_e3359 * _e3158) + (_e3362 * _e3159)) + (_e3365 * _e3160));
-                                    let _e3385 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
-                                    let _e3390 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
-                                    let _e3395 = (((_e3359 * _e3179) + (_e3362 * _e3180)) + (_e3365 * _e3181));
-                                    let _e3400 = (((_e3359 * _e3182) + (_e3362 * _e3183)) + (_e3365 * _e3184));
-                                    let _e3405 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
-                                    if (_e3370 < _e3375) {
-                                        phi_5797_ = _e3370;
+                                    let _e3338 = phi_5726_;
+                                    let _e3340 = local.member_3;
+                                    let _e3344 = ((((_e3230 + _e3232) + (_e3284 + _e3286)) + (_e3338 + _e3340)) * 2f);
+                                    let _e3347 = local.member_3;
+                                    let _e3351 = (((_e1429 * 1.0001f) + (_e3347 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3354 = ((_e3128 * _e3107) - (_e3131 * _e3106));
+                                    let _e3357 = ((_e3131 * _e3105) - (_e3125 * _e3107));
+                                    let _e3360 = ((_e3125 * _e3106) - (_e3128 * _e3105));
+                                    let _e3365 = (((_e3354 * _e3134[0]) + (_e3357 * _e3134[1])) + (_e3360 * _e3134[2]));
+                                    let _e3370 = (((_e3354 * _e3150) + (_e3357 * _e3151)) + (_e3360 * _e3152));
+                                    let _e3375 = (((_e3354 * _e3153) + (_e3357 * _e3154)) + (_e3360 * _e3155));
+                                    let _e3380 = (((_e3354 * _e3134[0]) + (_e3357 * _e3134[1])) + (_e3360 * _e3134[2]));
+                                    let _e3385 = (((_e3354 * _e3158[0]) + (_e3357 * _e3158[1])) + (_e3360 * _e3158[2]));
+                                    let _e3390 = (((_e3354 * _e3174) + (_e3357 * _e3175)) + (_e3360 * _e3176));
+                                    let _e3395 = (((_e3354 * _e3177) + (_e3357 * _e3178)) + (_e3360 * _e3179));
+                                    let _e3400 = (((_e3354 * _e3158[0]) + (_e3357 * _e3158[1])) + (_e3360 * _e3158[2]));
+                                    if (_e3365 < _e3370) {
+                                        phi_5805_ = _e3365;
                                     } else {
-                                        phi_5797_ = _e3375;
+                                        phi_5805_ = _e3370;
                                     }
-                                    let _e3408 = phi_5797_;
-                                    if (_e3380 < _e3385) {
-                                        phi_5802_ = _e3380;
+                                    let _e3403 = phi_5805_;
+                                    if (_e3375 < _e3380) {
+                                        phi_5810_ = _e3375;
                                     } else {
-                                        phi_5802_ = _e3385;
+                                        phi_5810_ = _e3380;
                                     }
-                                    let _e3411 = phi_5802_;
-                                    if (_e3408 < _e3411) {
-                                        phi_5807_ = _e3408;
+                                    let _e3406 = phi_5810_;
+                                    if (_e3403 < _e3406) {
+                                        phi_5815_ = _e3403;
                                     } else {
-                                        phi_5807_ = _e3411;
+                                        phi_5815_ = _e3406;
                                     }
-                                    let _e3414 = phi_5807_;
-                                    if (_e3390 < _e3395) {
-                                        phi_5812_ = _e3390;
+                                    let _e3409 = phi_5815_;
+                                    if (_e3385 < _e3390) {
+                                        phi_5820_ = _e3385;
                                     } else {
-                                        phi_5812_ = _e3395;
+                                        phi_5820_ = _e3390;
                                     }
-                                    let _e3417 = phi_5812_;
-                                    if (_e3400 < _e3405) {
-                                        phi_5817_ = _e3400;
+                                    let _e3412 = phi_5820_;
+                                    if (_e3395 < _e3400) {
+                                        phi_5825_ = _e3395;
                                     } else {
-                                        phi_5817_ = _e3405;
+                                        phi_5825_ = _e3400;
                                     }
-                                    let _e3420 = phi_5817_;
-                                    if (_e3417 < _e3420) {
-                                        phi_5822_ = _e3417;
+                                    let _e3415 = phi_5825_;
+                                    if (_e3412 < _e3415) {
+                                        phi_5830_ = _e3412;
                                     } else {
-                                        phi_5822_ = _e3420;
+                                        phi_5830_ = _e3415;
                                     }
-                                    let _e3423 = phi_5822_;
-                                    if (_e3414 < _e3423) {
-                                        phi_5827_ = _e3414;
+                                    let _e3418 = phi_5830_;
+                                    if (_e3409 < _e3418) {
+                                        phi_5835_ = _e3409;
                                     } else {
-                                        phi_5827_ = _e3423;
+                                        phi_5835_ = _e3418;
                                     }
-                                    let _e3426 = phi_5827_;
-                                    if (_e3370 > _e3375) {
-                                        phi_5832_ = _e3370;
+                                    let _e3421 = phi_5835_;
+                                    if (_e3365 > _e3370) {
+                                        phi_5840_ = _e3365;
                                     } else {
-                                        phi_5832_ = _e3375;
+                                        phi_5840_ = _e3370;
                                     }
-                                    let _e3429 = phi_5832_;
-                                    if (_e3380 > _e3385) {
-                                        phi_5837_ = _e3380;
+                                    let _e3424 = phi_5840_;
+                                    if (_e3375 > _e3380) {
+                                        phi_5845_ = _e3375;
                                     } else {
-                                        phi_5837_ = _e3385;
+                                        phi_5845_ = _e3380;
                                     }
-                                    let _e3432 = phi_5837_;
-                                    if (_e3429 > _e3432) {
-                                        phi_5842_ = _e3429;
+                                    let _e3427 = phi_5845_;
+                                    if (_e3424 > _e3427) {
+                                        phi_5850_ = _e3424;
                                     } else {
-                                        phi_5842_ = _e3432;
+                                        phi_5850_ = _e3427;
                                     }
-                                    let _e3435 = phi_5842_;
-                                    if (_e3390 > _e3395) {
-                                        phi_5847_ = _e3390;
+                                    let _e3430 = phi_5850_;
+                                    if (_e3385 > _e3390) {
+                                        phi_5855_ = _e3385;
                                     } else {
-                                        phi_5847_ = _e3395;
+                                        phi_5855_ = _e3390;
                                     }
-                                    let _e3438 = phi_5847_;
-                                    if (_e3400 > _e3405) {
-                                        phi_5852_ = _e3400;
+                                    let _e3433 = phi_5855_;
+                                    if (_e3395 > _e3400) {
+                                        phi_5860_ = _e3395;
                                     } else {
-                                        phi_5852_ = _e3405;
+                                        phi_5860_ = _e3400;
                                     }
-                                    let _e3441 = phi_5852_;
-                                    if (_e3438 > _e3441) {
-                                        phi_5857_ = _e3438;
+                                    let _e3436 = phi_5860_;
+                                    if (_e3433 > _e3436) {
+                                        phi_5865_ = _e3433;
                                     } else {
-                                        phi_5857_ = _e3441;
+                                        phi_5865_ = _e3436;
                                     }
-                                    let _e3444 = phi_5857_;
-                                    if (_e3435 > _e3444) {
-                                        phi_5862_ = _e3435;
+                                    let _e3439 = phi_5865_;
+                                    if (_e3430 > _e3439) {
+                                        phi_5870_ = _e3430;
                                     } else {
-                                        phi_5862_ = _e3444;
+                                        phi_5870_ = _e3439;
                                     }
-                                    let _e3447 = phi_5862_;
-                                    if (_e3359 < 0f) {
-                                        phi_5868_ = -(_e3359);
+                                    let _e3442 = phi_5870_;
+                                    if (_e3354 < 0f) {
+                                        phi_5876_ = -(_e3354);
                                     } else {
-                                        phi_5868_ = _e3359;
+                                        phi_5876_ = _e3354;
                                     }
-                                    let _e3451 = phi_5868_;
-                                    if (_e3362 < 0f) {
-                                        phi_5874_ = -(_e3362);
+                                    let _e3446 = phi_5876_;
+                                    if (_e3357 < 0f) {
+                                        phi_5882_ = -(_e3357);
                                     } else {
-                                        phi_5874_ = _e3362;
+                                        phi_5882_ = _e3357;
                                     }
-                                    let _e3455 = phi_5874_;
-                                    if (_e3365 < 0f) {
-                                        phi_5881_ = -(_e3365);
+                                    let _e3450 = phi_5882_;
+                                    if (_e3360 < 0f) {
+                                        phi_5889_ = -(_e3360);
                                     } else {
-                                        phi_5881_ = _e3365;
+                                        phi_5889_ = _e3360;
                                     }
-                                    let _e3460 = phi_5881_;
-                                    let _e3461 = ((_e3451 + _e3455) + _e3460);
-                                    let _e3466 = -(_e3447);
-                                    if (_e3426 > _e3466) {
-                                        phi_5892_ = _e3426;
+                                    let _e3455 = phi_5889_;
+                                    let _e3456 = ((_e3446 + _e3450) + _e3455);
+                                    let _e3461 = -(_e3442);
+                                    if (_e3421 > _e3461) {
+                                        phi_5900_ = _e3421;
                                     } else {
-                                        phi_5892_ = _e3466;
+                                        phi_5900_ = _e3461;
                                     }
-                                    let _e3469 = phi_5892_;
-                                    let _e3474 = (((_e3469 - ((_e3461 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3461 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3477 = ((_e3133 * _e3127) - (_e3136 * _e3126));
-                                    let _e3480 = ((_e3136 * _e3125) - (_e3130 * _e3127));
-                                    let _e3483 = ((_e3130 * _e3126) - (_e3133 * _e3125));
-                                    let _e3488 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
-                                    let _e3493 = (((_e3477 * _e3155) + (_e3480 * _e3156)) + (_e3483 * _e3157));
-                                    let _e3498 = (((_e3477 * _e3158) + (_e3480 * _e3159)) + (_e3483 * _e3160));
-                                    let _e3503 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
-                                    let _e3508 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
-                                    let _e3513 = (((_e3477 * _e3179) + (_e3480 * _e3180)) + (_e3483 * _e3181));
-                                    let _e3518 = (((_e3477 * _e3182) + (_e3480 * _e3183)) + (_e3483 * _e3184));
-                                    let _e3523 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
-                                    if (_e3488 < _e3493) {
-                                        phi_5963_ = _e3488;
+                                    let _e3464 = phi_5900_;
+                                    let _e3469 = (((_e3464 - ((_e3456 * _e3344) * (0.000000059604645f * (17f / 2f)))) - (_e3456 * _e3351)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3472 = ((_e3128 * _e3122) - (_e3131 * _e3121));
+                                    let _e3475 = ((_e3131 * _e3120) - (_e3125 * _e3122));
+                                    let _e3478 = ((_e3125 * _e3121) - (_e3128 * _e3120));
+                                    let _e3483 = (((_e3472 * _e3134[0]) + (_e3475 * _e3134[1])) + (_e3478 * _e3134[2]));
+                                    let _e3488 = (((_e3472 * _e3150) + (_e3475 * _e3151)) + (_e3478 * _e3152));
+                                    let _e3493 = (((_e3472 * _e3153) + (_e3475 * _e3154)) + (_e3478 * _e3155));
+                                    let _e3498 = (((_e3472 * _e3134[0]) + (_e3475 * _e3134[1])) + (_e3478 * _e3134[2]));
+                                    let _e3503 = (((_e3472 * _e3158[0]) + (_e3475 * _e3158[1])) + (_e3478 * _e3158[2]));
+                                    let _e3508 = (((_e3472 * _e3174) + (_e3475 * _e3175)) + (_e3478 * _e3176));
+                                    let _e3513 = (((_e3472 * _e3177) + (_e3475 * _e3178)) + (_e3478 * _e3179));
+                                    let _e3518 = (((_e3472 * _e3158[0]) + (_e3475 * _e3158[1])) + (_e3478 * _e3158[2]));
+                                    if (_e3483 < _e3488) {
+                                        phi_5971_ = _e3483;
                                     } else {
-                                        phi_5963_ = _e3493;
+                                        phi_5971_ = _e3488;
                                     }
-                                    let _e3526 = phi_5963_;
-                                    if (_e3498 < _e3503) {
-                                        phi_5968_ = _e3498;
+                                    let _e3521 = phi_5971_;
+                                    if (_e3493 < _e3498) {
+                                        phi_5976_ = _e3493;
                                     } else {
-                                        phi_5968_ = _e3503;
+                                        phi_5976_ = _e3498;
                                     }
-                                    let _e3529 = phi_5968_;
-                                    if (_e3526 < _e3529) {
-                                        phi_5973_ = _e3526;
+                                    let _e3524 = phi_5976_;
+                                    if (_e3521 < _e3524) {
+                                        phi_5981_ = _e3521;
                                     } else {
-                                        phi_5973_ = _e3529;
+                                        phi_5981_ = _e3524;
                                     }
-                                    let _e3532 = phi_5973_;
-                                    if (_e3508 < _e3513) {
-                                        phi_5978_ = _e3508;
+                                    let _e3527 = phi_5981_;
+                                    if (_e3503 < _e3508) {
+                                        phi_5986_ = _e3503;
                                     } else {
-                                        phi_5978_ = _e3513;
+                                        phi_5986_ = _e3508;
                                     }
-                                    let _e3535 = phi_5978_;
-                                    if (_e3518 < _e3523) {
-                                        phi_5983_ = _e3518;
+                                    let _e3530 = phi_5986_;
+                                    if (_e3513 < _e3518) {
+                                        phi_5991_ = _e3513;
                                     } else {
-                                        phi_5983_ = _e3523;
+                                        phi_5991_ = _e3518;
                                     }
-                                    let _e3538 = phi_5983_;
-                                    if (_e3535 < _e3538) {
-                                        phi_5988_ = _e3535;
+                                    let _e3533 = phi_5991_;
+                                    if (_e3530 < _e3533) {
+                                        phi_5996_ = _e3530;
                                     } else {
-                                        phi_5988_ = _e3538;
+                                        phi_5996_ = _e3533;
                                     }
-                                    let _e3541 = phi_5988_;
-                                    if (_e3532 < _e3541) {
-                                        phi_5993_ = _e3532;
+                                    let _e3536 = phi_5996_;
+                                    if (_e3527 < _e3536) {
+                                        phi_6001_ = _e3527;
                                     } else {
-                                        phi_5993_ = _e3541;
+                                        phi_6001_ = _e3536;
                                     }
-                                    let _e3544 = phi_5993_;
-                                    if (_e3488 > _e3493) {
-                                        phi_5998_ = _e3488;
+                                    let _e3539 = phi_6001_;
+                                    if (_e3483 > _e3488) {
+                                        phi_6006_ = _e3483;
                                     } else {
-                                        phi_5998_ = _e3493;
+                                        phi_6006_ = _e3488;
                                     }
-                                    let _e3547 = phi_5998_;
-                                    if (_e3498 > _e3503) {
-                                        phi_6003_ = _e3498;
+                                    let _e3542 = phi_6006_;
+                                    if (_e3493 > _e3498) {
+                                        phi_6011_ = _e3493;
                                     } else {
-                                        phi_6003_ = _e3503;
+                                        phi_6011_ = _e3498;
                                     }
-                                    let _e3550 = phi_6003_;
-                                    if (_e3547 > _e3550) {
-                                        phi_6008_ = _e3547;
+                                    let _e3545 = phi_6011_;
+                                    if (_e3542 > _e3545) {
+                                        phi_6016_ = _e3542;
                                     } else {
-                                        phi_6008_ = _e3550;
+                                        phi_6016_ = _e3545;
                                     }
-                                    let _e3553 = phi_6008_;
-                                    if (_e3508 > _e3513) {
-                                        phi_6013_ = _e3508;
+                                    let _e3548 = phi_6016_;
+                                    if (_e3503 > _e3508) {
+                                        phi_6021_ = _e3503;
                                     } else {
-                                        phi_6013_ = _e3513;
+                                        phi_6021_ = _e3508;
                                     }
-                                    let _e3556 = phi_6013_;
-                                    if (_e3518 > _e3523) {
-                                        phi_6018_ = _e3518;
+                                    let _e3551 = phi_6021_;
+                                    if (_e3513 > _e3518) {
+                                        phi_6026_ = _e3513;
                                     } else {
-                                        phi_6018_ = _e3523;
+                                        phi_6026_ = _e3518;
                                     }
-                                    let _e3559 = phi_6018_;
-                                    if (_e3556 > _e3559) {
-                                        phi_6023_ = _e3556;
+                                    let _e3554 = phi_6026_;
+                                    if (_e3551 > _e3554) {
+                                        phi_6031_ = _e3551;
                                     } else {
-                                        phi_6023_ = _e3559;
+                                        phi_6031_ = _e3554;
                                     }
-                                    let _e3562 = phi_6023_;
-                                    if (_e3553 > _e3562) {
-                                        phi_6028_ = _e3553;
+                                    let _e3557 = phi_6031_;
+                                    if (_e3548 > _e3557) {
+                                        phi_6036_ = _e3548;
                                     } else {
-                                        phi_6028_ = _e3562;
+                                        phi_6036_ = _e3557;
                                     }
-                                    let _e3565 = phi_6028_;
-                                    if (_e3477 < 0f) {
-                                        phi_6034_ = -(_e3477);
+                                    let _e3560 = phi_6036_;
+                                    if (_e3472 < 0f) {
+                                        phi_6042_ = -(_e3472);
                                     } else {
-                                        phi_6034_ = _e3477;
+                                        phi_6042_ = _e3472;
                                     }
-                                    let _e3569 = phi_6034_;
-                                    if (_e3480 < 0f) {
-                                        phi_6040_ = -(_e3480);
+                                    let _e3564 = phi_6042_;
+                                    if (_e3475 < 0f) {
+                                        phi_6048_ = -(_e3475);
                                     } else {
-                                        phi_6040_ = _e3480;
+                                        phi_6048_ = _e3475;
                                     }
-                                    let _e3573 = phi_6040_;
-                                    if (_e3483 < 0f) {
-                                        phi_6047_ = -(_e3483);
+                                    let _e3568 = phi_6048_;
+                                    if (_e3478 < 0f) {
+                                        phi_6055_ = -(_e3478);
                                     } else {
-                                        phi_6047_ = _e3483;
+                                        phi_6055_ = _e3478;
                                     }
-                                    let _e3578 = phi_6047_;
-                                    let _e3579 = ((_e3569 + _e3573) + _e3578);
-                                    let _e3584 = -(_e3565);
-                                    if (_e3544 > _e3584) {
-                                        phi_6058_ = _e3544;
+                                    let _e3573 = phi_6055_;
+                                    let _e3574 = ((_e3564 + _e3568) + _e3573);
+                                    let _e3579 = -(_e3560);
+                                    if (_e3539 > _e3579) {
+                                        phi_6066_ = _e3539;
                                     } else {
-                                        phi_6058_ = _e3584;
+                                        phi_6066_ = _e3579;
                                     }
-                                    let _e3587 = phi_6058_;
-                                    let _e3592 = (((_e3587 - ((_e3579 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3579 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3474 > _e3592) {
-                                        phi_6068_ = _e3474;
+                                    let _e3582 = phi_6066_;
+                                    let _e3587 = (((_e3582 - ((_e3574 * _e3344) * (0.000000059604645f * (17f / 2f)))) - (_e3574 * _e3351)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3469 > _e3587) {
+                                        phi_6076_ = _e3469;
                                     } else {
-                                        phi_6068_ = _e3592;
+                                        phi_6076_ = _e3587;
                                     }
-                                    let _e3595 = phi_6068_;
-                                    let _e3596 = (_e3125 - _e3110);
-                                    let _e3597 = (_e3126 - _e3111);
-                                    let _e3598 = (_e3127 - _e3112);
-                                    let _e3601 = ((_e3133 * _e3598) - (_e3136 * _e3597));
-                                    let _e3604 = ((_e3136 * _e3596) - (_e3130 * _e3598));
-                                    let _e3607 = ((_e3130 * _e3597) - (_e3133 * _e3596));
-                                    let _e3612 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
-                                    let _e3617 = (((_e3601 * _e3155) + (_e3604 * _e3156)) + (_e3607 * _e3157));
-                                    let _e3622 = (((_e3601 * _e3158) + (_e3604 * _e3159)) + (_e3607 * _e3160));
-                                    let _e3627 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
-                                    let _e3632 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
-                                    let _e3637 = (((_e3601 * _e3179) + (_e3604 * _e3180)) + (_e3607 * _e3181));
-                                    let _e3642 = (((_e3601 * _e3182) + (_e3604 * _e3183)) + (_e3607 * _e3184));
-                                    let _e3647 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
-                                    if (_e3612 < _e3617) {
-                                        phi_6141_ = _e3612;
+                                    let _e3590 = phi_6076_;
+                                    let _e3591 = (_e3120 - _e3105);
+                                    let _e3592 = (_e3121 - _e3106);
+                                    let _e3593 = (_e3122 - _e3107);
+                                    let _e3596 = ((_e3128 * _e3593) - (_e3131 * _e3592));
+                                    let _e3599 = ((_e3131 * _e3591) - (_e3125 * _e3593));
+                                    let _e3602 = ((_e3125 * _e3592) - (_e3128 * _e3591));
+                                    let _e3607 = (((_e3596 * _e3134[0]) + (_e3599 * _e3134[1])) + (_e3602 * _e3134[2]));
+                                    let _e3612 = (((_e3596 * _e3150) + (_e3599 * _e3151)) + (_e3602 * _e3152));
+                                    let _e3617 = (((_e3596 * _e3153) + (_e3599 * _e3154)) + (_e3602 * _e3155));
+                                    let _e3622 = (((_e3596 * _e3134[0]) + (_e3599 * _e3134[1])) + (_e3602 * _e3134[2]));
+                                    let _e3627 = (((_e3596 * _e3158[0]) + (_e3599 * _e3158[1])) + (_e3602 * _e3158[2]));
+                                    let _e3632 = (((_e3596 * _e3174) + (_e3599 * _e3175)) + (_e3602 * _e3176));
+                                    let _e3637 = (((_e3596 * _e3177) + (_e3599 * _e3178)) + (_e3602 * _e3179));
+                                    let _e3642 = (((_e3596 * _e3158[0]) + (_e3599 * _e3158[1])) + (_e3602 * _e3158[2]));
+                                    if (_e3607 < _e3612) {
+                                        phi_6149_ = _e3607;
                                     } else {
-                                        phi_6141_ = _e3617;
+                                        phi_6149_ = _e3612;
                                     }
-                                    let _e3650 = phi_6141_;
-                                    if (_e3622 < _e3627) {
-                                        phi_6146_ = _e3622;
+                                    let _e3645 = phi_6149_;
+                                    if (_e3617 < _e3622) {
+                                        phi_6154_ = _e3617;
                                     } else {
-                                        phi_6146_ = _e3627;
+                                        phi_6154_ = _e3622;
                                     }
-                                    let _e3653 = phi_6146_;
-                                    if (_e3650 < _e3653) {
-                                        phi_6151_ = _e3650;
+                                    let _e3648 = phi_6154_;
+                                    if (_e3645 < _e3648) {
+                                        phi_6159_ = _e3645;
                                     } else {
-                                        phi_6151_ = _e3653;
+                                        phi_6159_ = _e3648;
                                     }
-                                    let _e3656 = phi_6151_;
-                                    if (_e3632 < _e3637) {
-                                        phi_6156_ = _e3632;
+                                    let _e3651 = phi_6159_;
+                                    if (_e3627 < _e3632) {
+                                        phi_6164_ = _e3627;
                                     } else {
-                                        phi_6156_ = _e3637;
+                                        phi_6164_ = _e3632;
                                     }
-                                    let _e3659 = phi_6156_;
-                                    if (_e3642 < _e3647) {
-                                        phi_6161_ = _e3642;
+                                    let _e3654 = phi_6164_;
+                                    if (_e3637 < _e3642) {
+                                        phi_6169_ = _e3637;
                                     } else {
-                                        phi_6161_ = _e3647;
+                                        phi_6169_ = _e3642;
                                     }
-                                    let _e3662 = phi_6161_;
-                                    if (_e3659 < _e3662) {
-                                        phi_6166_ = _e3659;
+                                    let _e3657 = phi_6169_;
+                                    if (_e3654 < _e3657) {
+                                        phi_6174_ = _e3654;
                                     } else {
-                                        phi_6166_ = _e3662;
+                                        phi_6174_ = _e3657;
                                     }
-                                    let _e3665 = phi_6166_;
-                                    if (_e3656 < _e3665) {
-                                        phi_6171_ = _e3656;
+                                    let _e3660 = phi_6174_;
+                                    if (_e3651 < _e3660) {
+                                        phi_6179_ = _e3651;
                                     } else {
-                                        phi_6171_ = _e3665;
+                                        phi_6179_ = _e3660;
                                     }
-                                    let _e3668 = phi_6171_;
-                                    if (_e3612 > _e3617) {
-                                        phi_6176_ = _e3612;
+                                    let _e3663 = phi_6179_;
+                                    if (_e3607 > _e3612) {
+                                        phi_6184_ = _e3607;
                                     } else {
-                                        phi_6176_ = _e3617;
+                                        phi_6184_ = _e3612;
                                     }
-                                    let _e3671 = phi_6176_;
-                                    if (_e3622 > _e3627) {
-                                        phi_6181_ = _e3622;
+                                    let _e3666 = phi_6184_;
+                                    if (_e3617 > _e3622) {
+                                        phi_6189_ = _e3617;
                                     } else {
-                                        phi_6181_ = _e3627;
+                                        phi_6189_ = _e3622;
                                     }
-                                    let _e3674 = phi_6181_;
-                                    if (_e3671 > _e3674) {
-                                        phi_6186_ = _e3671;
+                                    let _e3669 = phi_6189_;
+                                    if (_e3666 > _e3669) {
+                                        phi_6194_ = _e3666;
                                     } else {
-                                        phi_6186_ = _e3674;
+                                        phi_6194_ = _e3669;
                                     }
-                                    let _e3677 = phi_6186_;
-                                    if (_e3632 > _e3637) {
-                                        phi_6191_ = _e3632;
+                                    let _e3672 = phi_6194_;
+                                    if (_e3627 > _e3632) {
+                                        phi_6199_ = _e3627;
                                     } else {
-                                        phi_6191_ = _e3637;
+                                        phi_6199_ = _e3632;
                                     }
-                                    let _e3680 = phi_6191_;
-                                    if (_e3642 > _e3647) {
-                                        phi_6196_ = _e3642;
+                                    let _e3675 = phi_6199_;
+                                    if (_e3637 > _e3642) {
+                                        phi_6204_ = _e3637;
                                     } else {
-                                        phi_6196_ = _e3647;
+                                        phi_6204_ = _e3642;
                                     }
-                                    let _e3683 = phi_6196_;
-                                    if (_e3680 > _e3683) {
-                                        phi_6201_ = _e3680;
+                                    let _e3678 = phi_6204_;
+                                    if (_e3675 > _e3678) {
+                                        phi_6209_ = _e3675;
                                     } else {
-                                        phi_6201_ = _e3683;
+                                        phi_6209_ = _e3678;
                                     }
-                                    let _e3686 = phi_6201_;
-                                    if (_e3677 > _e3686) {
-                                        phi_6206_ = _e3677;
+                                    let _e3681 = phi_6209_;
+                                    if (_e3672 > _e3681) {
+                                        phi_6214_ = _e3672;
                                     } else {
-                                        phi_6206_ = _e3686;
+                                        phi_6214_ = _e3681;
                                     }
-                                    let _e3689 = phi_6206_;
-                                    if (_e3601 < 0f) {
-                                        phi_6212_ = -(_e3601);
+                                    let _e3684 = phi_6214_;
+                                    if (_e3596 < 0f) {
+                                        phi_6220_ = -(_e3596);
                                     } else {
-                                        phi_6212_ = _e3601;
+                                        phi_6220_ = _e3596;
                                     }
-                                    let _e3693 = phi_6212_;
-                                    if (_e3604 < 0f) {
-                                        phi_6218_ = -(_e3604);
+                                    let _e3688 = phi_6220_;
+                                    if (_e3599 < 0f) {
+                                        phi_6226_ = -(_e3599);
                                     } else {
-                                        phi_6218_ = _e3604;
+                                        phi_6226_ = _e3599;
                                     }
-                                    let _e3697 = phi_6218_;
-                                    if (_e3607 < 0f) {
-                                        phi_6225_ = -(_e3607);
+                                    let _e3692 = phi_6226_;
+                                    if (_e3602 < 0f) {
+                                        phi_6233_ = -(_e3602);
                                     } else {
-                                        phi_6225_ = _e3607;
+                                        phi_6233_ = _e3602;
                                     }
-                                    let _e3702 = phi_6225_;
-                                    let _e3703 = ((_e3693 + _e3697) + _e3702);
-                                    let _e3708 = -(_e3689);
-                                    if (_e3668 > _e3708) {
-                                        phi_6236_ = _e3668;
+                                    let _e3697 = phi_6233_;
+                                    let _e3698 = ((_e3688 + _e3692) + _e3697);
+                                    let _e3703 = -(_e3684);
+                                    if (_e3663 > _e3703) {
+                                        phi_6244_ = _e3663;
                                     } else {
-                                        phi_6236_ = _e3708;
+                                        phi_6244_ = _e3703;
                                     }
-                                    let _e3711 = phi_6236_;
-                                    let _e3716 = (((_e3711 - ((_e3703 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3703 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3595 > _e3716) {
-                                        phi_6246_ = _e3595;
+                                    let _e3706 = phi_6244_;
+                                    let _e3711 = (((_e3706 - ((_e3698 * _e3344) * (0.000000059604645f * (17f / 2f)))) - (_e3698 * _e3351)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3590 > _e3711) {
+                                        phi_6254_ = _e3590;
                                     } else {
-                                        phi_6246_ = _e3716;
+                                        phi_6254_ = _e3711;
                                     }
-                                    let _e3719 = phi_6246_;
-                                    phi_6250_ = (_e3097 || (_e3719 > 0f));
+                                    let _e3714 = phi_6254_;
+                                    phi_6258_ = (_e3092 || (_e3714 > 0f));
                                 }
-                                let _e3723 = phi_6250_;
-                                if _e3723 {
-                                    let _e3726 = local_1.member_1[0u];
-                                    let _e3732 = local_1.member_2[0u];
-                                    let _e3738 = ((_e3726[1] * _e3732[2]) - (_e3726[2] * _e3732[1]));
-                                    let _e3741 = ((_e3726[2] * _e3732[0]) - (_e3726[0] * _e3732[2]));
-                                    let _e3744 = ((_e3726[0] * _e3732[1]) - (_e3726[1] * _e3732[0]));
-                                    let _e3747 = local_1.member_1[1u];
-                                    let _e3753 = local_1.member_2[1u];
-                                    let _e3759 = ((_e3747[1] * _e3753[2]) - (_e3747[2] * _e3753[1]));
-                                    let _e3762 = ((_e3747[2] * _e3753[0]) - (_e3747[0] * _e3753[2]));
-                                    let _e3765 = ((_e3747[0] * _e3753[1]) - (_e3747[1] * _e3753[0]));
-                                    let _e3768 = local_1.member_1[0u];
-                                    let _e3774 = local_1.member_2[1u];
-                                    let _e3789 = local_1.member_1[1u];
-                                    let _e3795 = local_1.member_2[0u];
-                                    let _e3808 = (((_e3768[1] * _e3774[2]) - (_e3768[2] * _e3774[1])) + ((_e3789[1] * _e3795[2]) - (_e3789[2] * _e3795[1])));
-                                    let _e3809 = (((_e3768[2] * _e3774[0]) - (_e3768[0] * _e3774[2])) + ((_e3789[2] * _e3795[0]) - (_e3789[0] * _e3795[2])));
-                                    let _e3810 = (((_e3768[0] * _e3774[1]) - (_e3768[1] * _e3774[0])) + ((_e3789[0] * _e3795[1]) - (_e3789[1] * _e3795[0])));
-                                    let _e3813 = local_1.member[0u];
-                                    let _e3824 = local_1.member[1u];
-                                    let _e3835 = local_1.member[0u];
-                                    let _e3844 = ((((_e3824[0] * _e3738) + (_e3824[1] * _e3741)) + (_e3824[2] * _e3744)) + (((_e3835[0] * _e3808) + (_e3835[1] * _e3809)) + (_e3835[2] * _e3810)));
-                                    let _e3847 = local_1.member[0u];
-                                    let _e3858 = local_1.member[1u];
-                                    let _e3867 = ((((_e3847[0] * _e3759) + (_e3847[1] * _e3762)) + (_e3847[2] * _e3765)) + (((_e3858[0] * _e3808) + (_e3858[1] * _e3809)) + (_e3858[2] * _e3810)));
-                                    let _e3870 = local_1.member[1u];
-                                    let _e3881 = local_1.member[0u];
-                                    if (_e3881[0] < 0f) {
-                                        phi_6495_ = -(_e3881[0]);
+                                let _e3718 = phi_6258_;
+                                if _e3718 {
+                                    let _e3721 = local_1.member_1[0u];
+                                    let _e3727 = local_1.member_2[0u];
+                                    let _e3733 = ((_e3721[1] * _e3727[2]) - (_e3721[2] * _e3727[1]));
+                                    let _e3736 = ((_e3721[2] * _e3727[0]) - (_e3721[0] * _e3727[2]));
+                                    let _e3739 = ((_e3721[0] * _e3727[1]) - (_e3721[1] * _e3727[0]));
+                                    let _e3742 = local_1.member_1[1u];
+                                    let _e3748 = local_1.member_2[1u];
+                                    let _e3754 = ((_e3742[1] * _e3748[2]) - (_e3742[2] * _e3748[1]));
+                                    let _e3757 = ((_e3742[2] * _e3748[0]) - (_e3742[0] * _e3748[2]));
+                                    let _e3760 = ((_e3742[0] * _e3748[1]) - (_e3742[1] * _e3748[0]));
+                                    let _e3763 = local_1.member_1[0u];
+                                    let _e3769 = local_1.member_2[1u];
+                                    let _e3784 = local_1.member_1[1u];
+                                    let _e3790 = local_1.member_2[0u];
+                                    let _e3803 = (((_e3763[1] * _e3769[2]) - (_e3763[2] * _e3769[1])) + ((_e3784[1] * _e3790[2]) - (_e3784[2] * _e3790[1])));
+                                    let _e3804 = (((_e3763[2] * _e3769[0]) - (_e3763[0] * _e3769[2])) + ((_e3784[2] * _e3790[0]) - (_e3784[0] * _e3790[2])));
+                                    let _e3805 = (((_e3763[0] * _e3769[1]) - (_e3763[1] * _e3769[0])) + ((_e3784[0] * _e3790[1]) - (_e3784[1] * _e3790[0])));
+                                    let _e3808 = local_1.member[0u];
+                                    let _e3819 = local_1.member[1u];
+                                    let _e3830 = local_1.member[0u];
+                                    let _e3839 = ((((_e3819[0] * _e3733) + (_e3819[1] * _e3736)) + (_e3819[2] * _e3739)) + (((_e3830[0] * _e3803) + (_e3830[1] * _e3804)) + (_e3830[2] * _e3805)));
+                                    let _e3842 = local_1.member[0u];
+                                    let _e3853 = local_1.member[1u];
+                                    let _e3862 = ((((_e3842[0] * _e3754) + (_e3842[1] * _e3757)) + (_e3842[2] * _e3760)) + (((_e3853[0] * _e3803) + (_e3853[1] * _e3804)) + (_e3853[2] * _e3805)));
+                                    let _e3865 = local_1.member[1u];
+                                    let _e3876 = local_1.member[0u];
+                                    if (_e3876[0] < 0f) {
+                                        phi_6503_ = -(_e3876[0]);
                                     } else {
-                                        phi_6495_ = _e3881[0];
+                                        phi_6503_ = _e3876[0];
                                     }
-                                    let _e3888 = phi_6495_;
-                                    if (_e3881[1] < 0f) {
-                                        phi_6502_ = -(_e3881[1]);
+                                    let _e3883 = phi_6503_;
+                                    if (_e3876[1] < 0f) {
+                                        phi_6510_ = -(_e3876[1]);
                                     } else {
-                                        phi_6502_ = _e3881[1];
+                                        phi_6510_ = _e3876[1];
                                     }
-                                    let _e3892 = phi_6502_;
-                                    if (_e3888 > _e3892) {
-                                        phi_6507_ = _e3888;
+                                    let _e3887 = phi_6510_;
+                                    if (_e3883 > _e3887) {
+                                        phi_6515_ = _e3883;
                                     } else {
-                                        phi_6507_ = _e3892;
+                                        phi_6515_ = _e3887;
                                     }
-                                    let _e3895 = phi_6507_;
-                                    if (_e3881[2] < 0f) {
-                                        phi_6514_ = -(_e3881[2]);
+                                    let _e3890 = phi_6515_;
+                                    if (_e3876[2] < 0f) {
+                                        phi_6522_ = -(_e3876[2]);
                                     } else {
-                                        phi_6514_ = _e3881[2];
+                                        phi_6522_ = _e3876[2];
                                     }
-                                    let _e3899 = phi_6514_;
-                                    if (_e3895 > _e3899) {
-                                        phi_6519_ = _e3895;
+                                    let _e3894 = phi_6522_;
+                                    if (_e3890 > _e3894) {
+                                        phi_6527_ = _e3890;
                                     } else {
-                                        phi_6519_ = _e3899;
+                                        phi_6527_ = _e3894;
                                     }
-                                    let _e3902 = phi_6519_;
-                                    let _e3905 = local_1.member[1u];
-                                    if (_e3905[0] < 0f) {
-                                        phi_6532_ = -(_e3905[0]);
+                                    let _e3897 = phi_6527_;
+                                    let _e3900 = local_1.member[1u];
+                                    if (_e3900[0] < 0f) {
+                                        phi_6540_ = -(_e3900[0]);
                                     } else {
-                                        phi_6532_ = _e3905[0];
+                                        phi_6540_ = _e3900[0];
                                     }
-                                    let _e3912 = phi_6532_;
-                                    if (_e3905[1] < 0f) {
-                                        phi_6539_ = -(_e3905[1]);
+                                    let _e3907 = phi_6540_;
+                                    if (_e3900[1] < 0f) {
+                                        phi_6547_ = -(_e3900[1]);
                                     } else {
-                                        phi_6539_ = _e3905[1];
+                                        phi_6547_ = _e3900[1];
                                     }
-                                    let _e3916 = phi_6539_;
-                                    if (_e3912 > _e3916) {
-                                        phi_6544_ = _e3912;
+                                    let _e3911 = phi_6547_;
+                                    if (_e3907 > _e3911) {
+                                        phi_6552_ = _e3907;
                                     } else {
-                                        phi_6544_ = _e3916;
+                                        phi_6552_ = _e3911;
                                     }
-                                    let _e3919 = phi_6544_;
-                                    if (_e3905[2] < 0f) {
-                                        phi_6551_ = -(_e3905[2]);
+                                    let _e3914 = phi_6552_;
+                                    if (_e3900[2] < 0f) {
+                                        phi_6559_ = -(_e3900[2]);
                                     } else {
-                                        phi_6551_ = _e3905[2];
+                                        phi_6559_ = _e3900[2];
                                     }
-                                    let _e3923 = phi_6551_;
-                                    if (_e3919 > _e3923) {
-                                        phi_6556_ = _e3919;
+                                    let _e3918 = phi_6559_;
+                                    if (_e3914 > _e3918) {
+                                        phi_6564_ = _e3914;
                                     } else {
-                                        phi_6556_ = _e3923;
+                                        phi_6564_ = _e3918;
                                     }
-                                    let _e3926 = phi_6556_;
-                                    if (_e3902 > _e3926) {
-                                        phi_6561_ = _e3902;
+                                    let _e3921 = phi_6564_;
+                                    if (_e3897 > _e3921) {
+                                        phi_6569_ = _e3897;
                                     } else {
-                                        phi_6561_ = _e3926;
+                                        phi_6569_ = _e3921;
                                     }
-                                    let _e3929 = phi_6561_;
-                                    let _e3931 = local_1.member_3;
-                                    let _e3932 = (_e3929 + _e3931);
-                                    let _e3935 = local_1.member_1[0u];
-                                    if (_e3935[0] < 0f) {
-                                        phi_6578_ = -(_e3935[0]);
+                                    let _e3924 = phi_6569_;
+                                    let _e3926 = local_1.member_3;
+                                    let _e3927 = (_e3924 + _e3926);
+                                    let _e3930 = local_1.member_1[0u];
+                                    if (_e3930[0] < 0f) {
+                                        phi_6586_ = -(_e3930[0]);
                                     } else {
-                                        phi_6578_ = _e3935[0];
+                                        phi_6586_ = _e3930[0];
                                     }
-                                    let _e3942 = phi_6578_;
-                                    if (_e3935[1] < 0f) {
-                                        phi_6585_ = -(_e3935[1]);
+                                    let _e3937 = phi_6586_;
+                                    if (_e3930[1] < 0f) {
+                                        phi_6593_ = -(_e3930[1]);
                                     } else {
-                                        phi_6585_ = _e3935[1];
+                                        phi_6593_ = _e3930[1];
                                     }
-                                    let _e3946 = phi_6585_;
-                                    if (_e3942 > _e3946) {
-                                        phi_6590_ = _e3942;
+                                    let _e3941 = phi_6593_;
+                                    if (_e3937 > _e3941) {
+                                        phi_6598_ = _e3937;
                                     } else {
-                                        phi_6590_ = _e3946;
+                                        phi_6598_ = _e3941;
                                     }
-                                    let _e3949 = phi_6590_;
-                                    if (_e3935[2] < 0f) {
-                                        phi_6597_ = -(_e3935[2]);
+                                    let _e3944 = phi_6598_;
+                                    if (_e3930[2] < 0f) {
+                                        phi_6605_ = -(_e3930[2]);
                                     } else {
-                                        phi_6597_ = _e3935[2];
+                                        phi_6605_ = _e3930[2];
                                     }
-                                    let _e3953 = phi_6597_;
-                                    if (_e3949 > _e3953) {
-                                        phi_6602_ = _e3949;
+                                    let _e3948 = phi_6605_;
+                                    if (_e3944 > _e3948) {
+                                        phi_6610_ = _e3944;
                                     } else {
-                                        phi_6602_ = _e3953;
+                                        phi_6610_ = _e3948;
                                     }
-                                    let _e3956 = phi_6602_;
-                                    let _e3959 = local_1.member_1[1u];
-                                    if (_e3959[0] < 0f) {
-                                        phi_6616_ = -(_e3959[0]);
+                                    let _e3951 = phi_6610_;
+                                    let _e3954 = local_1.member_1[1u];
+                                    if (_e3954[0] < 0f) {
+                                        phi_6624_ = -(_e3954[0]);
                                     } else {
-                                        phi_6616_ = _e3959[0];
+                                        phi_6624_ = _e3954[0];
                                     }
-                                    let _e3966 = phi_6616_;
-                                    if (_e3959[1] < 0f) {
-                                        phi_6623_ = -(_e3959[1]);
+                                    let _e3961 = phi_6624_;
+                                    if (_e3954[1] < 0f) {
+                                        phi_6631_ = -(_e3954[1]);
                                     } else {
-                                        phi_6623_ = _e3959[1];
+                                        phi_6631_ = _e3954[1];
                                     }
-                                    let _e3970 = phi_6623_;
-                                    if (_e3966 > _e3970) {
-                                        phi_6628_ = _e3966;
+                                    let _e3965 = phi_6631_;
+                                    if (_e3961 > _e3965) {
+                                        phi_6636_ = _e3961;
                                     } else {
-                                        phi_6628_ = _e3970;
+                                        phi_6636_ = _e3965;
                                     }
-                                    let _e3973 = phi_6628_;
-                                    if (_e3959[2] < 0f) {
-                                        phi_6635_ = -(_e3959[2]);
+                                    let _e3968 = phi_6636_;
+                                    if (_e3954[2] < 0f) {
+                                        phi_6643_ = -(_e3954[2]);
                                     } else {
-                                        phi_6635_ = _e3959[2];
+                                        phi_6643_ = _e3954[2];
                                     }
-                                    let _e3977 = phi_6635_;
-                                    if (_e3973 > _e3977) {
-                                        phi_6640_ = _e3973;
+                                    let _e3972 = phi_6643_;
+                                    if (_e3968 > _e3972) {
+                                        phi_6648_ = _e3968;
                                     } else {
-                                        phi_6640_ = _e3977;
+                                        phi_6648_ = _e3972;
                                     }
-                                    let _e3980 = phi_6640_;
-                                    if (_e3956 > _e3980) {
-                                        phi_6645_ = _e3956;
+                                    let _e3975 = phi_6648_;
+                                    if (_e3951 > _e3975) {
+                                        phi_6653_ = _e3951;
                                     } else {
-                                        phi_6645_ = _e3980;
+                                        phi_6653_ = _e3975;
                                     }
-                                    let _e3983 = phi_6645_;
-                                    let _e3985 = local_1.member_3;
-                                    let _e3986 = (_e3983 + _e3985);
-                                    let _e3989 = local_1.member_2[0u];
-                                    if (_e3989[0] < 0f) {
-                                        phi_6662_ = -(_e3989[0]);
+                                    let _e3978 = phi_6653_;
+                                    let _e3980 = local_1.member_3;
+                                    let _e3981 = (_e3978 + _e3980);
+                                    let _e3984 = local_1.member_2[0u];
+                                    if (_e3984[0] < 0f) {
+                                        phi_6670_ = -(_e3984[0]);
                                     } else {
-                                        phi_6662_ = _e3989[0];
+                                        phi_6670_ = _e3984[0];
                                     }
-                                    let _e3996 = phi_6662_;
-                                    if (_e3989[1] < 0f) {
-                                        phi_6669_ = -(_e3989[1]);
+                                    let _e3991 = phi_6670_;
+                                    if (_e3984[1] < 0f) {
+                                        phi_6677_ = -(_e3984[1]);
                                     } else {
-                                        phi_6669_ = _e3989[1];
+                                        phi_6677_ = _e3984[1];
                                     }
-                                    let _e4000 = phi_6669_;
-                                    if (_e3996 > _e4000) {
-                                        phi_6674_ = _e3996;
+                                    let _e3995 = phi_6677_;
+                                    if (_e3991 > _e3995) {
+                                        phi_6682_ = _e3991;
                                     } else {
-                                        phi_6674_ = _e4000;
+                                        phi_6682_ = _e3995;
                                     }
-                                    let _e4003 = phi_6674_;
-                                    if (_e3989[2] < 0f) {
-                                        phi_6681_ = -(_e3989[2]);
+                                    let _e3998 = phi_6682_;
+                                    if (_e3984[2] < 0f) {
+                                        phi_6689_ = -(_e3984[2]);
                                     } else {
-                                        phi_6681_ = _e3989[2];
+                                        phi_6689_ = _e3984[2];
                                     }
-                                    let _e4007 = phi_6681_;
-                                    if (_e4003 > _e4007) {
-                                        phi_6686_ = _e4003;
+                                    let _e4002 = phi_6689_;
+                                    if (_e3998 > _e4002) {
+                                        phi_6694_ = _e3998;
                                     } else {
-                                        phi_6686_ = _e4007;
+                                        phi_6694_ = _e4002;
                                     }
-                                    let _e4010 = phi_6686_;
-                                    let _e4013 = local_1.member_2[1u];
-                                    if (_e4013[0] < 0f) {
-                                        phi_6700_ = -(_e4013[0]);
+                                    let _e4005 = phi_6694_;
+                                    let _e4008 = local_1.member_2[1u];
+                                    if (_e4008[0] < 0f) {
+                                        phi_6708_ = -(_e4008[0]);
                                     } else {
-                                        phi_6700_ = _e4013[0];
+                                        phi_6708_ = _e4008[0];
                                     }
-                                    let _e4020 = phi_6700_;
-                                    if (_e4013[1] < 0f) {
-                                        phi_6707_ = -(_e4013[1]);
+                                    let _e4015 = phi_6708_;
+                                    if (_e4008[1] < 0f) {
+                                        phi_6715_ = -(_e4008[1]);
                                     } else {
-                                        phi_6707_ = _e4013[1];
+                                        phi_6715_ = _e4008[1];
                                     }
-                                    let _e4024 = phi_6707_;
-                                    if (_e4020 > _e4024) {
-                                        phi_6712_ = _e4020;
+                                    let _e4019 = phi_6715_;
+                                    if (_e4015 > _e4019) {
+                                        phi_6720_ = _e4015;
                                     } else {
-                                        phi_6712_ = _e4024;
+                                        phi_6720_ = _e4019;
                                     }
-                                    let _e4027 = phi_6712_;
-                                    if (_e4013[2] < 0f) {
-                                        phi_6719_ = -(_e4013[2]);
+                                    let _e4022 = phi_6720_;
+                                    if (_e4008[2] < 0f) {
+                                        phi_6727_ = -(_e4008[2]);
                                     } else {
-                                        phi_6719_ = _e4013[2];
+                                        phi_6727_ = _e4008[2];
                                     }
-                                    let _e4031 = phi_6719_;
-                                    if (_e4027 > _e4031) {
-                                        phi_6724_ = _e4027;
+                                    let _e4026 = phi_6727_;
+                                    if (_e4022 > _e4026) {
+                                        phi_6732_ = _e4022;
                                     } else {
-                                        phi_6724_ = _e4031;
+                                        phi_6732_ = _e4026;
                                     }
-                                    let _e4034 = phi_6724_;
-                                    if (_e4010 > _e4034) {
-                                        phi_6729_ = _e4010;
+                                    let _e4029 = phi_6732_;
+                                    if (_e4005 > _e4029) {
+                                        phi_6737_ = _e4005;
                                     } else {
-                                        phi_6729_ = _e4034;
+                                        phi_6737_ = _e4029;
                                     }
-                                    let _e4037 = phi_6729_;
-                                    let _e4039 = local_1.member_3;
-                                    let _e4040 = (_e4037 + _e4039);
-                                    let _e4042 = ((_e3986 * 8f) * _e4040);
-                                    let _e4049 = local_1.member_3;
-                                    if (_e3738 < 0f) {
-                                        phi_6760_ = -(_e3738);
+                                    let _e4032 = phi_6737_;
+                                    let _e4034 = local_1.member_3;
+                                    let _e4035 = (_e4032 + _e4034);
+                                    let _e4037 = ((_e3981 * 8f) * _e4035);
+                                    let _e4044 = local_1.member_3;
+                                    if (_e3733 < 0f) {
+                                        phi_6768_ = -(_e3733);
                                     } else {
-                                        phi_6760_ = _e3738;
+                                        phi_6768_ = _e3733;
                                     }
-                                    let _e4066 = phi_6760_;
-                                    if (_e3741 < 0f) {
-                                        phi_6766_ = -(_e3741);
+                                    let _e4061 = phi_6768_;
+                                    if (_e3736 < 0f) {
+                                        phi_6774_ = -(_e3736);
                                     } else {
-                                        phi_6766_ = _e3741;
+                                        phi_6774_ = _e3736;
                                     }
-                                    let _e4070 = phi_6766_;
-                                    if (_e3744 < 0f) {
-                                        phi_6773_ = -(_e3744);
+                                    let _e4065 = phi_6774_;
+                                    if (_e3739 < 0f) {
+                                        phi_6781_ = -(_e3739);
                                     } else {
-                                        phi_6773_ = _e3744;
+                                        phi_6781_ = _e3739;
                                     }
-                                    let _e4075 = phi_6773_;
-                                    let _e4076 = ((_e4066 + _e4070) + _e4075);
-                                    if (_e3759 < 0f) {
-                                        phi_6780_ = -(_e3759);
+                                    let _e4070 = phi_6781_;
+                                    let _e4071 = ((_e4061 + _e4065) + _e4070);
+                                    if (_e3754 < 0f) {
+                                        phi_6788_ = -(_e3754);
                                     } else {
-                                        phi_6780_ = _e3759;
+                                        phi_6788_ = _e3754;
                                     }
-                                    let _e4080 = phi_6780_;
-                                    if (_e3762 < 0f) {
-                                        phi_6786_ = -(_e3762);
+                                    let _e4075 = phi_6788_;
+                                    if (_e3757 < 0f) {
+                                        phi_6794_ = -(_e3757);
                                     } else {
-                                        phi_6786_ = _e3762;
+                                        phi_6794_ = _e3757;
                                     }
-                                    let _e4084 = phi_6786_;
-                                    if (_e3765 < 0f) {
-                                        phi_6793_ = -(_e3765);
+                                    let _e4079 = phi_6794_;
+                                    if (_e3760 < 0f) {
+                                        phi_6801_ = -(_e3760);
                                     } else {
-                                        phi_6793_ = _e3765;
+                                        phi_6801_ = _e3760;
                                     }
-                                    let _e4089 = phi_6793_;
-                                    let _e4090 = ((_e4080 + _e4084) + _e4089);
-                                    if (_e4076 > _e4090) {
-                                        phi_6799_ = _e4076;
+                                    let _e4084 = phi_6801_;
+                                    let _e4085 = ((_e4075 + _e4079) + _e4084);
+                                    if (_e4071 > _e4085) {
+                                        phi_6807_ = _e4071;
                                     } else {
-                                        phi_6799_ = _e4090;
+                                        phi_6807_ = _e4085;
                                     }
-                                    let _e4093 = phi_6799_;
-                                    if (_e3808 < 0f) {
-                                        phi_6805_ = -(_e3808);
+                                    let _e4088 = phi_6807_;
+                                    if (_e3803 < 0f) {
+                                        phi_6813_ = -(_e3803);
                                     } else {
-                                        phi_6805_ = _e3808;
+                                        phi_6813_ = _e3803;
                                     }
-                                    let _e4097 = phi_6805_;
-                                    if (_e3809 < 0f) {
-                                        phi_6811_ = -(_e3809);
+                                    let _e4092 = phi_6813_;
+                                    if (_e3804 < 0f) {
+                                        phi_6819_ = -(_e3804);
                                     } else {
-                                        phi_6811_ = _e3809;
+                                        phi_6819_ = _e3804;
                                     }
-                                    let _e4101 = phi_6811_;
-                                    if (_e3810 < 0f) {
-                                        phi_6818_ = -(_e3810);
+                                    let _e4096 = phi_6819_;
+                                    if (_e3805 < 0f) {
+                                        phi_6826_ = -(_e3805);
                                     } else {
-                                        phi_6818_ = _e3810;
+                                        phi_6826_ = _e3805;
                                     }
-                                    let _e4106 = phi_6818_;
-                                    let _e4108 = (((_e4097 + _e4101) + _e4106) * 0.5f);
-                                    if (_e4093 > _e4108) {
-                                        phi_6825_ = _e4093;
+                                    let _e4101 = phi_6826_;
+                                    let _e4103 = (((_e4092 + _e4096) + _e4101) * 0.5f);
+                                    if (_e4088 > _e4103) {
+                                        phi_6833_ = _e4088;
                                     } else {
-                                        phi_6825_ = _e4108;
+                                        phi_6833_ = _e4103;
                                     }
-                                    let _e4111 = phi_6825_;
-                                    let _e4116 = local_1.member_3;
-                                    let _e4129 = ((((_e3813[0] * _e3738) + (_e3813[1] * _e3741)) + (_e3813[2] * _e3744)) * 3f);
-                                    let _e4130 = ((((_e3870[0] * _e3759) + (_e3870[1] * _e3762)) + (_e3870[2] * _e3765)) * 3f);
-                                    if (_e4129 < _e4130) {
-                                        phi_6849_ = _e4129;
+                                    let _e4106 = phi_6833_;
+                                    let _e4111 = local_1.member_3;
+                                    let _e4124 = ((((_e3808[0] * _e3733) + (_e3808[1] * _e3736)) + (_e3808[2] * _e3739)) * 3f);
+                                    let _e4125 = ((((_e3865[0] * _e3754) + (_e3865[1] * _e3757)) + (_e3865[2] * _e3760)) * 3f);
+                                    if (_e4124 < _e4125) {
+                                        phi_6857_ = _e4124;
                                     } else {
-                                        phi_6849_ = _e4130;
+                                        phi_6857_ = _e4125;
                                     }
-                                    let _e4133 = phi_6849_;
-                                    if (_e3844 < _e3867) {
-                                        phi_6854_ = _e3844;
+                                    let _e4128 = phi_6857_;
+                                    if (_e3839 < _e3862) {
+                                        phi_6862_ = _e3839;
                                     } else {
-                                        phi_6854_ = _e3867;
+                                        phi_6862_ = _e3862;
                                     }
-                                    let _e4136 = phi_6854_;
-                                    if (_e4133 < _e4136) {
-                                        phi_6859_ = _e4133;
+                                    let _e4131 = phi_6862_;
+                                    if (_e4128 < _e4131) {
+                                        phi_6867_ = _e4128;
                                     } else {
-                                        phi_6859_ = _e4136;
+                                        phi_6867_ = _e4131;
                                     }
-                                    let _e4139 = phi_6859_;
-                                    if (_e4129 > _e4130) {
-                                        phi_6864_ = _e4129;
+                                    let _e4134 = phi_6867_;
+                                    if (_e4124 > _e4125) {
+                                        phi_6872_ = _e4124;
                                     } else {
-                                        phi_6864_ = _e4130;
+                                        phi_6872_ = _e4125;
                                     }
-                                    let _e4142 = phi_6864_;
-                                    if (_e3844 > _e3867) {
-                                        phi_6869_ = _e3844;
+                                    let _e4137 = phi_6872_;
+                                    if (_e3839 > _e3862) {
+                                        phi_6877_ = _e3839;
                                     } else {
-                                        phi_6869_ = _e3867;
+                                        phi_6877_ = _e3862;
                                     }
-                                    let _e4145 = phi_6869_;
-                                    if (_e4142 > _e4145) {
-                                        phi_6874_ = _e4142;
+                                    let _e4140 = phi_6877_;
+                                    if (_e4137 > _e4140) {
+                                        phi_6882_ = _e4137;
                                     } else {
-                                        phi_6874_ = _e4145;
+                                        phi_6882_ = _e4140;
                                     }
-                                    let _e4148 = phi_6874_;
-                                    let _e4153 = -(_e4148);
-                                    if (_e4139 > _e4153) {
-                                        phi_6884_ = _e4139;
+                                    let _e4143 = phi_6882_;
+                                    let _e4148 = -(_e4143);
+                                    if (_e4134 > _e4148) {
+                                        phi_6892_ = _e4134;
                                     } else {
-                                        phi_6884_ = _e4153;
+                                        phi_6892_ = _e4148;
                                     }
-                                    let _e4156 = phi_6884_;
-                                    let _e4158 = ((_e4156 - ((((((_e3932 * 8f) * _e4042) * (0.000000059604645f * (524f / 64f))) + ((_e4049 * 19f) * ((_e3932 * (_e3986 + _e4040)) + (_e3986 * _e4040)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3932) * ((1f + _e3986) * (1f + _e4040))))) + ((_e1434 * (((_e4111 + (_e4042 * (0.000000059604645f * 8f))) + ((_e4116 * 6f) * (_e3986 + _e4040))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3986) * (1f + _e4040))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4158 {
-                                        phi_7853_ = _e4158;
+                                    let _e4151 = phi_6892_;
+                                    let _e4153 = ((_e4151 - ((((((_e3927 * 8f) * _e4037) * (0.000000059604645f * (524f / 64f))) + ((_e4044 * 19f) * ((_e3927 * (_e3981 + _e4035)) + (_e3981 * _e4035)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3927) * ((1f + _e3981) * (1f + _e4035))))) + ((_e1429 * (((_e4106 + (_e4037 * (0.000000059604645f * 8f))) + ((_e4111 * 6f) * (_e3981 + _e4035))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3981) * (1f + _e4035))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4153 {
+                                        phi_7861_ = _e4153;
                                     } else {
-                                        let _e4161 = local_1.member_1[0u];
-                                        let _e4167 = local_1.member_1[1u];
-                                        let _e4171 = (_e4161[0] + _e4167[0]);
-                                        let _e4172 = (_e4161[1] + _e4167[1]);
-                                        let _e4173 = (_e4161[2] + _e4167[2]);
-                                        let _e4176 = local_1.member_2[0u];
-                                        let _e4182 = local_1.member_2[1u];
-                                        let _e4186 = (_e4176[0] + _e4182[0]);
-                                        let _e4187 = (_e4176[1] + _e4182[1]);
-                                        let _e4188 = (_e4176[2] + _e4182[2]);
-                                        let _e4191 = ((_e4172 * _e4188) - (_e4173 * _e4187));
-                                        let _e4194 = ((_e4173 * _e4186) - (_e4171 * _e4188));
-                                        let _e4197 = ((_e4171 * _e4187) - (_e4172 * _e4186));
-                                        let _e4200 = local_1.member[0u];
-                                        let _e4206 = local_1.member_1[0u];
-                                        let _e4212 = local_1.member_2[0u];
-                                        let _e4216 = (_e4200[0] - _e4206[0]);
-                                        let _e4217 = (_e4200[1] - _e4206[1]);
-                                        let _e4218 = (_e4200[2] - _e4206[2]);
-                                        let _e4219 = (_e4200[0] - _e4212[0]);
-                                        let _e4220 = (_e4200[1] - _e4212[1]);
-                                        let _e4221 = (_e4200[2] - _e4212[2]);
-                                        let _e4224 = local_1.member[1u];
-                                        let _e4230 = local_1.member_1[1u];
-                                        let _e4236 = local_1.member_2[1u];
-                                        let _e4240 = (_e4224[0] - _e4230[0]);
-                                        let _e4241 = (_e4224[1] - _e4230[1]);
-                                        let _e4242 = (_e4224[2] - _e4230[2]);
-                                        let _e4243 = (_e4224[0] - _e4236[0]);
-                                        let _e4244 = (_e4224[1] - _e4236[1]);
-                                        let _e4245 = (_e4224[2] - _e4236[2]);
-                                        let _e4248 = local_1.member[0u];
-                                        if (_e4248[0] < 0f) {
-                                            phi_7087_ = -(_e4248[0]);
-                                        } else {
-                                            phi_7087_ = _e4248[0];
-                                        }
-                                        let _e4255 = phi_7087_;
-                                        if (_e4248[1] < 0f) {
-                                            phi_7094_ = -(_e4248[1]);
-                                        } else {
-                                            phi_7094_ = _e4248[1];
-                                        }
-                                        let _e4259 = phi_7094_;
-                                        if (_e4255 > _e4259) {
-                                            phi_7099_ = _e4255;
-                                        } else {
-                                            phi_7099_ = _e4259;
+                                        let _e4156 = local_1.member_1[0u];
+                                        let _e4162 = local_1.member_1[1u];
+                                        let _e4166 = (_e4156[0] + _e4162[0]);
+                                        let _e4167 = (_e4156[1] + _e4162[1]);
+                                        let _e4168 = (_e4156[2] + _e4162[2]);
+                                        let _e4171 = local_1.member_2[0u];
+                                        let _e4177 = local_1.member_2[1u];
+                                        let _e4181 = (_e4171[0] + _e4177[0]);
+                                        let _e4182 = (_e4171[1] + _e4177[1]);
+                                        let _e4183 = (_e4171[2] + _e4177[2]);
+                                        let _e4186 = ((_e4167 * _e4183) - (_e4168 * _e4182));
+                                        let _e4189 = ((_e4168 * _e4181) - (_e4166 * _e4183));
+                                        let _e4192 = ((_e4166 * _e4182) - (_e4167 * _e4181));
+                                        let _e4195 = local_1.member[0u];
+                                        let _e4201 = local_1.member_1[0u];
+                                        let _e4207 = local_1.member_2[0u];
+                                        let _e4211 = (_e4195[0] - _e4201[0]);
+                                        let _e4212 = (_e4195[1] - _e4201[1]);
+                                        let _e4213 = (_e4195[2] - _e4201[2]);
+                                        let _e4214 = (_e4195[0] - _e4207[0]);
+                                        let _e4215 = (_e4195[1] - _e4207[1]);
+                                        let _e4216 = (_e4195[2] - _e4207[2]);
+                                        let _e4219 = local_1.member[1u];
+                                        let _e4225 = local_1.member_1[1u];
+                                        let _e4231 = local_1.member_2[1u];
+                                        let _e4235 = (_e4219[0] - _e4225[0]);
+                                        let _e4236 = (_e4219[1] - _e4225[1]);
+                                        let _e4237 = (_e4219[2] - _e4225[2]);
+                                        let _e4238 = (_e4219[0] - _e4231[0]);
+                                        let _e4239 = (_e4219[1] - _e4231[1]);
+                                        let _e4240 = (_e4219[2] - _e4231[2]);
+                                        let _e4243 = local_1.member[0u];
+                                        if (_e4243[0] < 0f) {
+                                            phi_7095_ = -(_e4243[0]);
+                                        } else {
+                                            phi_7095_ = _e4243[0];
+                                        }
+                                        let _e4250 = phi_7095_;
+                                        if (_e4243[1] < 0f) {
+                                            phi_7102_ = -(_e4243[1]);
+                                        } else {
+                                            phi_7102_ = _e4243[1];
+                                        }
+                                        let _e4254 = phi_7102_;
+                                        if (_e4250 > _e4254) {
+                                            phi_7107_ = _e4250;
+                                        } else {
+                                            phi_7107_ = _e4254;
                                         }
-                                        let _e4262 = phi_7099_;
-                                        if (_e4248[2] < 0f) {
-                                            phi_7106_ = -(_e4248[2]);
+                                        let _e4257 = phi_7107_;
+                                        if (_e4243[2] < 0f) {
+                                            phi_7114_ = -(_e4243[2]);
                                         } else {
-                                            phi_7106_ = _e4248[2];
+                                            phi_7114_ = _e4243[2];
                                         }
-                                        let _e4266 = phi_7106_;
-                                        if (_e4262 > _e4266) {
-                                            phi_7111_ = _e4262;
+                                        let _e4261 = phi_7114_;
+                                        if (_e4257 > _e4261) {
+                                            phi_7119_ = _e4257;
                                         } else {
-                                            phi_7111_ = _e4266;
+                                            phi_7119_ = _e4261;
                                         }
-                                        let _e4269 = phi_7111_;
-                                        let _e4272 = local_1.member[1u];
-                                        if (_e4272[0] < 0f) {
-                                            phi_7124_ = -(_e4272[0]);
+                                        let _e4264 = phi_7119_;
+                                        let _e4267 = local_1.member[1u];
+                                        if (_e4267[0] < 0f) {
+                                            phi_7132_ = -(_e4267[0]);
                                         } else {
-                                            phi_7124_ = _e4272[0];
+                                            phi_7132_ = _e4267[0];
                                         }
-                                        let _e4279 = phi_7124_;
-                                        if (_e4272[1] < 0f) {
-                                            phi_7131_ = -(_e4272[1]);
+                                        let _e4274 = phi_7132_;
+                                        if (_e4267[1] < 0f) {
+                                            phi_7139_ = -(_e4267[1]);
                                         } else {
-                                            phi_7131_ = _e4272[1];
+                                            phi_7139_ = _e4267[1];
                                         }
-                                        let _e4283 = phi_7131_;
-                                        if (_e4279 > _e4283) {
-                                            phi_7136_ = _e4279;
+                                        let _e4278 = phi_7139_;
+                                        if (_e4274 > _e4278) {
+                                            phi_7144_ = _e4274;
                                         } else {
-                                            phi_7136_ = _e4283;
+                                            phi_7144_ = _e4278;
                                         }
-                                        let _e4286 = phi_7136_;
-                                        if (_e4272[2] < 0f) {
-                                            phi_7143_ = -(_e4272[2]);
+                                        let _e4281 = phi_7144_;
+                                        if (_e4267[2] < 0f) {
+                                            phi_7151_ = -(_e4267[2]);
                                         } else {
-                                            phi_7143_ = _e4272[2];
+                                            phi_7151_ = _e4267[2];
                                         }
-                                        let _e4290 = phi_7143_;
-                                        if (_e4286 > _e4290) {
-                                            phi_7148_ = _e4286;
+                                        let _e4285 = phi_7151_;
+                                        if (_e4281 > _e4285) {
+                                            phi_7156_ = _e4281;
                                         } else {
-                                            phi_7148_ = _e4290;
+                                            phi_7156_ = _e4285;
                                         }
-                                        let _e4293 = phi_7148_;
-                                        if (_e4269 > _e4293) {
-                                            phi_7153_ = _e4269;
+                                        let _e4288 = phi_7156_;
+                                        if (_e4264 > _e4288) {
+                                            phi_7161_ = _e4264;
                                         } else {
-                                            phi_7153_ = _e4293;
+                                            phi_7161_ = _e4288;
                                         }
-                                        let _e4296 = phi_7153_;
-                                        let _e4298 = local_1.member_3;
-                                        let _e4302 = local_1.member_1[0u];
-                                        if (_e4302[0] < 0f) {
-                                            phi_7170_ = -(_e4302[0]);
+                                        let _e4291 = phi_7161_;
+                                        let _e4293 = local_1.member_3;
+                                        let _e4297 = local_1.member_1[0u];
+                                        if (_e4297[0] < 0f) {
+                                            phi_7178_ = -(_e4297[0]);
                                         } else {
-                                            phi_7170_ = _e4302[0];
+                                            phi_7178_ = _e4297[0];
                                         }
-                                        let _e4309 = phi_7170_;
-                                        if (_e4302[1] < 0f) {
-                                            phi_7177_ = -(_e4302[1]);
+                                        let _e4304 = phi_7178_;
+                                        if (_e4297[1] < 0f) {
+                                            phi_7185_ = -(_e4297[1]);
                                         } else {
-                                            phi_7177_ = _e4302[1];
+                                            phi_7185_ = _e4297[1];
                                         }
-                                        let _e4313 = phi_7177_;
-                                        if (_e4309 > _e4313) {
-                                            phi_7182_ = _e4309;
+                                        let _e4308 = phi_7185_;
+                                        if (_e4304 > _e4308) {
+                                            phi_7190_ = _e4304;
                                         } else {
-                                            phi_7182_ = _e4313;
+                                            phi_7190_ = _e4308;
                                         }
-                                        let _e4316 = phi_7182_;
-                                        if (_e4302[2] < 0f) {
-                                            phi_7189_ = -(_e4302[2]);
+                                        let _e4311 = phi_7190_;
+                                        if (_e4297[2] < 0f) {
+                                            phi_7197_ = -(_e4297[2]);
                                         } else {
-                                            phi_7189_ = _e4302[2];
+                                            phi_7197_ = _e4297[2];
                                         }
-                                        let _e4320 = phi_7189_;
-                                        if (_e4316 > _e4320) {
-                                            phi_7194_ = _e4316;
+                                        let _e4315 = phi_7197_;
+                                        if (_e4311 > _e4315) {
+                                            phi_7202_ = _e4311;
                                         } else {
-                                            phi_7194_ = _e4320;
+                                            phi_7202_ = _e4315;
                                         }
-                                        let _e4323 = phi_7194_;
-                                        let _e4326 = local_1.member_1[1u];
-                                        if (_e4326[0] < 0f) {
-                                            phi_7208_ = -(_e4326[0]);
+                                        let _e4318 = phi_7202_;
+                                        let _e4321 = local_1.member_1[1u];
+                                        if (_e4321[0] < 0f) {
+                                            phi_7216_ = -(_e4321[0]);
                                         } else {
-                                            phi_7208_ = _e4326[0];
+                                            phi_7216_ = _e4321[0];
                                         }
-                                        let _e4333 = phi_7208_;
-                                        if (_e4326[1] < 0f) {
-                                            phi_7215_ = -(_e4326[1]);
+                                        let _e4328 = phi_7216_;
+                                        if (_e4321[1] < 0f) {
+                                            phi_7223_ = -(_e4321[1]);
                                         } else {
-                                            phi_7215_ = _e4326[1];
+                                            phi_7223_ = _e4321[1];
                                         }
-                                        let _e4337 = phi_7215_;
-                                        if (_e4333 > _e4337) {
-                                            phi_7220_ = _e4333;
+                                        let _e4332 = phi_7223_;
+                                        if (_e4328 > _e4332) {
+                                            phi_7228_ = _e4328;
                                         } else {
-                                            phi_7220_ = _e4337;
+                                            phi_7228_ = _e4332;
                                         }
-                                        let _e4340 = phi_7220_;
-                                        if (_e4326[2] < 0f) {
-                                            phi_7227_ = -(_e4326[2]);
+                                        let _e4335 = phi_7228_;
+                                        if (_e4321[2] < 0f) {
+                                            phi_7235_ = -(_e4321[2]);
                                         } else {
-                                            phi_7227_ = _e4326[2];
+                                            phi_7235_ = _e4321[2];
                                         }
-                                        let _e4344 = phi_7227_;
-                                        if (_e4340 > _e4344) {
-                                            phi_7232_ = _e4340;
+                                        let _e4339 = phi_7235_;
+                                        if (_e4335 > _e4339) {
+                                            phi_7240_ = _e4335;
                                         } else {
-                                            phi_7232_ = _e4344;
+                                            phi_7240_ = _e4339;
                                         }
-                                        let _e4347 = phi_7232_;
-                                        if (_e4323 > _e4347) {
-                                            phi_7237_ = _e4323;
+                                        let _e4342 = phi_7240_;
+                                        if (_e4318 > _e4342) {
+                                            phi_7245_ = _e4318;
                                         } else {
-                                            phi_7237_ = _e4347;
+                                            phi_7245_ = _e4342;
                                         }
-                                        let _e4350 = phi_7237_;
-                                        let _e4352 = local_1.member_3;
-                                        let _e4356 = local_1.member_2[0u];
-                                        if (_e4356[0] < 0f) {
-                                            phi_7254_ = -(_e4356[0]);
+                                        let _e4345 = phi_7245_;
+                                        let _e4347 = local_1.member_3;
+                                        let _e4351 = local_1.member_2[0u];
+                                        if (_e4351[0] < 0f) {
+                                            phi_7262_ = -(_e4351[0]);
                                         } else {
-                                            phi_7254_ = _e4356[0];
+                                            phi_7262_ = _e4351[0];
                                         }
-                                        let _e4363 = phi_7254_;
-                                        if (_e4356[1] < 0f) {
-                                            phi_7261_ = -(_e4356[1]);
+                                        let _e4358 = phi_7262_;
+                                        if (_e4351[1] < 0f) {
+                                            phi_7269_ = -(_e4351[1]);
                                         } else {
-                                            phi_7261_ = _e4356[1];
+                                            phi_7269_ = _e4351[1];
                                         }
-                                        let _e4367 = phi_7261_;
-                                        if (_e4363 > _e4367) {
-                                            phi_7266_ = _e4363;
+                                        let _e4362 = phi_7269_;
+                                        if (_e4358 > _e4362) {
+                                            phi_7274_ = _e4358;
                                         } else {
-                                            phi_7266_ = _e4367;
+                                            phi_7274_ = _e4362;
                                         }
-                                        let _e4370 = phi_7266_;
-                                        if (_e4356[2] < 0f) {
-                                            phi_7273_ = -(_e4356[2]);
+                                        let _e4365 = phi_7274_;
+                                        if (_e4351[2] < 0f) {
+                                            phi_7281_ = -(_e4351[2]);
                                         } else {
-                                            phi_7273_ = _e4356[2];
+                                            phi_7281_ = _e4351[2];
                                         }
-                                        let _e4374 = phi_7273_;
-                                        if (_e4370 > _e4374) {
-                                            phi_7278_ = _e4370;
+                                        let _e4369 = phi_7281_;
+                                        if (_e4365 > _e4369) {
+                                            phi_7286_ = _e4365;
                                         } else {
-                                            phi_7278_ = _e4374;
+                                            phi_7286_ = _e4369;
                                         }
-                                        let _e4377 = phi_7278_;
-                                        let _e4380 = local_1.member_2[1u];
-                                        if (_e4380[0] < 0f) {
-                                            phi_7292_ = -(_e4380[0]);
+                                        let _e4372 = phi_7286_;
+                                        let _e4375 = local_1.member_2[1u];
+                                        if (_e4375[0] < 0f) {
+                                            phi_7300_ = -(_e4375[0]);
                                         } else {
-                                            phi_7292_ = _e4380[0];
+                                            phi_7300_ = _e4375[0];
                                         }
-                                        let _e4387 = phi_7292_;
-                                        if (_e4380[1] < 0f) {
-                                            phi_7299_ = -(_e4380[1]);
+                                        let _e4382 = phi_7300_;
+                                        if (_e4375[1] < 0f) {
+                                            phi_7307_ = -(_e4375[1]);
                                         } else {
-                                            phi_7299_ = _e4380[1];
+                                            phi_7307_ = _e4375[1];
                                         }
-                                        let _e4391 = phi_7299_;
-                                        if (_e4387 > _e4391) {
-                                            phi_7304_ = _e4387;
+                                        let _e4386 = phi_7307_;
+                                        if (_e4382 > _e4386) {
+                                            phi_7312_ = _e4382;
                                         } else {
-                                            phi_7304_ = _e4391;
+                                            phi_7312_ = _e4386;
                                         }
-                                        let _e4394 = phi_7304_;
-                                        if (_e4380[2] < 0f) {
-                                            phi_7311_ = -(_e4380[2]);
+                                        let _e4389 = phi_7312_;
+                                        if (_e4375[2] < 0f) {
+                                            phi_7319_ = -(_e4375[2]);
                                         } else {
-                                            phi_7311_ = _e4380[2];
+                                            phi_7319_ = _e4375[2];
                                         }
-                                        let _e4398 = phi_7311_;
-                                        if (_e4394 > _e4398) {
-                                            phi_7316_ = _e4394;
+                                        let _e4393 = phi_7319_;
+                                        if (_e4389 > _e4393) {
+                                            phi_7324_ = _e4389;
                                         } else {
-                                            phi_7316_ = _e4398;
+                                            phi_7324_ = _e4393;
                                         }
-                                        let _e4401 = phi_7316_;
-                                        if (_e4377 > _e4401) {
-                                            phi_7321_ = _e4377;
+                                        let _e4396 = phi_7324_;
+                                        if (_e4372 > _e4396) {
+                                            phi_7329_ = _e4372;
                                         } else {
-                                            phi_7321_ = _e4401;
+                                            phi_7329_ = _e4396;
                                         }
-                                        let _e4404 = phi_7321_;
-                                        let _e4406 = local_1.member_3;
-                                        let _e4410 = ((((_e4296 + _e4298) + (_e4350 + _e4352)) + (_e4404 + _e4406)) * 2f);
-                                        let _e4413 = local_1.member_3;
-                                        let _e4417 = (((_e1434 * 1.0001f) + (_e4413 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4420 = ((_e4194 * _e4173) - (_e4197 * _e4172));
-                                        let _e4423 = ((_e4197 * _e4171) - (_e4191 * _e4173));
-                                        let _e4426 = ((_e4191 * _e4172) - (_e4194 * _e4171));
-                                        let _e4431 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
-                                        let _e4436 = (((_e4420 * _e4216) + (_e4423 * _e4217)) + (_e4426 * _e4218));
-                                        let _e4441 = (((_e4420 * _e4219) + (_e4423 * _e4220)) + (_e4426 * _e4221));
-                                        let _e4446 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
-                                        let _e4451 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
-                                        let _e4456 = (((_e4420 * _e4240) + (_e4423 * _e4241)) + (_e4426 * _e4242));
-                                        let _e4461 = (((_e4420 * _e4243) + (_e4423 * _e4244)) + (_e4426 * _e4245));
-                                        let _e4466 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
-                                        if (_e4431 < _e4436) {
-                                            phi_7400_ = _e4431;
+                                        let _e4399 = phi_7329_;
+                                        let _e4401 = local_1.member_3;
+                                        let _e4405 = ((((_e4291 + _e4293) + (_e4345 + _e4347)) + (_e4399 + _e4401)) * 2f);
+                                        let _e4408 = local_1.member_3;
+                                        let _e4412 = (((_e1429 * 1.0001f) + (_e4408 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4415 = ((_e4189 * _e4168) - (_e4192 * _e4167));
+                                        let _e4418 = ((_e4192 * _e4166) - (_e4186 * _e4168));
+                                        let _e4421 = ((_e4186 * _e4167) - (_e4189 * _e4166));
+                                        let _e4426 = (((_e4415 * _e4195[0]) + (_e4418 * _e4195[1])) + (_e4421 * _e4195[2]));
+                                        let _e4431 = (((_e4415 * _e4211) + (_e4418 * _e4212)) + (_e4421 * _e4213));
+                                        let _e4436 = (((_e4415 * _e4214) + (_e4418 * _e4215)) + (_e4421 * _e4216));
+                                        let _e4441 = (((_e4415 * _e4195[0]) + (_e4418 * _e4195[1])) + (_e4421 * _e4195[2]));
+                                        let _e4446 = (((_e4415 * _e4219[0]) + (_e4418 * _e4219[1])) + (_e4421 * _e4219[2]));
+                                        let _e4451 = (((_e4415 * _e4235) + (_e4418 * _e4236)) + (_e4421 * _e4237));
+                                        let _e4456 = (((_e4415 * _e4238) + (_e4418 * _e4239)) + (_e4421 * _e4240));
+                                        let _e4461 = (((_e4415 * _e4219[0]) + (_e4418 * _e4219[1])) + (_e4421 * _e4219[2]));
+                                        if (_e4426 < _e4431) {
+                                            phi_7408_ = _e4426;
                                         } else {
-                                            phi_7400_ = _e4436;
+                                            phi_7408_ = _e4431;
                                         }
-                                        let _e4469 = phi_7400_;
-                                        if (_e4441 < _e4446) {
-                                            phi_7405_ = _e4441;
+                                        let _e4464 = phi_7408_;
+                                        if (_e4436 < _e4441) {
+                                            phi_7413_ = _e4436;
                                         } else {
-                                            phi_7405_ = _e4446;
+                                            phi_7413_ = _e4441;
                                         }
-                                        let _e4472 = phi_7405_;
-                                        if (_e4469 < _e4472) {
-                                            phi_7410_ = _e4469;
+                                        let _e4467 = phi_7413_;
+                                        if (_e4464 < _e4467) {
+                                            phi_7418_ = _e4464;
                                         } else {
-                                            phi_7410_ = _e4472;
+                                            phi_7418_ = _e4467;
                                         }
-                                        let _e4475 = phi_7410_;
-                                        if (_e4451 < _e4456) {
-                                            phi_7415_ = _e4451;
+                                        let _e4470 = phi_7418_;
+                                        if (_e4446 < _e4451) {
+                                            phi_7423_ = _e4446;
                                         } else {
-                                            phi_7415_ = _e4456;
+                                            phi_7423_ = _e4451;
                                         }
-                                        let _e4478 = phi_7415_;
-                                        if (_e4461 < _e4466) {
-                                            phi_7420_ = _e4461;
+                                        let _e4473 = phi_7423_;
+                                        if (_e4456 < _e4461) {
+                                            phi_7428_ = _e4456;
                                         } else {
-                                            phi_7420_ = _e4466;
+                                            phi_7428_ = _e4461;
                                         }
-                                        let _e4481 = phi_7420_;
-                                        if (_e4478 < _e4481) {
-                                            phi_7425_ = _e4478;
+                                        let _e4476 = phi_7428_;
+                                        if (_e4473 < _e4476) {
+                                            phi_7433_ = _e4473;
                                         } else {
-                                            phi_7425_ = _e4481;
+                                            phi_7433_ = _e4476;
                                         }
-                                        let _e4484 = phi_7425_;
-                                        if (_e4475 < _e4484) {
-                                            phi_7430_ = _e4475;
+                                        let _e4479 = phi_7433_;
+                                        if (_e4470 < _e4479) {
+                                            phi_7438_ = _e4470;
                                         } else {
-                                            phi_7430_ = _e4484;
+                                            phi_7438_ = _e4479;
                                         }
-                                        let _e4487 = phi_7430_;
-                                        if (_e4431 > _e4436) {
-                                            phi_7435_ = _e4431;
+                                        let _e4482 = phi_7438_;
+                                        if (_e4426 > _e4431) {
+                                            phi_7443_ = _e4426;
                                         } else {
-                                            phi_7435_ = _e4436;
+                                            phi_7443_ = _e4431;
                                         }
-                                        let _e4490 = phi_7435_;
-                                        if (_e4441 > _e4446) {
-                                            phi_7440_ = _e4441;
+                                        let _e4485 = phi_7443_;
+                                        if (_e4436 > _e4441) {
+                                            phi_7448_ = _e4436;
                                         } else {
-                                            phi_7440_ = _e4446;
+                                            phi_7448_ = _e4441;
                                         }
-                                        let _e4493 = phi_7440_;
-                                        if (_e4490 > _e4493) {
-                                            phi_7445_ = _e4490;
+                                        let _e4488 = phi_7448_;
+                                        if (_e4485 > _e4488) {
+                                            phi_7453_ = _e4485;
                                         } else {
-                                            phi_7445_ = _e4493;
+                                            phi_7453_ = _e4488;
                                         }
-                                        let _e4496 = phi_7445_;
-                                        if (_e4451 > _e4456) {
-                                            phi_7450_ = _e4451;
+                                        let _e4491 = phi_7453_;
+                                        if (_e4446 > _e4451) {
+                                            phi_7458_ = _e4446;
                                         } else {
-                                            phi_7450_ = _e4456;
+                                            phi_7458_ = _e4451;
                                         }
-                                        let _e4499 = phi_7450_;
-                                        if (_e4461 > _e4466) {
-                                            phi_7455_ = _e4461;
+                                        let _e4494 = phi_7458_;
+                                        if (_e4456 > _e4461) {
+                                            phi_7463_ = _e4456;
                                         } else {
-                                            phi_7455_ = _e4466;
+                                            phi_7463_ = _e4461;
                                         }
-                                        let _e4502 = phi_7455_;
-                                        if (_e4499 > _e4502) {
-                                            phi_7460_ = _e4499;
+                                        let _e4497 = phi_7463_;
+                                        if (_e4494 > _e4497) {
+                                            phi_7468_ = _e4494;
                                         } else {
-                                            phi_7460_ = _e4502;
+                                            phi_7468_ = _e4497;
                                         }
-                                        let _e4505 = phi_7460_;
-                                        if (_e4496 > _e4505) {
-                                            phi_7465_ = _e4496;
+                                        let _e4500 = phi_7468_;
+                                        if (_e4491 > _e4500) {
+                                            phi_7473_ = _e4491;
                                         } else {
-                                            phi_7465_ = _e4505;
+                                            phi_7473_ = _e4500;
                                         }
-                                        let _e4508 = phi_7465_;
-                                        if (_e4420 < 0f) {
-                                            phi_7471_ = -(_e4420);
+                                        let _e4503 = phi_7473_;
+                                        if (_e4415 < 0f) {
+                                            phi_7479_ = -(_e4415);
                                         } else {
-                                            phi_7471_ = _e4420;
+                                            phi_7479_ = _e4415;
                                         }
-                                        let _e4512 = phi_7471_;
-                                        if (_e4423 < 0f) {
-                                            phi_7477_ = -(_e4423);
+                                        let _e4507 = phi_7479_;
+                                        if (_e4418 < 0f) {
+                                            phi_7485_ = -(_e4418);
                                         } else {
-                                            phi_7477_ = _e4423;
+                                            phi_7485_ = _e4418;
                                         }
-                                        let _e4516 = phi_7477_;
-                                        if (_e4426 < 0f) {
-                                            phi_7484_ = -(_e4426);
+                                        let _e4511 = phi_7485_;
+                                        if (_e4421 < 0f) {
+                                            phi_7492_ = -(_e4421);
                                         } else {
-                                            phi_7484_ = _e4426;
+                                            phi_7492_ = _e4421;
                                         }
-                                        let _e4521 = phi_7484_;
-                                        let _e4522 = ((_e4512 + _e4516) + _e4521);
-                                        let _e4527 = -(_e4508);
-                                        if (_e4487 > _e4527) {
-                                            phi_7495_ = _e4487;
+                                        let _e4516 = phi_7492_;
+                                        let _e4517 = ((_e4507 + _e4511) + _e4516);
+                                        let _e4522 = -(_e4503);
+                                        if (_e4482 > _e4522) {
+                                            phi_7503_ = _e4482;
                                         } else {
-                                            phi_7495_ = _e4527;
+                                            phi_7503_ = _e4522;
                                         }
-                                        let _e4530 = phi_7495_;
-                                        let _e4535 = (((_e4530 - ((_e4522 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4522 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4538 = ((_e4194 * _e4188) - (_e4197 * _e4187));
-                                        let _e4541 = ((_e4197 * _e4186) - (_e4191 * _e4188));
-                                        let _e4544 = ((_e4191 * _e4187) - (_e4194 * _e4186));
-                                        let _e4549 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
-                                        let _e4554 = (((_e4538 * _e4216) + (_e4541 * _e4217)) + (_e4544 * _e4218));
-                                        let _e4559 = (((_e4538 * _e4219) + (_e4541 * _e4220)) + (_e4544 * _e4221));
-                                        let _e4564 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
-                                        let _e4569 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
-                                        let _e4574 = (((_e4538 * _e4240) + (_e4541 * _e4241)) + (_e4544 * _e4242));
-                                        let _e4579 = (((_e4538 * _e4243) + (_e4541 * _e4244)) + (_e4544 * _e4245));
-                                        let _e4584 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
-                                        if (_e4549 < _e4554) {
-                                            phi_7566_ = _e4549;
+                                        let _e4525 = phi_7503_;
+                                        let _e4530 = (((_e4525 - ((_e4517 * _e4405) * (0.000000059604645f * (17f / 2f)))) - (_e4517 * _e4412)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4533 = ((_e4189 * _e4183) - (_e4192 * _e4182));
+                                        let _e4536 = ((_e4192 * _e4181) - (_e4186 * _e4183));
+                                        let _e4539 = ((_e4186 * _e4182) - (_e4189 * _e4181));
+                                        let _e4544 = (((_e4533 * _e4195[0]) + (_e4536 * _e4195[1])) + (_e4539 * _e4195[2]));
+                                        let _e4549 = (((_e4533 * _e4211) + (_e4536 * _e4212)) + (_e4539 * _e4213));
+                                        let _e4554 = (((_e4533 * _e4214) + (_e4536 * _e4215)) + (_e4539 * _e4216));
+                                        let _e4559 = (((_e4533 * _e4195[0]) + (_e4536 * _e4195[1])) + (_e4539 * _e4195[2]));
+                                        let _e4564 = (((_e4533 * _e4219[0]) + (_e4536 * _e4219[1])) + (_e4539 * _e4219[2]));
+                                        let _e4569 = (((_e4533 * _e4235) + (_e4536 * _e4236)) + (_e4539 * _e4237));
+                                        let _e4574 = (((_e4533 * _e4238) + (_e4536 * _e4239)) + (_e4539 * _e4240));
+                                        let _e4579 = (((_e4533 * _e4219[0]) + (_e4536 * _e4219[1])) + (_e4539 * _e4219[2]));
+                                        if (_e4544 < _e4549) {
+                                            phi_7574_ = _e4544;
                                         } else {
-                                            phi_7566_ = _e4554;
+                                            phi_7574_ = _e4549;
                                         }
-                                        let _e4587 = phi_7566_;
-                                        if (_e4559 < _e4564) {
-                                            phi_7571_ = _e4559;
+                                        let _e4582 = phi_7574_;
+                                        if (_e4554 < _e4559) {
+                                            phi_7579_ = _e4554;
                                         } else {
-                                            phi_7571_ = _e4564;
+                                            phi_7579_ = _e4559;
                                         }
-                                        let _e4590 = phi_7571_;
-                                        if (_e4587 < _e4590) {
-                                            phi_7576_ = _e4587;
+                                        let _e4585 = phi_7579_;
+                                        if (_e4582 < _e4585) {
+                                            phi_7584_ = _e4582;
                                         } else {
-                                            phi_7576_ = _e4590;
+                                            phi_7584_ = _e4585;
                                         }
-                                        let _e4593 = phi_7576_;
-                                        if (_e4569 < _e4574) {
-                                            phi_7581_ = _e4569;
+                                        let _e4588 = phi_7584_;
+                                        if (_e4564 < _e4569) {
+                                            phi_7589_ = _e4564;
                                         } else {
-                                            phi_7581_ = _e4574;
+                                            phi_7589_ = _e4569;
                                         }
-                                        let _e4596 = phi_7581_;
-                                        if (_e4579 < _e4584) {
-                                            phi_7586_ = _e4579;
+                                        let _e4591 = phi_7589_;
+                                        if (_e4574 < _e4579) {
+                                            phi_7594_ = _e4574;
                                         } else {
-                                            phi_7586_ = _e4584;
+                                            phi_7594_ = _e4579;
                                         }
-                                        let _e4599 = phi_7586_;
-                                        if (_e4596 < _e4599) {
-                                            phi_7591_ = _e4596;
+                                        let _e4594 = phi_7594_;
+                                        if (_e4591 < _e4594) {
+                                            phi_7599_ = _e4591;
                                         } else {
-                                            phi_7591_ = _e4599;
+                                            phi_7599_ = _e4594;
                                         }
-                                        let _e4602 = phi_7591_;
-                                        if (_e4593 < _e4602) {
-                                            phi_7596_ = _e4593;
+                                        let _e4597 = phi_7599_;
+                                        if (_e4588 < _e4597) {
+                                            phi_7604_ = _e4588;
                                         } else {
-                                            phi_7596_ = _e4602;
+                                            phi_7604_ = _e4597;
                                         }
-                                        let _e4605 = phi_7596_;
-                                        if (_e4549 > _e4554) {
-                                            phi_7601_ = _e4549;
+                                        let _e4600 = phi_7604_;
+                                        if (_e4544 > _e4549) {
+                                            phi_7609_ = _e4544;
                                         } else {
-                                            phi_7601_ = _e4554;
+                                            phi_7609_ = _e4549;
                                         }
-                                        let _e4608 = phi_7601_;
-                                        if (_e4559 > _e4564) {
-                                            phi_7606_ = _e4559;
+                                        let _e4603 = phi_7609_;
+                                        if (_e4554 > _e4559) {
+                                            phi_7614_ = _e4554;
                                         } else {
-                                            phi_7606_ = _e4564;
+                                            phi_7614_ = _e4559;
                                         }
-                                        let _e4611 = phi_7606_;
-                                        if (_e4608 > _e4611) {
-                                            phi_7611_ = _e4608;
+                                        let _e4606 = phi_7614_;
+                                        if (_e4603 > _e4606) {
+                                            phi_7619_ = _e4603;
                                         } else {
-                                            phi_7611_ = _e4611;
+                                            phi_7619_ = _e4606;
                                         }
-                                        let _e4614 = phi_7611_;
-                                        if (_e4569 > _e4574) {
-                                            phi_7616_ = _e4569;
+                                        let _e4609 = phi_7619_;
+                                        if (_e4564 > _e4569) {
+                                            phi_7624_ = _e4564;
                                         } else {
-                                            phi_7616_ = _e4574;
+                                            phi_7624_ = _e4569;
                                         }
-                                        let _e4617 = phi_7616_;
-                                        if (_e4579 > _e4584) {
-                                            phi_7621_ = _e4579;
+                                        let _e4612 = phi_7624_;
+                                        if (_e4574 > _e4579) {
+                                            phi_7629_ = _e4574;
                                         } else {
-                                            phi_7621_ = _e4584;
+                                            phi_7629_ = _e4579;
                                         }
-                                        let _e4620 = phi_7621_;
-                                        if (_e4617 > _e4620) {
-                                            phi_7626_ = _e4617;
+                                        let _e4615 = phi_7629_;
+                                        if (_e4612 > _e4615) {
+                                            phi_7634_ = _e4612;
                                         } else {
-                                            phi_7626_ = _e4620;
+                                            phi_7634_ = _e4615;
                                         }
-                                        let _e4623 = phi_7626_;
-                                        if (_e4614 > _e4623) {
-                                            phi_7631_ = _e4614;
+                                        let _e4618 = phi_7634_;
+                                        if (_e4609 > _e4618) {
+                                            phi_7639_ = _e4609;
                                         } else {
-                                            phi_7631_ = _e4623;
+                                            phi_7639_ = _e4618;
                                         }
-                                        let _e4626 = phi_7631_;
-                                        if (_e4538 < 0f) {
-                                            phi_7637_ = -(_e4538);
+                                        let _e4621 = phi_7639_;
+                                        if (_e4533 < 0f) {
+                                            phi_7645_ = -(_e4533);
                                         } else {
-                                            phi_7637_ = _e4538;
+                                            phi_7645_ = _e4533;
                                         }
-                                        let _e4630 = phi_7637_;
-                                        if (_e4541 < 0f) {
-                                            phi_7643_ = -(_e4541);
+                                        let _e4625 = phi_7645_;
+                                        if (_e4536 < 0f) {
+                                            phi_7651_ = -(_e4536);
                                         } else {
-                                            phi_7643_ = _e4541;
+                                            phi_7651_ = _e4536;
                                         }
-                                        let _e4634 = phi_7643_;
-                                        if (_e4544 < 0f) {
-                                            phi_7650_ = -(_e4544);
+                                        let _e4629 = phi_7651_;
+                                        if (_e4539 < 0f) {
+                                            phi_7658_ = -(_e4539);
                                         } else {
-                                            phi_7650_ = _e4544;
+                                            phi_7658_ = _e4539;
                                         }
-                                        let _e4639 = phi_7650_;
-                                        let _e4640 = ((_e4630 + _e4634) + _e4639);
-                                        let _e4645 = -(_e4626);
-                                        if (_e4605 > _e4645) {
-                                            phi_7661_ = _e4605;
+                                        let _e4634 = phi_7658_;
+                                        let _e4635 = ((_e4625 + _e4629) + _e4634);
+                                        let _e4640 = -(_e4621);
+                                        if (_e4600 > _e4640) {
+                                            phi_7669_ = _e4600;
                                         } else {
-                                            phi_7661_ = _e4645;
+                                            phi_7669_ = _e4640;
                                         }
-                                        let _e4648 = phi_7661_;
-                                        let _e4653 = (((_e4648 - ((_e4640 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4640 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4535 > _e4653) {
-                                            phi_7671_ = _e4535;
+                                        let _e4643 = phi_7669_;
+                                        let _e4648 = (((_e4643 - ((_e4635 * _e4405) * (0.000000059604645f * (17f / 2f)))) - (_e4635 * _e4412)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4530 > _e4648) {
+                                            phi_7679_ = _e4530;
                                         } else {
-                                            phi_7671_ = _e4653;
+                                            phi_7679_ = _e4648;
                                         }
-                                        let _e4656 = phi_7671_;
-                                        let _e4657 = (_e4186 - _e4171);
-                                        let _e4658 = (_e4187 - _e4172);
-                                        let _e4659 = (_e4188 - _e4173);
-                                        let _e4662 = ((_e4194 * _e4659) - (_e4197 * _e4658));
-                                        let _e4665 = ((_e4197 * _e4657) - (_e4191 * _e4659));
-                                        let _e4668 = ((_e4191 * _e4658) - (_e4194 * _e4657));
-                                        let _e4673 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
-                                        let _e4678 = (((_e4662 * _e4216) + (_e4665 * _e4217)) + (_e4668 * _e4218));
-                                        let _e4683 = (((_e4662 * _e4219) + (_e4665 * _e4220)) + (_e4668 * _e4221));
-                                        let _e4688 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
-                                        let _e4693 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
-                                        let _e4698 = (((_e4662 * _e4240) + (_e4665 * _e4241)) + (_e4668 * _e4242));
-                                        let _e4703 = (((_e4662 * _e4243) + (_e4665 * _e4244)) + (_e4668 * _e4245));
-                                        let _e4708 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
-                                        if (_e4673 < _e4678) {
-                                            phi_7744_ = _e4673;
+                                        let _e4651 = phi_7679_;
+                                        let _e4652 = (_e4181 - _e4166);
+                                        let _e4653 = (_e4182 - _e4167);
+                                        let _e4654 = (_e4183 - _e4168);
+                                        let _e4657 = ((_e4189 * _e4654) - (_e4192 * _e4653));
+                                        let _e4660 = ((_e4192 * _e4652) - (_e4186 * _e4654));
+                                        let _e4663 = ((_e4186 * _e4653) - (_e4189 * _e4652));
+                                        let _e4668 = (((_e4657 * _e4195[0]) + (_e4660 * _e4195[1])) + (_e4663 * _e4195[2]));
+                                        let _e4673 = (((_e4657 * _e4211) + (_e4660 * _e4212)) + (_e4663 * _e4213));
+                                        let _e4678 = (((_e4657 * _e4214) + (_e4660 * _e4215)) + (_e4663 * _e4216));
+                                        let _e4683 = (((_e4657 * _e4195[0]) + (_e4660 * _e4195[1])) + (_e4663 * _e4195[2]));
+                                        let _e4688 = (((_e4657 * _e4219[0]) + (_e4660 * _e4219[1])) + (_e4663 * _e4219[2]));
+                                        let _e4693 = (((_e4657 * _e4235) + (_e4660 * _e4236)) + (_e4663 * _e4237));
+                                        let _e4698 = (((_e4657 * _e4238) + (_e4660 * _e4239)) + (_e4663 * _e4240));
+                                        let _e4703 = (((_e4657 * _e4219[0]) + (_e4660 * _e4219[1])) + (_e4663 * _e4219[2]));
+                                        if (_e4668 < _e4673) {
+                                            phi_7752_ = _e4668;
                                         } else {
-                                            phi_7744_ = _e4678;
+                                            phi_7752_ = _e4673;
                                         }
-                                        let _e4711 = phi_7744_;
-                                        if (_e4683 < _e4688) {
-                                            phi_7749_ = _e4683;
+                                        let _e4706 = phi_7752_;
+                                        if (_e4678 < _e4683) {
+                                            phi_7757_ = _e4678;
                                         } else {
-                                            phi_7749_ = _e4688;
+                                            phi_7757_ = _e4683;
                                         }
-                                        let _e4714 = phi_7749_;
-                                        if (_e4711 < _e4714) {
-                                            phi_7754_ = _e4711;
+                                        let _e4709 = phi_7757_;
+                                        if (_e4706 < _e4709) {
+                                            phi_7762_ = _e4706;
                                         } else {
-                                            phi_7754_ = _e4714;
+                                            phi_7762_ = _e4709;
                                         }
-                                        let _e4717 = phi_7754_;
-                                        if (_e4693 < _e4698) {
-                                            phi_7759_ = _e4693;
+                                        let _e4712 = phi_7762_;
+                                        if (_e4688 < _e4693) {
+                                            phi_7767_ = _e4688;
                                         } else {
-                                            phi_7759_ = _e4698;
+                                            phi_7767_ = _e4693;
                                         }
-                                        let _e4720 = phi_7759_;
-                                        if (_e4703 < _e4708) {
-                                            phi_7764_ = _e4703;
+                                        let _e4715 = phi_7767_;
+                                        if (_e4698 < _e4703) {
+                                            phi_7772_ = _e4698;
                                         } else {
-                                            phi_7764_ = _e4708;
+                                            phi_7772_ = _e4703;
                                         }
-                                        let _e4723 = phi_7764_;
-                                        if (_e4720 < _e4723) {
-                                            phi_7769_ = _e4720;
+                                        let _e4718 = phi_7772_;
+                                        if (_e4715 < _e4718) {
+                                            phi_7777_ = _e4715;
                                         } else {
-                                            phi_7769_ = _e4723;
+                                            phi_7777_ = _e4718;
                                         }
-                                        let _e4726 = phi_7769_;
-                                        if (_e4717 < _e4726) {
-                                            phi_7774_ = _e4717;
+                                        let _e4721 = phi_7777_;
+                                        if (_e4712 < _e4721) {
+                                            phi_7782_ = _e4712;
                                         } else {
-                                            phi_7774_ = _e4726;
+                                            phi_7782_ = _e4721;
                                         }
-                                        let _e4729 = phi_7774_;
-                                        if (_e4673 > _e4678) {
-                                            phi_7779_ = _e4673;
+                                        let _e4724 = phi_7782_;
+                                        if (_e4668 > _e4673) {
+                                            phi_7787_ = _e4668;
                                         } else {
-                                            phi_7779_ = _e4678;
+                                            phi_7787_ = _e4673;
                                         }
-                                        let _e4732 = phi_7779_;
-                                        if (_e4683 > _e4688) {
-                                            phi_7784_ = _e4683;
+                                        let _e4727 = phi_7787_;
+                                        if (_e4678 > _e4683) {
+                                            phi_7792_ = _e4678;
                                         } else {
-                                            phi_7784_ = _e4688;
+                                            phi_7792_ = _e4683;
                                         }
-                                        let _e4735 = phi_7784_;
-                                        if (_e4732 > _e4735) {
-                                            phi_7789_ = _e4732;
+                                        let _e4730 = phi_7792_;
+                                        if (_e4727 > _e4730) {
+                                            phi_7797_ = _e4727;
                                         } else {
-                                            phi_7789_ = _e4735;
+                                            phi_7797_ = _e4730;
                                         }
-                                        let _e4738 = phi_7789_;
-                                        if (_e4693 > _e4698) {
-                                            phi_7794_ = _e4693;
+                                        let _e4733 = phi_7797_;
+                                        if (_e4688 > _e4693) {
+                                            phi_7802_ = _e4688;
                                         } else {
-                                            phi_7794_ = _e4698;
+                                            phi_7802_ = _e4693;
                                         }
-                                        let _e4741 = phi_7794_;
-                                        if (_e4703 > _e4708) {
-                                            phi_7799_ = _e4703;
+                                        let _e4736 = phi_7802_;
+                                        if (_e4698 > _e4703) {
+                                            phi_7807_ = _e4698;
                                         } else {
-                                            phi_7799_ = _e4708;
+                                            phi_7807_ = _e4703;
                                         }
-                                        let _e4744 = phi_7799_;
-                                        if (_e4741 > _e4744) {
-                                            phi_7804_ = _e4741;
+                                        let _e4739 = phi_7807_;
+                                        if (_e4736 > _e4739) {
+                                            phi_7812_ = _e4736;
                                         } else {
-                                            phi_7804_ = _e4744;
+                                            phi_7812_ = _e4739;
                                         }
-                                        let _e4747 = phi_7804_;
-                                        if (_e4738 > _e4747) {
-                                            phi_7809_ = _e4738;
+                                        let _e4742 = phi_7812_;
+                                        if (_e4733 > _e4742) {
+                                            phi_7817_ = _e4733;
                                         } else {
-                                            phi_7809_ = _e4747;
+                                            phi_7817_ = _e4742;
                                         }
-                                        let _e4750 = phi_7809_;
-                                        if (_e4662 < 0f) {
-                                            phi_7815_ = -(_e4662);
+                                        let _e4745 = phi_7817_;
+                                        if (_e4657 < 0f) {
+                                            phi_7823_ = -(_e4657);
                                         } else {
-                                            phi_7815_ = _e4662;
+                                            phi_7823_ = _e4657;
                                         }
-                                        let _e4754 = phi_7815_;
-                                        if (_e4665 < 0f) {
-                                            phi_7821_ = -(_e4665);
+                                        let _e4749 = phi_7823_;
+                                        if (_e4660 < 0f) {
+                                            phi_7829_ = -(_e4660);
                                         } else {
-                                            phi_7821_ = _e4665;
+                                            phi_7829_ = _e4660;
                                         }
-                                        let _e4758 = phi_7821_;
-                                        if (_e4668 < 0f) {
-                                            phi_7828_ = -(_e4668);
+                                        let _e4753 = phi_7829_;
+                                        if (_e4663 < 0f) {
+                                            phi_7836_ = -(_e4663);
                                         } else {
-                                            phi_7828_ = _e4668;
+                                            phi_7836_ = _e4663;
                                         }
-                                        let _e4763 = phi_7828_;
-                                        let _e4764 = ((_e4754 + _e4758) + _e4763);
-                                        let _e4769 = -(_e4750);
-                                        if (_e4729 > _e4769) {
-                                            phi_7839_ = _e4729;
+                                        let _e4758 = phi_7836_;
+                                        let _e4759 = ((_e4749 + _e4753) + _e4758);
+                                        let _e4764 = -(_e4745);
+                                        if (_e4724 > _e4764) {
+                                            phi_7847_ = _e4724;
                                         } else {
-                                            phi_7839_ = _e4769;
+                                            phi_7847_ = _e4764;
                                         }
-                                        let _e4772 = phi_7839_;
-                                        let _e4777 = (((_e4772 - ((_e4764 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4764 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4656 > _e4777) {
-                                            phi_7849_ = _e4656;
+                                        let _e4767 = phi_7847_;
+                                        let _e4772 = (((_e4767 - ((_e4759 * _e4405) * (0.000000059604645f * (17f / 2f)))) - (_e4759 * _e4412)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4651 > _e4772) {
+                                            phi_7857_ = _e4651;
                                         } else {
-                                            phi_7849_ = _e4777;
+                                            phi_7857_ = _e4772;
                                         }
-                                        let _e4780 = phi_7849_;
-                                        phi_7853_ = (_e4158 || (_e4780 > 0f));
+                                        let _e4775 = phi_7857_;
+                                        phi_7861_ = (_e4153 || (_e4775 > 0f));
                                     }
-                                    let _e4784 = phi_7853_;
-                                    phi_7855_ = (_e3723 && _e4784);
+                                    let _e4779 = phi_7861_;
+                                    phi_7863_ = (_e3718 && _e4779);
                                 } else {
-                                    phi_7855_ = _e3723;
+                                    phi_7863_ = _e3718;
                                 }
-                                let _e4787 = phi_7855_;
-                                phi_7857_ = (_e2572 || _e4787);
+                                let _e4782 = phi_7863_;
+                                phi_7865_ = (_e2567 || _e4782);
                             }
-                            let _e4790 = phi_7857_;
-                            if !(_e4790) {
-                                let _e4793 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e985] = ((2147483648u | (_e4793 << bitcast<u32>(12i))) | _e988);
+                            let _e4785 = phi_7865_;
+                            if !(_e4785) {
+                                let _e4788 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e980] = ((2147483648u | (_e4788 << bitcast<u32>(12i))) | _e983);
                             }
                         }
-                        phi_7868_ = true;
+                        phi_7876_ = true;
                     }
-                    let _e4800 = phi_7868_;
-                    phi_7869_ = _e4800;
+                    let _e4795 = phi_7876_;
+                    phi_7877_ = _e4795;
                 } else {
-                    phi_7869_ = false;
+                    phi_7877_ = false;
                 }
-                let _e4802 = phi_7869_;
+                let _e4797 = phi_7877_;
                 continue;
                 continuing {
-                    phi_1849_ = _e977;
-                    break if !(_e4802);
+                    phi_1857_ = _e972;
+                    break if !(_e4797);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4806 = atomicLoad((&counters[5u]));
-                if (_e4806 > 0u) {
-                    let _e4809 = atomicAdd((&output.member[0u]), _e4806);
-                    if ((_e4809 + _e4806) < _e4809) {
-                        let _e4813 = atomicAdd((&output.member[2u]), 1u);
+                let _e4801 = atomicLoad((&counters[5u]));
+                if (_e4801 > 0u) {
+                    let _e4804 = atomicAdd((&output.member[0u]), _e4801);
+                    if ((_e4804 + _e4801) < _e4804) {
+                        let _e4808 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4809);
+                    atomicStore((&counters[6u]), _e4804);
                 }
             }
             workgroupBarrier();
-            let _e4816 = atomicLoad((&counters[6u]));
+            let _e4811 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4819 = atomicLoad((&counters[7u]));
-                if (_e4819 > 0u) {
-                    let _e4822 = atomicAdd((&output.member[1u]), _e4819);
-                    if ((_e4822 + _e4819) < _e4822) {
-                        let _e4826 = atomicAdd((&output.member[3u]), 1u);
+                let _e4814 = atomicLoad((&counters[7u]));
+                if (_e4814 > 0u) {
+                    let _e4817 = atomicAdd((&output.member[1u]), _e4814);
+                    if ((_e4817 + _e4814) < _e4817) {
+                        let _e4821 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7919_ = type_9(0u, 16u);
+            phi_7927_ = type_9(0u, 16u);
             loop {
-                let _e4828 = phi_7919_;
-                if (_e4828.member < _e4828.member_1) {
-                    phi_7920_ = type_9((_e4828.member + 1u), _e4828.member_1);
-                    phi_7943_ = type_9(1u, _e4828.member);
+                let _e4823 = phi_7927_;
+                if (_e4823.member < _e4823.member_1) {
+                    phi_7928_ = type_9((_e4823.member + 1u), _e4823.member_1);
+                    phi_7951_ = type_9(1u, _e4823.member);
                 } else {
-                    phi_7920_ = _e4828;
-                    phi_7943_ = type_9(0u, type_9().member_1);
+                    phi_7928_ = _e4823;
+                    phi_7951_ = type_9(0u, type_9().member_1);
                 }
-                let _e4840 = phi_7920_;
-                let _e4842 = phi_7943_;
-                if (bitcast<i32>(_e4842.member) != 0i) {
-                    let _e4848 = (_e67 + (_e4842.member_1 * 128u));
-                    if (_e4848 >= _e963) {
-                        phi_8040_ = false;
+                let _e4835 = phi_7928_;
+                let _e4837 = phi_7951_;
+                if (bitcast<i32>(_e4837.member) != 0i) {
+                    let _e4843 = (_e67 + (_e4837.member_1 * 128u));
+                    if (_e4843 >= _e958) {
+                        phi_8048_ = false;
                     } else {
-                        let _e4851 = hits[_e4848];
-                        if ((_e4851 & 2147483648u) == 0u) {
-                            phi_7966_ = 4294967295u;
+                        let _e4846 = hits[_e4843];
+                        if ((_e4846 & 2147483648u) == 0u) {
+                            phi_7974_ = 4294967295u;
                         } else {
-                            phi_7966_ = ((_e4851 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7974_ = ((_e4846 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4858 = phi_7966_;
-                        if (_e4858 != 4294967295u) {
-                            let _e4862 = ((_e4851 >> bitcast<u32>(10i)) & 3u);
-                            let _e4869 = firsts[(2u * _e4862)];
-                            let _e4872 = leaves.member[(_e4869 + ((_e4851 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4876 = firsts[((2u * _e4862) + 1u)];
-                            let _e4879 = leaves.member[(_e4876 + (_e4851 & 31u))];
-                            let _e4884 = params.member.member_1.member_3;
-                            let _e4885 = (_e4816 + _e4858);
-                            if (_e4885 < _e4884) {
-                                let _e4887 = (2u * _e4885);
-                                atomicStore((&output.member[(4u + _e4887)]), _e4872.member_1);
-                                atomicStore((&output.member[(_e4887 + 5u)]), _e4879.member_1);
+                        let _e4853 = phi_7974_;
+                        if (_e4853 != 4294967295u) {
+                            let _e4857 = ((_e4846 >> bitcast<u32>(10i)) & 3u);
+                            let _e4864 = firsts[(2u * _e4857)];
+                            let _e4867 = leaves.member[(_e4864 + ((_e4846 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4871 = firsts[((2u * _e4857) + 1u)];
+                            let _e4874 = leaves.member[(_e4871 + (_e4846 & 31u))];
+                            let _e4879 = params.member.member_1.member_3;
+                            let _e4880 = (_e4811 + _e4853);
+                            if (_e4880 < _e4879) {
+                                let _e4882 = (2u * _e4880);
+                                atomicStore((&output.member[(4u + _e4882)]), _e4867.member_1);
+                                atomicStore((&output.member[(_e4882 + 5u)]), _e4874.member_1);
                             }
                         }
-                        phi_8040_ = true;
+                        phi_8048_ = true;
                     }
-                    let _e4893 = phi_8040_;
-                    phi_8041_ = _e4893;
+                    let _e4888 = phi_8048_;
+                    phi_8049_ = _e4888;
                 } else {
-                    phi_8041_ = false;
+                    phi_8049_ = false;
                 }
-                let _e4895 = phi_8041_;
+                let _e4890 = phi_8049_;
                 continue;
                 continuing {
-                    phi_7919_ = _e4840;
-                    break if !(_e4895);
+                    phi_7927_ = _e4835;
+                    break if !(_e4890);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_435_ = _e153;
+            phi_437_ = _e153;
             break if !(_e159);
         }
     }

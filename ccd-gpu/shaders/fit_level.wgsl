@@ -49,42 +49,53 @@ struct type_16 {
 }
 
 struct type_18 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_20 {
     member: array<type_18>,
 }
 
+struct type_22 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
 @group(0) @binding(0) 
 var<storage> params: type_16;
-var<workgroup> shared_: array<type_18, 256>;
+var<workgroup> shared_: array<type_22, 256>;
 @group(0) @binding(1) 
 var<storage, read_write> nodes: type_20;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 4>;
-    var phi_117_: u32;
-    var phi_118_: u32;
-    var phi_135_: type_18;
-    var phi_150_: type_11;
-    var phi_153_: type_18;
-    var phi_155_: u32;
-    var phi_176_: bool;
-    var phi_182_: type_12;
-    var phi_151_: type_11;
-    var phi_196_: type_12;
-    var phi_228_: f32;
-    var phi_235_: f32;
-    var phi_242_: f32;
-    var phi_250_: f32;
-    var phi_257_: f32;
-    var phi_264_: f32;
-    var phi_279_: type_18;
-    var phi_154_: type_18;
-    var phi_156_: u32;
-    var local_1: type_18;
+    var phi_120_: u32;
+    var phi_121_: u32;
+    var phi_147_: type_22;
+    var phi_162_: type_11;
+    var phi_165_: type_22;
+    var phi_167_: u32;
+    var phi_188_: bool;
+    var phi_194_: type_12;
+    var phi_163_: type_11;
+    var phi_208_: type_12;
+    var phi_240_: f32;
+    var phi_247_: f32;
+    var phi_254_: f32;
+    var phi_262_: f32;
+    var phi_269_: f32;
+    var phi_276_: f32;
+    var phi_291_: type_22;
+    var phi_166_: type_22;
+    var phi_168_: u32;
+    var local_1: type_22;
+    var local_2: type_22;
+    var local_3: type_22;
+    var local_4: type_22;
+    var local_5: type_22;
+    var local_6: type_22;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -102,128 +113,138 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e49 = ((_e41 + (((_e23.y * _e24.x) + _e23.x) * 256u)) + _e25);
     let _e51 = local[2u];
     if (_e49 >= _e51) {
-        phi_118_ = 2u;
+        phi_121_ = 2u;
     } else {
         let _e54 = local[1u];
         if (_e49 >= _e54) {
-            phi_117_ = 1u;
+            phi_120_ = 1u;
         } else {
-            phi_117_ = 0u;
+            phi_120_ = 0u;
         }
-        let _e57 = phi_117_;
-        phi_118_ = _e57;
+        let _e57 = phi_120_;
+        phi_121_ = _e57;
     }
-    let _e59 = phi_118_;
+    let _e59 = phi_121_;
     let _e61 = local[3u];
     let _e62 = (_e49 < _e61);
     if _e62 {
         let _e64 = nodes.member[_e49];
-        phi_135_ = _e64;
+        phi_147_ = type_22(array<f32, 3>(_e64.member.x, _e64.member.y, _e64.member_1.x), array<f32, 3>(_e64.member_1.y, _e64.member_2.x, _e64.member_2.y));
     } else {
-        phi_135_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_147_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e66 = phi_135_;
-    shared_[_e25] = type_18(array<f32, 3>(_e66.member[0], _e66.member[1], _e66.member[2]), array<f32, 3>(_e66.member_1[0], _e66.member_1[1], _e66.member_1[2]));
-    phi_150_ = type_11(0i, 5i);
-    phi_153_ = _e66;
-    phi_155_ = 16u;
+    let _e81 = phi_147_;
+    shared_[_e25] = type_22(array<f32, 3>(_e81.member[0], _e81.member[1], _e81.member[2]), array<f32, 3>(_e81.member_1[0], _e81.member_1[1], _e81.member_1[2]));
+    phi_162_ = type_11(0i, 5i);
+    phi_165_ = _e81;
+    phi_167_ = 16u;
     loop {
-        let _e80 = phi_150_;
-        let _e82 = phi_153_;
-        let _e84 = phi_155_;
-        local_1 = _e82;
-        if (_e80.member < _e80.member_1) {
-            let _e91 = (_e80.member + 1i);
-            if ((false == (_e91 > _e80.member)) != false) {
-                phi_176_ = true;
+        let _e95 = phi_162_;
+        let _e97 = phi_165_;
+        let _e99 = phi_167_;
+        local_1 = _e97;
+        local_2 = _e97;
+        local_3 = _e97;
+        local_4 = _e97;
+        local_5 = _e97;
+        local_6 = _e97;
+        if (_e95.member < _e95.member_1) {
+            let _e106 = (_e95.member + 1i);
+            if ((false == (_e106 > _e95.member)) != false) {
+                phi_188_ = true;
             } else {
-                phi_176_ = false;
+                phi_188_ = false;
             }
-            let _e96 = phi_176_;
-            if _e96 {
-                phi_182_ = type_12(0u, type_12().member_1);
+            let _e111 = phi_188_;
+            if _e111 {
+                phi_194_ = type_12(0u, type_12().member_1);
             } else {
-                phi_182_ = type_12(1u, _e91);
+                phi_194_ = type_12(1u, _e106);
             }
-            let _e101 = phi_182_;
-            phi_151_ = type_11(_e101.member_1, _e80.member_1);
-            phi_196_ = type_12(1u, _e80.member);
+            let _e116 = phi_194_;
+            phi_163_ = type_11(_e116.member_1, _e95.member_1);
+            phi_208_ = type_12(1u, _e95.member);
         } else {
-            phi_151_ = _e80;
-            phi_196_ = type_12(0u, type_12().member_1);
+            phi_163_ = _e95;
+            phi_208_ = type_12(0u, type_12().member_1);
         }
-        let _e107 = phi_151_;
-        let _e109 = phi_196_;
-        let _e112 = (bitcast<i32>(_e109.member) != 0i);
-        if _e112 {
+        let _e122 = phi_163_;
+        let _e124 = phi_208_;
+        let _e127 = (bitcast<i32>(_e124.member) != 0i);
+        if _e127 {
             workgroupBarrier();
-            if ((_e25 % 32u) < _e84) {
-                let _e117 = shared_[(_e25 + _e84)];
-                if (_e82.member[0] < _e117.member[0]) {
-                    phi_228_ = _e82.member[0];
+            if ((_e25 % 32u) < _e99) {
+                let _e132 = shared_[(_e25 + _e99)];
+                if (_e97.member[0] < _e132.member[0]) {
+                    phi_240_ = _e97.member[0];
                 } else {
-                    phi_228_ = _e117.member[0];
+                    phi_240_ = _e132.member[0];
                 }
-                let _e130 = phi_228_;
-                if (_e82.member[1] < _e117.member[1]) {
-                    phi_235_ = _e82.member[1];
+                let _e145 = phi_240_;
+                if (_e97.member[1] < _e132.member[1]) {
+                    phi_247_ = _e97.member[1];
                 } else {
-                    phi_235_ = _e117.member[1];
+                    phi_247_ = _e132.member[1];
                 }
-                let _e135 = phi_235_;
-                if (_e82.member[2] < _e117.member[2]) {
-                    phi_242_ = _e82.member[2];
+                let _e150 = phi_247_;
+                if (_e97.member[2] < _e132.member[2]) {
+                    phi_254_ = _e97.member[2];
                 } else {
-                    phi_242_ = _e117.member[2];
+                    phi_254_ = _e132.member[2];
                 }
-                let _e140 = phi_242_;
-                if (_e82.member_1[0] > _e117.member_1[0]) {
-                    phi_250_ = _e82.member_1[0];
+                let _e155 = phi_254_;
+                if (_e97.member_1[0] > _e132.member_1[0]) {
+                    phi_262_ = _e97.member_1[0];
                 } else {
-                    phi_250_ = _e117.member_1[0];
+                    phi_262_ = _e132.member_1[0];
                 }
-                let _e146 = phi_250_;
-                if (_e82.member_1[1] > _e117.member_1[1]) {
-                    phi_257_ = _e82.member_1[1];
+                let _e161 = phi_262_;
+                if (_e97.member_1[1] > _e132.member_1[1]) {
+                    phi_269_ = _e97.member_1[1];
                 } else {
-                    phi_257_ = _e117.member_1[1];
+                    phi_269_ = _e132.member_1[1];
                 }
-                let _e151 = phi_257_;
-                if (_e82.member_1[2] > _e117.member_1[2]) {
-                    phi_264_ = _e82.member_1[2];
+                let _e166 = phi_269_;
+                if (_e97.member_1[2] > _e132.member_1[2]) {
+                    phi_276_ = _e97.member_1[2];
                 } else {
-                    phi_264_ = _e117.member_1[2];
+                    phi_276_ = _e132.member_1[2];
                 }
-                let _e156 = phi_264_;
-                shared_[_e25] = type_18(array<f32, 3>(_e130, _e135, _e140), array<f32, 3>(_e146, _e151, _e156));
-                phi_279_ = type_18(array<f32, 3>(_e130, _e135, _e140), array<f32, 3>(_e146, _e151, _e156));
+                let _e171 = phi_276_;
+                shared_[_e25] = type_22(array<f32, 3>(_e145, _e150, _e155), array<f32, 3>(_e161, _e166, _e171));
+                phi_291_ = type_22(array<f32, 3>(_e145, _e150, _e155), array<f32, 3>(_e161, _e166, _e171));
             } else {
-                phi_279_ = _e82;
+                phi_291_ = _e97;
             }
-            let _e164 = phi_279_;
-            phi_154_ = _e164;
-            phi_156_ = (_e84 / 2u);
+            let _e179 = phi_291_;
+            phi_166_ = _e179;
+            phi_168_ = (_e99 / 2u);
         } else {
-            phi_154_ = type_18();
-            phi_156_ = u32();
+            phi_166_ = type_22();
+            phi_168_ = u32();
         }
-        let _e167 = phi_154_;
-        let _e169 = phi_156_;
+        let _e182 = phi_166_;
+        let _e184 = phi_168_;
         continue;
         continuing {
-            phi_150_ = _e107;
-            phi_153_ = _e167;
-            phi_155_ = _e169;
-            break if !(_e112);
+            phi_162_ = _e122;
+            phi_165_ = _e182;
+            phi_167_ = _e184;
+            break if !(_e127);
         }
     }
     if _e62 {
         if ((_e25 % 32u) == 0u) {
-            let _e176 = params.member.member_2.member_2;
-            let _e179 = local[_e59];
-            let _e185 = params.member.member_2.member[(_e176 + 1u)][_e59];
-            let _e189 = local_1;
-            nodes.member[(_e185 + ((_e49 - _e179) / 32u))] = _e189;
+            let _e191 = params.member.member_2.member_2;
+            let _e194 = local[_e59];
+            let _e200 = params.member.member_2.member[(_e191 + 1u)][_e59];
+            let _e203 = local_1;
+            let _e207 = local_2;
+            let _e211 = local_3;
+            let _e215 = local_4;
+            let _e219 = local_5;
+            let _e223 = local_6;
+            nodes.member[(_e200 + ((_e49 - _e194) / 32u))] = type_18(vec2<f32>(_e203.member[0], _e207.member[1]), vec2<f32>(_e211.member[2], _e215.member_1[0]), vec2<f32>(_e219.member_1[1], _e223.member_1[2]));
         }
     }
     return;

@@ -57,19 +57,25 @@ struct type_21 {
 }
 
 struct type_23 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_25 {
     member: array<type_23>,
 }
 
-struct type_31 {
+struct type_27 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_33 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<atomic<u32>>,
 }
 
@@ -81,295 +87,295 @@ var<storage> leaves: type_21;
 var<storage> nodes: type_25;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_23, 128>;
+var<workgroup> columns: array<type_27, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_31;
+var<storage> keys: type_33;
 @group(0) @binding(5) 
 var<storage> input: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_35;
+var<storage, read_write> output: type_37;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2836_: bool;
-    var phi_2837_: bool;
-    var phi_2841_: array<u32, 2>;
+    var phi_2844_: bool;
+    var phi_2845_: bool;
+    var phi_2849_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2837_ = true;
+        phi_2845_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2836_ = (param_1[0] > param[0]);
+            phi_2844_ = (param_1[0] > param[0]);
         } else {
-            phi_2836_ = false;
+            phi_2844_ = false;
         }
-        let _e14 = phi_2836_;
-        phi_2837_ = _e14;
+        let _e14 = phi_2844_;
+        phi_2845_ = _e14;
     }
-    let _e16 = phi_2837_;
+    let _e16 = phi_2845_;
     if _e16 {
-        phi_2841_ = param_1;
+        phi_2849_ = param_1;
     } else {
-        phi_2841_ = param;
+        phi_2849_ = param;
     }
-    let _e18 = phi_2841_;
+    let _e18 = phi_2849_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2812_: bool;
-    var phi_2813_: bool;
-    var phi_2817_: array<u32, 2>;
+    var phi_2820_: bool;
+    var phi_2821_: bool;
+    var phi_2825_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2813_ = true;
+        phi_2821_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2812_ = (param_2[0] > param_3[0]);
+            phi_2820_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2812_ = false;
+            phi_2820_ = false;
         }
-        let _e14 = phi_2812_;
-        phi_2813_ = _e14;
+        let _e14 = phi_2820_;
+        phi_2821_ = _e14;
     }
-    let _e16 = phi_2813_;
+    let _e16 = phi_2821_;
     if _e16 {
-        phi_2817_ = param_3;
+        phi_2825_ = param_3;
     } else {
-        phi_2817_ = param_2;
+        phi_2825_ = param_2;
     }
-    let _e18 = phi_2817_;
+    let _e18 = phi_2825_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2788_: bool;
-    var phi_2789_: bool;
-    var phi_2793_: array<u32, 2>;
+    var phi_2796_: bool;
+    var phi_2797_: bool;
+    var phi_2801_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2789_ = true;
+        phi_2797_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2788_ = (param_5[0] > param_4[0]);
+            phi_2796_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2788_ = false;
+            phi_2796_ = false;
         }
-        let _e14 = phi_2788_;
-        phi_2789_ = _e14;
+        let _e14 = phi_2796_;
+        phi_2797_ = _e14;
     }
-    let _e16 = phi_2789_;
+    let _e16 = phi_2797_;
     if _e16 {
-        phi_2793_ = param_5;
+        phi_2801_ = param_5;
     } else {
-        phi_2793_ = param_4;
+        phi_2801_ = param_4;
     }
-    let _e18 = phi_2793_;
+    let _e18 = phi_2801_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2764_: bool;
-    var phi_2765_: bool;
-    var phi_2769_: array<u32, 2>;
+    var phi_2772_: bool;
+    var phi_2773_: bool;
+    var phi_2777_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2765_ = true;
+        phi_2773_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2764_ = (param_6[0] > param_7[0]);
+            phi_2772_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2764_ = false;
+            phi_2772_ = false;
         }
-        let _e14 = phi_2764_;
-        phi_2765_ = _e14;
+        let _e14 = phi_2772_;
+        phi_2773_ = _e14;
     }
-    let _e16 = phi_2765_;
+    let _e16 = phi_2773_;
     if _e16 {
-        phi_2769_ = param_7;
+        phi_2777_ = param_7;
     } else {
-        phi_2769_ = param_6;
+        phi_2777_ = param_6;
     }
-    let _e18 = phi_2769_;
+    let _e18 = phi_2777_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2740_: bool;
-    var phi_2741_: bool;
-    var phi_2745_: array<u32, 2>;
+    var phi_2748_: bool;
+    var phi_2749_: bool;
+    var phi_2753_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2741_ = true;
+        phi_2749_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2740_ = (param_9[0] > param_8[0]);
+            phi_2748_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2740_ = false;
+            phi_2748_ = false;
         }
-        let _e14 = phi_2740_;
-        phi_2741_ = _e14;
+        let _e14 = phi_2748_;
+        phi_2749_ = _e14;
     }
-    let _e16 = phi_2741_;
+    let _e16 = phi_2749_;
     if _e16 {
-        phi_2745_ = param_9;
+        phi_2753_ = param_9;
     } else {
-        phi_2745_ = param_8;
+        phi_2753_ = param_8;
     }
-    let _e18 = phi_2745_;
+    let _e18 = phi_2753_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2716_: bool;
-    var phi_2717_: bool;
-    var phi_2721_: array<u32, 2>;
+    var phi_2724_: bool;
+    var phi_2725_: bool;
+    var phi_2729_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2717_ = true;
+        phi_2725_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2716_ = (param_10[0] > param_11[0]);
+            phi_2724_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2716_ = false;
+            phi_2724_ = false;
         }
-        let _e14 = phi_2716_;
-        phi_2717_ = _e14;
+        let _e14 = phi_2724_;
+        phi_2725_ = _e14;
     }
-    let _e16 = phi_2717_;
+    let _e16 = phi_2725_;
     if _e16 {
-        phi_2721_ = param_11;
+        phi_2729_ = param_11;
     } else {
-        phi_2721_ = param_10;
+        phi_2729_ = param_10;
     }
-    let _e18 = phi_2721_;
+    let _e18 = phi_2729_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_163_: u32;
-    var phi_175_: array<u32, 2>;
-    var phi_207_: u32;
-    var phi_208_: u32;
-    var phi_216_: u32;
-    var phi_232_: u32;
-    var phi_253_: u32;
-    var phi_254_: u32;
-    var phi_257_: type_9;
-    var phi_258_: type_9;
-    var phi_281_: type_9;
-    var phi_322_: u32;
-    var phi_323_: u32;
-    var phi_331_: u32;
-    var phi_343_: u32;
-    var phi_428_: array<u32, 2>;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_631_: type_23;
-    var phi_637_: bool;
-    var phi_644_: type_9;
-    var phi_647_: u32;
-    var phi_645_: type_9;
-    var phi_670_: type_9;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_742_: bool;
-    var phi_760_: u32;
-    var phi_761_: u32;
-    var phi_762_: u32;
-    var phi_648_: u32;
-    var phi_765_: type_9;
+    var phi_165_: u32;
+    var phi_177_: array<u32, 2>;
+    var phi_209_: u32;
+    var phi_210_: u32;
+    var phi_218_: u32;
+    var phi_234_: u32;
+    var phi_255_: u32;
+    var phi_256_: u32;
+    var phi_259_: type_9;
+    var phi_260_: type_9;
+    var phi_283_: type_9;
+    var phi_324_: u32;
+    var phi_325_: u32;
+    var phi_333_: u32;
+    var phi_345_: u32;
+    var phi_430_: array<u32, 2>;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_639_: type_27;
+    var phi_645_: bool;
+    var phi_652_: type_9;
+    var phi_655_: u32;
+    var phi_653_: type_9;
+    var phi_678_: type_9;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: bool;
+    var phi_750_: bool;
     var phi_768_: u32;
-    var phi_766_: type_9;
-    var phi_791_: type_9;
-    var phi_899_: bool;
-    var phi_905_: bool;
-    var phi_873_: bool;
-    var phi_880_: bool;
-    var phi_888_: bool;
-    var phi_907_: bool;
-    var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_958_: bool;
-    var phi_965_: bool;
-    var phi_969_: bool;
-    var phi_1105_: bool;
-    var phi_1106_: bool;
-    var phi_1199_: bool;
-    var phi_1200_: bool;
-    var phi_1294_: bool;
-    var phi_1295_: bool;
-    var phi_1388_: bool;
-    var phi_1389_: bool;
-    var phi_1484_: bool;
-    var phi_1485_: bool;
-    var phi_1578_: bool;
-    var phi_1579_: bool;
-    var phi_1583_: bool;
-    var phi_1584_: bool;
-    var phi_1585_: bool;
-    var phi_1589_: bool;
-    var phi_1590_: bool;
+    var phi_769_: u32;
+    var phi_770_: u32;
+    var phi_656_: u32;
+    var phi_773_: type_9;
+    var phi_776_: u32;
+    var phi_774_: type_9;
+    var phi_799_: type_9;
+    var phi_919_: bool;
+    var phi_925_: bool;
+    var phi_893_: bool;
+    var phi_900_: bool;
+    var phi_908_: bool;
+    var phi_927_: bool;
+    var phi_931_: bool;
+    var phi_932_: bool;
+    var phi_978_: bool;
+    var phi_985_: bool;
+    var phi_989_: bool;
+    var phi_1113_: bool;
+    var phi_1114_: bool;
+    var phi_1207_: bool;
+    var phi_1208_: bool;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1396_: bool;
+    var phi_1397_: bool;
+    var phi_1492_: bool;
+    var phi_1493_: bool;
+    var phi_1586_: bool;
+    var phi_1587_: bool;
     var phi_1591_: bool;
     var phi_1592_: bool;
     var phi_1593_: bool;
     var phi_1597_: bool;
-    var phi_1616_: type_9;
-    var phi_1621_: type_9;
-    var phi_1659_: u32;
-    var phi_1660_: bool;
-    var phi_769_: u32;
-    var phi_1661_: bool;
-    var phi_1668_: u32;
-    var phi_1671_: type_9;
-    var phi_1672_: type_9;
-    var phi_1695_: type_9;
-    var phi_1811_: bool;
-    var phi_1817_: bool;
-    var phi_1785_: bool;
-    var phi_1792_: bool;
-    var phi_1800_: bool;
-    var phi_1819_: bool;
-    var phi_1823_: bool;
-    var phi_1824_: bool;
-    var phi_1870_: bool;
-    var phi_1877_: bool;
-    var phi_1881_: bool;
-    var phi_2017_: bool;
-    var phi_2018_: bool;
-    var phi_2111_: bool;
-    var phi_2112_: bool;
-    var phi_2206_: bool;
-    var phi_2207_: bool;
-    var phi_2300_: bool;
-    var phi_2301_: bool;
-    var phi_2396_: bool;
-    var phi_2397_: bool;
-    var phi_2490_: bool;
-    var phi_2491_: bool;
-    var phi_2495_: bool;
-    var phi_2496_: bool;
-    var phi_2497_: bool;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
+    var phi_1598_: bool;
+    var phi_1599_: bool;
+    var phi_1600_: bool;
+    var phi_1601_: bool;
+    var phi_1605_: bool;
+    var phi_1624_: type_9;
+    var phi_1629_: type_9;
+    var phi_1667_: u32;
+    var phi_1668_: bool;
+    var phi_777_: u32;
+    var phi_1669_: bool;
+    var phi_1676_: u32;
+    var phi_1679_: type_9;
+    var phi_1680_: type_9;
+    var phi_1703_: type_9;
+    var phi_1831_: bool;
+    var phi_1837_: bool;
+    var phi_1805_: bool;
+    var phi_1812_: bool;
+    var phi_1820_: bool;
+    var phi_1839_: bool;
+    var phi_1843_: bool;
+    var phi_1844_: bool;
+    var phi_1890_: bool;
+    var phi_1897_: bool;
+    var phi_1901_: bool;
+    var phi_2025_: bool;
+    var phi_2026_: bool;
+    var phi_2119_: bool;
+    var phi_2120_: bool;
+    var phi_2214_: bool;
+    var phi_2215_: bool;
+    var phi_2308_: bool;
+    var phi_2309_: bool;
+    var phi_2404_: bool;
+    var phi_2405_: bool;
+    var phi_2498_: bool;
+    var phi_2499_: bool;
     var phi_2503_: bool;
     var phi_2504_: bool;
     var phi_2505_: bool;
     var phi_2509_: bool;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
-    var phi_2575_: type_9;
-    var phi_2576_: type_9;
-    var phi_2599_: type_9;
-    var phi_2622_: u32;
-    var phi_2677_: type_9;
-    var phi_2682_: type_9;
-    var phi_2696_: bool;
-    var phi_2697_: bool;
+    var phi_2510_: bool;
+    var phi_2511_: bool;
+    var phi_2512_: bool;
+    var phi_2513_: bool;
+    var phi_2517_: bool;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
+    var phi_2583_: type_9;
+    var phi_2584_: type_9;
+    var phi_2607_: type_9;
+    var phi_2630_: u32;
+    var phi_2685_: type_9;
+    var phi_2690_: type_9;
+    var phi_2704_: bool;
+    var phi_2705_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -386,20 +392,20 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e65 = params.member.member_1.member_2;
     let _e67 = input.member[0u];
     if (_e65 < _e67) {
-        phi_163_ = _e65;
+        phi_165_ = _e65;
     } else {
-        phi_163_ = _e67;
+        phi_165_ = _e67;
     }
-    let _e70 = phi_163_;
+    let _e70 = phi_165_;
     let _e71 = (_e47 / 32u);
     let _e72 = (_e47 % 32u);
     let _e75 = params.member.member_2.member_1;
     if (_e75 == 0u) {
-        phi_175_ = array<u32, 2>(0u, 2u);
+        phi_177_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_175_ = array<u32, 2>(1u, 1u);
+        phi_177_ = array<u32, 2>(1u, 1u);
     }
-    let _e78 = phi_175_;
+    let _e78 = phi_177_;
     let _e83 = params.member.member_1.member_1;
     if (_e70 > _e83) {
         let _e87 = params.member.member_1.member_1;
@@ -413,30 +419,30 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e88 % _e91) > 0u) {
-            phi_207_ = (_e93 + 1u);
+            phi_209_ = (_e93 + 1u);
         } else {
-            phi_207_ = _e93;
+            phi_209_ = _e93;
         }
-        let _e99 = phi_207_;
-        phi_208_ = _e99;
+        let _e99 = phi_209_;
+        phi_210_ = _e99;
     } else {
-        phi_208_ = 0u;
+        phi_210_ = 0u;
     }
-    let _e101 = phi_208_;
+    let _e101 = phi_210_;
     let _e104 = params.member.member_2.member_4;
     if (_e104 < _e101) {
-        phi_216_ = _e104;
+        phi_218_ = _e104;
     } else {
-        phi_216_ = _e101;
+        phi_218_ = _e101;
     }
-    let _e107 = phi_216_;
+    let _e107 = phi_218_;
     let _e108 = (_e107 / 4u);
     if ((_e107 % 4u) > 0u) {
-        phi_232_ = (_e108 + 1u);
+        phi_234_ = (_e108 + 1u);
     } else {
-        phi_232_ = _e108;
+        phi_234_ = _e108;
     }
-    let _e113 = phi_232_;
+    let _e113 = phi_234_;
     if (_e113 > _e59) {
         let _e115 = (_e113 - _e59);
         if (_e62 == 0u) {
@@ -447,28 +453,28 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e115 % _e62) > 0u) {
-            phi_253_ = (_e117 + 1u);
+            phi_255_ = (_e117 + 1u);
         } else {
-            phi_253_ = _e117;
+            phi_255_ = _e117;
         }
-        let _e123 = phi_253_;
-        phi_254_ = _e123;
+        let _e123 = phi_255_;
+        phi_256_ = _e123;
     } else {
-        phi_254_ = 0u;
+        phi_256_ = 0u;
     }
-    let _e125 = phi_254_;
-    phi_257_ = type_9(0u, _e125);
+    let _e125 = phi_256_;
+    phi_259_ = type_9(0u, _e125);
     loop {
-        let _e128 = phi_257_;
+        let _e128 = phi_259_;
         if (_e128.member < _e128.member_1) {
-            phi_258_ = type_9((_e128.member + 1u), _e128.member_1);
-            phi_281_ = type_9(1u, _e128.member);
+            phi_260_ = type_9((_e128.member + 1u), _e128.member_1);
+            phi_283_ = type_9(1u, _e128.member);
         } else {
-            phi_258_ = _e128;
-            phi_281_ = type_9(0u, type_9().member_1);
+            phi_260_ = _e128;
+            phi_283_ = type_9(0u, type_9().member_1);
         }
-        let _e140 = phi_258_;
-        let _e142 = phi_281_;
+        let _e140 = phi_260_;
+        let _e142 = phi_283_;
         let _e146 = (bitcast<i32>(_e142.member) != 0i);
         if _e146 {
             let _e150 = (((_e59 + (_e142.member_1 * _e62)) * 4u) + _e71);
@@ -485,32 +491,32 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e158 % _e161) > 0u) {
-                    phi_322_ = (_e163 + 1u);
+                    phi_324_ = (_e163 + 1u);
                 } else {
-                    phi_322_ = _e163;
+                    phi_324_ = _e163;
                 }
-                let _e169 = phi_322_;
-                phi_323_ = _e169;
+                let _e169 = phi_324_;
+                phi_325_ = _e169;
             } else {
-                phi_323_ = 0u;
+                phi_325_ = 0u;
             }
-            let _e171 = phi_323_;
+            let _e171 = phi_325_;
             let _e174 = params.member.member_2.member_4;
             if (_e174 < _e171) {
-                phi_331_ = _e174;
+                phi_333_ = _e174;
             } else {
-                phi_331_ = _e171;
+                phi_333_ = _e171;
             }
-            let _e177 = phi_331_;
+            let _e177 = phi_333_;
             let _e178 = (_e150 < _e177);
             let _e181 = params.member.member_1.member_1;
             if _e178 {
                 let _e184 = params.member.member_2.member_3;
-                phi_343_ = (_e150 * _e184);
+                phi_345_ = (_e150 * _e184);
             } else {
-                phi_343_ = 0u;
+                phi_345_ = 0u;
             }
-            let _e187 = phi_343_;
+            let _e187 = phi_345_;
             let _e189 = (2u * (_e181 + _e187));
             let _e192 = input.member[(4u + _e189)];
             let _e195 = input.member[(_e189 + 5u)];
@@ -528,856 +534,856 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e220 = params.member.member_2.member_1;
             if (_e220 == 0u) {
-                phi_428_ = array<u32, 2>(0u, 2u);
+                phi_430_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_428_ = array<u32, 2>(1u, 1u);
+                phi_430_ = array<u32, 2>(1u, 1u);
             }
-            let _e223 = phi_428_;
+            let _e223 = phi_430_;
             let _e226 = (_e47 / 32u);
             let _e227 = (_e47 % 32u);
             let _e231 = params.member.member_2.member_2;
             let _e235 = params.member.member_2.member[_e231][_e223[0]];
             let _e238 = nodes.member[(_e235 + _e192)];
-            let _e242 = params.member.member_2.member_2;
-            let _e246 = params.member.member_2.member[_e242][_e223[1]];
-            let _e249 = nodes.member[(_e246 + _e195)];
-            let _e253 = params.member.member_2.member_2;
-            let _e260 = params.member.member_2.member[(_e253 - 1u)][_e223[0]];
-            let _e263 = nodes.member[(_e260 + ((_e192 * 32u) + _e227))];
-            let _e267 = params.member.member_2.member_2;
-            let _e274 = params.member.member_2.member[(_e267 - 1u)][_e223[1]];
-            let _e277 = nodes.member[(_e274 + ((_e195 * 32u) + _e227))];
+            let _e254 = params.member.member_2.member_2;
+            let _e258 = params.member.member_2.member[_e254][_e223[1]];
+            let _e261 = nodes.member[(_e258 + _e195)];
+            let _e277 = params.member.member_2.member_2;
+            let _e284 = params.member.member_2.member[(_e277 - 1u)][_e223[0]];
+            let _e287 = nodes.member[(_e284 + ((_e192 * 32u) + _e227))];
+            let _e306 = params.member.member_2.member_2;
+            let _e313 = params.member.member_2.member[(_e306 - 1u)][_e223[1]];
+            let _e316 = nodes.member[(_e313 + ((_e195 * 32u) + _e227))];
             if _e178 {
-                if ((((((_e277.member[0] <= _e238.member_1[0]) && (_e238.member[0] <= _e277.member_1[0])) && (_e277.member[1] <= _e238.member_1[1])) && (_e238.member[1] <= _e277.member_1[1])) && (_e277.member[2] <= _e238.member_1[2])) && (_e238.member[2] <= _e277.member_1[2])) {
-                    let _e315 = atomicAdd((&counters[_e226]), 1u);
-                    let _e316 = ((_e226 * 32u) + _e315);
-                    columns[_e316] = type_23(array<f32, 3>(_e277.member[0], _e277.member[1], _e277.member[2]), array<f32, 3>(_e277.member_1[0], _e277.member_1[1], _e277.member_1[2]));
-                    names[_e316] = _e227;
+                if ((((((_e316.member.x <= _e238.member_1.y) && (_e238.member.x <= _e316.member_1.y)) && (_e316.member.y <= _e238.member_2.x)) && (_e238.member.y <= _e316.member_2.x)) && (_e316.member_1.x <= _e238.member_2.y)) && (_e238.member_1.x <= _e316.member_2.y)) {
+                    let _e342 = atomicAdd((&counters[_e226]), 1u);
+                    let _e343 = ((_e226 * 32u) + _e342);
+                    columns[_e343] = type_27(array<f32, 3>(_e316.member.x, _e316.member.y, _e316.member_1.x), array<f32, 3>(_e316.member_1.y, _e316.member_2.x, _e316.member_2.y));
+                    names[_e343] = _e227;
                 }
             }
             workgroupBarrier();
             if _e178 {
-                if ((((((_e263.member[0] <= _e249.member_1[0]) && (_e249.member[0] <= _e263.member_1[0])) && (_e263.member[1] <= _e249.member_1[1])) && (_e249.member[1] <= _e263.member_1[1])) && (_e263.member[2] <= _e249.member_1[2])) && (_e249.member[2] <= _e263.member_1[2])) {
-                    phi_626_ = false;
+                if ((((((_e287.member.x <= _e261.member_1.y) && (_e261.member.x <= _e287.member_1.y)) && (_e287.member.y <= _e261.member_2.x)) && (_e261.member.y <= _e287.member_2.x)) && (_e287.member_1.x <= _e261.member_2.y)) && (_e261.member_1.x <= _e287.member_2.y)) {
+                    phi_634_ = false;
                 } else {
-                    phi_626_ = true;
+                    phi_634_ = true;
                 }
-                let _e366 = phi_626_;
-                phi_627_ = _e366;
+                let _e361 = phi_634_;
+                phi_635_ = _e361;
             } else {
-                phi_627_ = true;
+                phi_635_ = true;
             }
-            let _e368 = phi_627_;
-            if _e368 {
-                phi_631_ = type_23(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e363 = phi_635_;
+            if _e363 {
+                phi_639_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_631_ = _e263;
+                phi_639_ = type_27(array<f32, 3>(_e287.member.x, _e287.member.y, _e287.member_1.x), array<f32, 3>(_e287.member_1.y, _e287.member_2.x, _e287.member_2.y));
             }
-            let _e370 = phi_631_;
+            let _e365 = phi_639_;
             if (_e78[0] == _e78[1]) {
-                phi_637_ = (_e192 == _e195);
+                phi_645_ = (_e192 == _e195);
             } else {
-                phi_637_ = false;
+                phi_645_ = false;
             }
-            let _e374 = phi_637_;
-            let _e375 = (_e47 / 32u);
-            let _e376 = (_e47 % 32u);
-            let _e378 = atomicLoad((&counters[_e375]));
-            phi_644_ = type_9(0u, _e378);
-            phi_647_ = 0u;
+            let _e369 = phi_645_;
+            let _e370 = (_e47 / 32u);
+            let _e371 = (_e47 % 32u);
+            let _e373 = atomicLoad((&counters[_e370]));
+            phi_652_ = type_9(0u, _e373);
+            phi_655_ = 0u;
             loop {
-                let _e381 = phi_644_;
-                let _e383 = phi_647_;
-                local = _e383;
-                if (_e381.member < _e381.member_1) {
-                    phi_645_ = type_9((_e381.member + 1u), _e381.member_1);
-                    phi_670_ = type_9(1u, _e381.member);
+                let _e376 = phi_652_;
+                let _e378 = phi_655_;
+                local = _e378;
+                if (_e376.member < _e376.member_1) {
+                    phi_653_ = type_9((_e376.member + 1u), _e376.member_1);
+                    phi_678_ = type_9(1u, _e376.member);
                 } else {
-                    phi_645_ = _e381;
-                    phi_670_ = type_9(0u, type_9().member_1);
+                    phi_653_ = _e376;
+                    phi_678_ = type_9(0u, type_9().member_1);
                 }
-                let _e395 = phi_645_;
-                let _e397 = phi_670_;
-                let _e401 = (bitcast<i32>(_e397.member) != 0i);
-                if _e401 {
-                    let _e405 = names[((_e375 * 32u) + _e397.member_1)];
-                    let _e409 = columns[((_e375 * 32u) + _e397.member_1)];
-                    if ((((((_e370.member[0] <= _e409.member_1[0]) && (_e409.member[0] <= _e370.member_1[0])) && (_e370.member[1] <= _e409.member_1[1])) && (_e409.member[1] <= _e370.member_1[1])) && (_e370.member[2] <= _e409.member_1[2])) && (_e409.member[2] <= _e370.member_1[2])) {
-                        if _e374 {
-                            let _e441 = (_e376 < _e405);
-                            if _e441 {
-                                phi_736_ = bool();
+                let _e390 = phi_653_;
+                let _e392 = phi_678_;
+                let _e396 = (bitcast<i32>(_e392.member) != 0i);
+                if _e396 {
+                    let _e400 = names[((_e370 * 32u) + _e392.member_1)];
+                    let _e404 = columns[((_e370 * 32u) + _e392.member_1)];
+                    if ((((((_e365.member[0] <= _e404.member_1[0]) && (_e404.member[0] <= _e365.member_1[0])) && (_e365.member[1] <= _e404.member_1[1])) && (_e404.member[1] <= _e365.member_1[1])) && (_e365.member[2] <= _e404.member_1[2])) && (_e404.member[2] <= _e365.member_1[2])) {
+                        if _e369 {
+                            let _e436 = (_e371 < _e400);
+                            if _e436 {
+                                phi_744_ = bool();
                             } else {
-                                phi_736_ = false;
+                                phi_744_ = false;
                             }
-                            let _e443 = phi_736_;
-                            phi_737_ = _e443;
-                            phi_738_ = _e441;
+                            let _e438 = phi_744_;
+                            phi_745_ = _e438;
+                            phi_746_ = _e436;
                         } else {
-                            phi_737_ = bool();
-                            phi_738_ = true;
+                            phi_745_ = bool();
+                            phi_746_ = true;
                         }
-                        let _e445 = phi_737_;
-                        let _e447 = phi_738_;
-                        if _e447 {
-                            phi_742_ = true;
+                        let _e440 = phi_745_;
+                        let _e442 = phi_746_;
+                        if _e442 {
+                            phi_750_ = true;
                         } else {
-                            phi_742_ = _e445;
+                            phi_750_ = _e440;
                         }
-                        let _e449 = phi_742_;
-                        if _e449 {
-                            let _e451 = atomicAdd((&counters[4u]), 1u);
-                            if (_e451 < 2048u) {
-                                hits[_e451] = (((_e375 << bitcast<u32>(10i)) | (_e376 << bitcast<u32>(5i))) | _e405);
-                                phi_760_ = _e383;
+                        let _e444 = phi_750_;
+                        if _e444 {
+                            let _e446 = atomicAdd((&counters[4u]), 1u);
+                            if (_e446 < 2048u) {
+                                hits[_e446] = (((_e370 << bitcast<u32>(10i)) | (_e371 << bitcast<u32>(5i))) | _e400);
+                                phi_768_ = _e378;
                             } else {
-                                phi_760_ = (_e383 | (1u << bitcast<u32>((_e397.member_1 & 31u))));
+                                phi_768_ = (_e378 | (1u << bitcast<u32>((_e392.member_1 & 31u))));
                             }
-                            let _e465 = phi_760_;
-                            phi_761_ = _e465;
+                            let _e460 = phi_768_;
+                            phi_769_ = _e460;
                         } else {
-                            phi_761_ = _e383;
+                            phi_769_ = _e378;
                         }
-                        let _e467 = phi_761_;
-                        phi_762_ = _e467;
+                        let _e462 = phi_769_;
+                        phi_770_ = _e462;
                     } else {
-                        phi_762_ = _e383;
+                        phi_770_ = _e378;
                     }
-                    let _e469 = phi_762_;
-                    phi_648_ = _e469;
+                    let _e464 = phi_770_;
+                    phi_656_ = _e464;
                 } else {
-                    phi_648_ = u32();
+                    phi_656_ = u32();
                 }
-                let _e471 = phi_648_;
+                let _e466 = phi_656_;
                 continue;
                 continuing {
-                    phi_644_ = _e395;
-                    phi_647_ = _e471;
-                    break if !(_e401);
+                    phi_652_ = _e390;
+                    phi_655_ = _e466;
+                    break if !(_e396);
                 }
             }
-            phi_765_ = type_9(0u, 32u);
-            let _e1635 = local;
-            phi_768_ = _e1635;
+            phi_773_ = type_9(0u, 32u);
+            let _e1630 = local;
+            phi_776_ = _e1630;
             loop {
-                let _e474 = phi_765_;
-                let _e476 = phi_768_;
-                if (_e474.member < _e474.member_1) {
-                    phi_766_ = type_9((_e474.member + 1u), _e474.member_1);
-                    phi_791_ = type_9(1u, _e474.member);
+                let _e469 = phi_773_;
+                let _e471 = phi_776_;
+                if (_e469.member < _e469.member_1) {
+                    phi_774_ = type_9((_e469.member + 1u), _e469.member_1);
+                    phi_799_ = type_9(1u, _e469.member);
                 } else {
-                    phi_766_ = _e474;
-                    phi_791_ = type_9(0u, type_9().member_1);
+                    phi_774_ = _e469;
+                    phi_799_ = type_9(0u, type_9().member_1);
                 }
-                let _e488 = phi_766_;
-                let _e490 = phi_791_;
-                if (bitcast<i32>(_e490.member) != 0i) {
-                    if (_e476 == 0u) {
-                        phi_1659_ = u32();
-                        phi_1660_ = false;
+                let _e483 = phi_774_;
+                let _e485 = phi_799_;
+                if (bitcast<i32>(_e485.member) != 0i) {
+                    if (_e471 == 0u) {
+                        phi_1667_ = u32();
+                        phi_1668_ = false;
                     } else {
-                        let _e501 = names[((_e71 * 32u) + select(firstTrailingBit(_e476), 32u, (_e476 == 0u)))];
-                        let _e504 = (_e204 + _e72);
-                        let _e505 = (_e211 + _e501);
-                        let _e507 = leaves.member[_e504];
-                        let _e509 = leaves.member[_e505];
-                        let _e511 = nodes.member[_e504];
-                        let _e513 = nodes.member[_e505];
-                        let _e516 = params.member.member.member_1;
-                        if ((_e516 & 1u) != 0u) {
+                        let _e496 = names[((_e71 * 32u) + select(firstTrailingBit(_e471), 32u, (_e471 == 0u)))];
+                        let _e499 = (_e204 + _e72);
+                        let _e500 = (_e211 + _e496);
+                        let _e502 = leaves.member[_e499];
+                        let _e504 = leaves.member[_e500];
+                        let _e506 = nodes.member[_e499];
+                        let _e520 = nodes.member[_e500];
+                        let _e535 = params.member.member.member_1;
+                        if ((_e535 & 1u) != 0u) {
                             if (_e75 == 0u) {
-                                if (_e509.member[0] == _e507.member[0]) {
-                                    phi_873_ = true;
+                                if (_e504.member[0] == _e502.member[0]) {
+                                    phi_893_ = true;
                                 } else {
-                                    phi_873_ = (_e509.member[0] == _e507.member[0]);
+                                    phi_893_ = (_e504.member[0] == _e502.member[0]);
                                 }
-                                let _e544 = phi_873_;
-                                if (_e509.member[1] == _e507.member[0]) {
-                                    phi_880_ = true;
+                                let _e563 = phi_893_;
+                                if (_e504.member[1] == _e502.member[0]) {
+                                    phi_900_ = true;
                                 } else {
-                                    phi_880_ = (_e509.member[1] == _e507.member[0]);
+                                    phi_900_ = (_e504.member[1] == _e502.member[0]);
                                 }
-                                let _e549 = phi_880_;
-                                if (_e509.member[2] == _e507.member[0]) {
-                                    phi_888_ = true;
+                                let _e568 = phi_900_;
+                                if (_e504.member[2] == _e502.member[0]) {
+                                    phi_908_ = true;
                                 } else {
-                                    phi_888_ = (_e509.member[2] == _e507.member[0]);
+                                    phi_908_ = (_e504.member[2] == _e502.member[0]);
                                 }
-                                let _e555 = phi_888_;
-                                phi_907_ = ((_e544 || _e549) || _e555);
+                                let _e574 = phi_908_;
+                                phi_927_ = ((_e563 || _e568) || _e574);
                             } else {
-                                if (_e509.member[0] == _e507.member[0]) {
-                                    phi_899_ = true;
+                                if (_e504.member[0] == _e502.member[0]) {
+                                    phi_919_ = true;
                                 } else {
-                                    phi_899_ = (_e509.member[0] == _e507.member[1]);
+                                    phi_919_ = (_e504.member[0] == _e502.member[1]);
                                 }
-                                let _e531 = phi_899_;
-                                if (_e509.member[1] == _e507.member[0]) {
-                                    phi_905_ = true;
+                                let _e550 = phi_919_;
+                                if (_e504.member[1] == _e502.member[0]) {
+                                    phi_925_ = true;
                                 } else {
-                                    phi_905_ = (_e509.member[1] == _e507.member[1]);
+                                    phi_925_ = (_e504.member[1] == _e502.member[1]);
                                 }
-                                let _e535 = phi_905_;
-                                phi_907_ = (_e531 || _e535);
+                                let _e554 = phi_925_;
+                                phi_927_ = (_e550 || _e554);
                             }
-                            let _e558 = phi_907_;
-                            if _e558 {
-                                phi_911_ = false;
+                            let _e577 = phi_927_;
+                            if _e577 {
+                                phi_931_ = false;
                             } else {
-                                phi_911_ = true;
+                                phi_931_ = true;
                             }
-                            let _e560 = phi_911_;
-                            phi_912_ = _e560;
+                            let _e579 = phi_931_;
+                            phi_932_ = _e579;
                         } else {
-                            phi_912_ = true;
+                            phi_932_ = true;
                         }
-                        let _e562 = phi_912_;
-                        if _e562 {
-                            let _e564 = params.member.member.member_1;
-                            if ((_e564 & 2u) != 0u) {
-                                let _e568 = params.member.member.member_1;
-                                let _e574 = bodies.member[_e507.member[0]];
-                                let _e578 = bodies.member[_e509.member[0]];
-                                if ((_e574 / 2u) != (_e578 / 2u)) {
-                                    phi_958_ = true;
+                        let _e581 = phi_932_;
+                        if _e581 {
+                            let _e583 = params.member.member.member_1;
+                            if ((_e583 & 2u) != 0u) {
+                                let _e587 = params.member.member.member_1;
+                                let _e593 = bodies.member[_e502.member[0]];
+                                let _e597 = bodies.member[_e504.member[0]];
+                                if ((_e593 / 2u) != (_e597 / 2u)) {
+                                    phi_978_ = true;
                                 } else {
-                                    phi_958_ = ((_e568 & 4u) != 0u);
+                                    phi_978_ = ((_e587 & 4u) != 0u);
                                 }
-                                let _e583 = phi_958_;
-                                if _e583 {
-                                    phi_965_ = (((_e574 & _e578) & 1u) == 0u);
+                                let _e602 = phi_978_;
+                                if _e602 {
+                                    phi_985_ = (((_e593 & _e597) & 1u) == 0u);
                                 } else {
-                                    phi_965_ = false;
+                                    phi_985_ = false;
                                 }
-                                let _e588 = phi_965_;
-                                phi_969_ = _e588;
+                                let _e607 = phi_985_;
+                                phi_989_ = _e607;
                             } else {
-                                phi_969_ = true;
+                                phi_989_ = true;
                             }
-                            let _e590 = phi_969_;
-                            if _e590 {
-                                let _e592 = params.member.member.member_1;
-                                if ((_e592 & 32u) != 0u) {
-                                    let _e596 = params.member.member.member_6;
-                                    let _e637 = (((((_e511.member_1[0] - _e513.member[0]) > _e596) && ((_e513.member_1[0] - _e511.member[0]) > _e596)) && (((_e511.member_1[1] - _e513.member[1]) > _e596) && ((_e513.member_1[1] - _e511.member[1]) > _e596))) && (((_e511.member_1[2] - _e513.member[2]) > _e596) && ((_e513.member_1[2] - _e511.member[2]) > _e596)));
-                                    if _e637 {
-                                        phi_1583_ = bool();
+                            let _e609 = phi_989_;
+                            if _e609 {
+                                let _e611 = params.member.member.member_1;
+                                if ((_e611 & 32u) != 0u) {
+                                    let _e615 = params.member.member.member_6;
+                                    let _e632 = (((((_e506.member_1.y - _e520.member.x) > _e615) && ((_e520.member_1.y - _e506.member.x) > _e615)) && (((_e506.member_2.x - _e520.member.y) > _e615) && ((_e520.member_2.x - _e506.member.y) > _e615))) && (((_e506.member_2.y - _e520.member_1.x) > _e615) && ((_e520.member_2.y - _e506.member_1.x) > _e615)));
+                                    if _e632 {
+                                        phi_1591_ = bool();
                                     } else {
-                                        let _e641 = keys.member[_e507.member[0]];
-                                        let _e646 = keys.member[_e507.member[1]];
-                                        let _e648 = function_5(_e641[0], _e646[0]);
-                                        let _e652 = keys.member[_e507.member[2]];
-                                        let _e654 = function_5(_e648, _e652[0]);
-                                        let _e658 = keys.member[_e509.member[0]];
-                                        let _e663 = keys.member[_e509.member[1]];
-                                        let _e665 = function_4(_e658[3], _e663[3]);
-                                        let _e669 = keys.member[_e509.member[2]];
-                                        let _e671 = function_4(_e665, _e669[3]);
-                                        if (_e654[1] > _e671[1]) {
-                                            phi_1106_ = true;
+                                        let _e636 = keys.member[_e502.member[0]];
+                                        let _e641 = keys.member[_e502.member[1]];
+                                        let _e643 = function_5(_e636[0], _e641[0]);
+                                        let _e647 = keys.member[_e502.member[2]];
+                                        let _e649 = function_5(_e643, _e647[0]);
+                                        let _e653 = keys.member[_e504.member[0]];
+                                        let _e658 = keys.member[_e504.member[1]];
+                                        let _e660 = function_4(_e653[3], _e658[3]);
+                                        let _e664 = keys.member[_e504.member[2]];
+                                        let _e666 = function_4(_e660, _e664[3]);
+                                        if (_e649[1] > _e666[1]) {
+                                            phi_1114_ = true;
                                         } else {
-                                            if (_e654[1] == _e671[1]) {
-                                                phi_1105_ = (_e654[0] > _e671[0]);
+                                            if (_e649[1] == _e666[1]) {
+                                                phi_1113_ = (_e649[0] > _e666[0]);
                                             } else {
-                                                phi_1105_ = false;
+                                                phi_1113_ = false;
                                             }
-                                            let _e682 = phi_1105_;
-                                            phi_1106_ = _e682;
+                                            let _e677 = phi_1113_;
+                                            phi_1114_ = _e677;
                                         }
-                                        let _e684 = phi_1106_;
-                                        let _e689 = keys.member[_e509.member[0]];
-                                        let _e694 = keys.member[_e509.member[1]];
-                                        let _e696 = function_5(_e689[0], _e694[0]);
-                                        let _e700 = keys.member[_e509.member[2]];
-                                        let _e702 = function_5(_e696, _e700[0]);
-                                        let _e706 = keys.member[_e507.member[0]];
-                                        let _e711 = keys.member[_e507.member[1]];
-                                        let _e713 = function_4(_e706[3], _e711[3]);
-                                        let _e717 = keys.member[_e507.member[2]];
-                                        let _e719 = function_4(_e713, _e717[3]);
-                                        if (_e702[1] > _e719[1]) {
-                                            phi_1200_ = true;
+                                        let _e679 = phi_1114_;
+                                        let _e684 = keys.member[_e504.member[0]];
+                                        let _e689 = keys.member[_e504.member[1]];
+                                        let _e691 = function_5(_e684[0], _e689[0]);
+                                        let _e695 = keys.member[_e504.member[2]];
+                                        let _e697 = function_5(_e691, _e695[0]);
+                                        let _e701 = keys.member[_e502.member[0]];
+                                        let _e706 = keys.member[_e502.member[1]];
+                                        let _e708 = function_4(_e701[3], _e706[3]);
+                                        let _e712 = keys.member[_e502.member[2]];
+                                        let _e714 = function_4(_e708, _e712[3]);
+                                        if (_e697[1] > _e714[1]) {
+                                            phi_1208_ = true;
                                         } else {
-                                            if (_e702[1] == _e719[1]) {
-                                                phi_1199_ = (_e702[0] > _e719[0]);
+                                            if (_e697[1] == _e714[1]) {
+                                                phi_1207_ = (_e697[0] > _e714[0]);
                                             } else {
-                                                phi_1199_ = false;
+                                                phi_1207_ = false;
                                             }
-                                            let _e730 = phi_1199_;
-                                            phi_1200_ = _e730;
+                                            let _e725 = phi_1207_;
+                                            phi_1208_ = _e725;
                                         }
-                                        let _e732 = phi_1200_;
-                                        let _e738 = keys.member[_e507.member[0]];
-                                        let _e743 = keys.member[_e507.member[1]];
-                                        let _e745 = function_3(_e738[1], _e743[1]);
-                                        let _e749 = keys.member[_e507.member[2]];
-                                        let _e751 = function_3(_e745, _e749[1]);
-                                        let _e755 = keys.member[_e509.member[0]];
-                                        let _e760 = keys.member[_e509.member[1]];
-                                        let _e762 = function_2(_e755[4], _e760[4]);
-                                        let _e766 = keys.member[_e509.member[2]];
-                                        let _e768 = function_2(_e762, _e766[4]);
-                                        if (_e751[1] > _e768[1]) {
-                                            phi_1295_ = true;
+                                        let _e727 = phi_1208_;
+                                        let _e733 = keys.member[_e502.member[0]];
+                                        let _e738 = keys.member[_e502.member[1]];
+                                        let _e740 = function_3(_e733[1], _e738[1]);
+                                        let _e744 = keys.member[_e502.member[2]];
+                                        let _e746 = function_3(_e740, _e744[1]);
+                                        let _e750 = keys.member[_e504.member[0]];
+                                        let _e755 = keys.member[_e504.member[1]];
+                                        let _e757 = function_2(_e750[4], _e755[4]);
+                                        let _e761 = keys.member[_e504.member[2]];
+                                        let _e763 = function_2(_e757, _e761[4]);
+                                        if (_e746[1] > _e763[1]) {
+                                            phi_1303_ = true;
                                         } else {
-                                            if (_e751[1] == _e768[1]) {
-                                                phi_1294_ = (_e751[0] > _e768[0]);
+                                            if (_e746[1] == _e763[1]) {
+                                                phi_1302_ = (_e746[0] > _e763[0]);
                                             } else {
-                                                phi_1294_ = false;
+                                                phi_1302_ = false;
                                             }
-                                            let _e779 = phi_1294_;
-                                            phi_1295_ = _e779;
+                                            let _e774 = phi_1302_;
+                                            phi_1303_ = _e774;
                                         }
-                                        let _e781 = phi_1295_;
-                                        let _e786 = keys.member[_e509.member[0]];
-                                        let _e791 = keys.member[_e509.member[1]];
-                                        let _e793 = function_3(_e786[1], _e791[1]);
-                                        let _e797 = keys.member[_e509.member[2]];
-                                        let _e799 = function_3(_e793, _e797[1]);
-                                        let _e803 = keys.member[_e507.member[0]];
-                                        let _e808 = keys.member[_e507.member[1]];
-                                        let _e810 = function_2(_e803[4], _e808[4]);
-                                        let _e814 = keys.member[_e507.member[2]];
-                                        let _e816 = function_2(_e810, _e814[4]);
-                                        if (_e799[1] > _e816[1]) {
-                                            phi_1389_ = true;
+                                        let _e776 = phi_1303_;
+                                        let _e781 = keys.member[_e504.member[0]];
+                                        let _e786 = keys.member[_e504.member[1]];
+                                        let _e788 = function_3(_e781[1], _e786[1]);
+                                        let _e792 = keys.member[_e504.member[2]];
+                                        let _e794 = function_3(_e788, _e792[1]);
+                                        let _e798 = keys.member[_e502.member[0]];
+                                        let _e803 = keys.member[_e502.member[1]];
+                                        let _e805 = function_2(_e798[4], _e803[4]);
+                                        let _e809 = keys.member[_e502.member[2]];
+                                        let _e811 = function_2(_e805, _e809[4]);
+                                        if (_e794[1] > _e811[1]) {
+                                            phi_1397_ = true;
                                         } else {
-                                            if (_e799[1] == _e816[1]) {
-                                                phi_1388_ = (_e799[0] > _e816[0]);
+                                            if (_e794[1] == _e811[1]) {
+                                                phi_1396_ = (_e794[0] > _e811[0]);
                                             } else {
-                                                phi_1388_ = false;
+                                                phi_1396_ = false;
                                             }
-                                            let _e827 = phi_1388_;
-                                            phi_1389_ = _e827;
+                                            let _e822 = phi_1396_;
+                                            phi_1397_ = _e822;
                                         }
-                                        let _e829 = phi_1389_;
-                                        let _e836 = keys.member[_e507.member[0]];
-                                        let _e841 = keys.member[_e507.member[1]];
-                                        let _e843 = function_1(_e836[2], _e841[2]);
-                                        let _e847 = keys.member[_e507.member[2]];
-                                        let _e849 = function_1(_e843, _e847[2]);
-                                        let _e853 = keys.member[_e509.member[0]];
-                                        let _e858 = keys.member[_e509.member[1]];
-                                        let _e860 = function_(_e853[5], _e858[5]);
-                                        let _e864 = keys.member[_e509.member[2]];
-                                        let _e866 = function_(_e860, _e864[5]);
-                                        if (_e849[1] > _e866[1]) {
-                                            phi_1485_ = true;
+                                        let _e824 = phi_1397_;
+                                        let _e831 = keys.member[_e502.member[0]];
+                                        let _e836 = keys.member[_e502.member[1]];
+                                        let _e838 = function_1(_e831[2], _e836[2]);
+                                        let _e842 = keys.member[_e502.member[2]];
+                                        let _e844 = function_1(_e838, _e842[2]);
+                                        let _e848 = keys.member[_e504.member[0]];
+                                        let _e853 = keys.member[_e504.member[1]];
+                                        let _e855 = function_(_e848[5], _e853[5]);
+                                        let _e859 = keys.member[_e504.member[2]];
+                                        let _e861 = function_(_e855, _e859[5]);
+                                        if (_e844[1] > _e861[1]) {
+                                            phi_1493_ = true;
                                         } else {
-                                            if (_e849[1] == _e866[1]) {
-                                                phi_1484_ = (_e849[0] > _e866[0]);
+                                            if (_e844[1] == _e861[1]) {
+                                                phi_1492_ = (_e844[0] > _e861[0]);
                                             } else {
-                                                phi_1484_ = false;
+                                                phi_1492_ = false;
                                             }
-                                            let _e877 = phi_1484_;
-                                            phi_1485_ = _e877;
+                                            let _e872 = phi_1492_;
+                                            phi_1493_ = _e872;
                                         }
-                                        let _e879 = phi_1485_;
-                                        let _e884 = keys.member[_e509.member[0]];
-                                        let _e889 = keys.member[_e509.member[1]];
-                                        let _e891 = function_1(_e884[2], _e889[2]);
-                                        let _e895 = keys.member[_e509.member[2]];
-                                        let _e897 = function_1(_e891, _e895[2]);
-                                        let _e901 = keys.member[_e507.member[0]];
-                                        let _e906 = keys.member[_e507.member[1]];
-                                        let _e908 = function_(_e901[5], _e906[5]);
-                                        let _e912 = keys.member[_e507.member[2]];
-                                        let _e914 = function_(_e908, _e912[5]);
-                                        if (_e897[1] > _e914[1]) {
-                                            phi_1579_ = true;
+                                        let _e874 = phi_1493_;
+                                        let _e879 = keys.member[_e504.member[0]];
+                                        let _e884 = keys.member[_e504.member[1]];
+                                        let _e886 = function_1(_e879[2], _e884[2]);
+                                        let _e890 = keys.member[_e504.member[2]];
+                                        let _e892 = function_1(_e886, _e890[2]);
+                                        let _e896 = keys.member[_e502.member[0]];
+                                        let _e901 = keys.member[_e502.member[1]];
+                                        let _e903 = function_(_e896[5], _e901[5]);
+                                        let _e907 = keys.member[_e502.member[2]];
+                                        let _e909 = function_(_e903, _e907[5]);
+                                        if (_e892[1] > _e909[1]) {
+                                            phi_1587_ = true;
                                         } else {
-                                            if (_e897[1] == _e914[1]) {
-                                                phi_1578_ = (_e897[0] > _e914[0]);
+                                            if (_e892[1] == _e909[1]) {
+                                                phi_1586_ = (_e892[0] > _e909[0]);
                                             } else {
-                                                phi_1578_ = false;
+                                                phi_1586_ = false;
                                             }
-                                            let _e925 = phi_1578_;
-                                            phi_1579_ = _e925;
+                                            let _e920 = phi_1586_;
+                                            phi_1587_ = _e920;
                                         }
-                                        let _e927 = phi_1579_;
-                                        phi_1583_ = (((!(_e684) && !(_e732)) && (!(_e781) && !(_e829))) && (!(_e879) && !(_e927)));
+                                        let _e922 = phi_1587_;
+                                        phi_1591_ = (((!(_e679) && !(_e727)) && (!(_e776) && !(_e824))) && (!(_e874) && !(_e922)));
                                     }
-                                    let _e932 = phi_1583_;
-                                    phi_1584_ = _e932;
-                                    phi_1585_ = _e637;
+                                    let _e927 = phi_1591_;
+                                    phi_1592_ = _e927;
+                                    phi_1593_ = _e632;
                                 } else {
-                                    phi_1584_ = bool();
-                                    phi_1585_ = true;
+                                    phi_1592_ = bool();
+                                    phi_1593_ = true;
                                 }
-                                let _e934 = phi_1584_;
-                                let _e936 = phi_1585_;
-                                if _e936 {
-                                    phi_1589_ = false;
+                                let _e929 = phi_1592_;
+                                let _e931 = phi_1593_;
+                                if _e931 {
+                                    phi_1597_ = false;
                                 } else {
-                                    phi_1589_ = true;
+                                    phi_1597_ = true;
                                 }
-                                let _e938 = phi_1589_;
-                                phi_1590_ = _e934;
-                                phi_1591_ = _e938;
+                                let _e933 = phi_1597_;
+                                phi_1598_ = _e929;
+                                phi_1599_ = _e933;
                             } else {
-                                phi_1590_ = false;
-                                phi_1591_ = true;
+                                phi_1598_ = false;
+                                phi_1599_ = true;
                             }
-                            let _e940 = phi_1590_;
-                            let _e942 = phi_1591_;
-                            phi_1592_ = _e940;
-                            phi_1593_ = _e942;
+                            let _e935 = phi_1598_;
+                            let _e937 = phi_1599_;
+                            phi_1600_ = _e935;
+                            phi_1601_ = _e937;
                         } else {
-                            phi_1592_ = false;
-                            phi_1593_ = true;
+                            phi_1600_ = false;
+                            phi_1601_ = true;
                         }
-                        let _e944 = phi_1592_;
-                        let _e946 = phi_1593_;
-                        if _e946 {
-                            phi_1597_ = _e944;
+                        let _e939 = phi_1600_;
+                        let _e941 = phi_1601_;
+                        if _e941 {
+                            phi_1605_ = _e939;
                         } else {
-                            phi_1597_ = true;
+                            phi_1605_ = true;
                         }
-                        let _e948 = phi_1597_;
-                        if _e948 {
-                            let _e951 = params.member.member_1.member_3;
+                        let _e943 = phi_1605_;
+                        if _e943 {
+                            let _e946 = params.member.member_1.member_3;
                             if (_e78[0] == _e78[1]) {
-                                if (_e507.member_1 < _e509.member_1) {
-                                    phi_1616_ = type_9(_e507.member_1, _e509.member_1);
+                                if (_e502.member_1 < _e504.member_1) {
+                                    phi_1624_ = type_9(_e502.member_1, _e504.member_1);
                                 } else {
-                                    phi_1616_ = type_9(_e509.member_1, _e507.member_1);
+                                    phi_1624_ = type_9(_e504.member_1, _e502.member_1);
                                 }
-                                let _e960 = phi_1616_;
-                                phi_1621_ = _e960;
+                                let _e955 = phi_1624_;
+                                phi_1629_ = _e955;
                             } else {
-                                phi_1621_ = type_9(_e507.member_1, _e509.member_1);
+                                phi_1629_ = type_9(_e502.member_1, _e504.member_1);
                             }
-                            let _e962 = phi_1621_;
-                            let _e966 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e966 + 1u) < _e966) {
-                                let _e970 = atomicAdd((&output.member[2u]), 1u);
+                            let _e957 = phi_1629_;
+                            let _e961 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e961 + 1u) < _e961) {
+                                let _e965 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e966 < _e951) {
-                                let _e972 = (2u * _e966);
-                                atomicStore((&output.member[(4u + _e972)]), _e962.member);
-                                atomicStore((&output.member[(_e972 + 5u)]), _e962.member_1);
+                            if (_e961 < _e946) {
+                                let _e967 = (2u * _e961);
+                                atomicStore((&output.member[(4u + _e967)]), _e957.member);
+                                atomicStore((&output.member[(_e967 + 5u)]), _e957.member_1);
                             }
-                            let _e978 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e978 + 1u) < _e978) {
-                                let _e982 = atomicAdd((&output.member[3u]), 1u);
+                            let _e973 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e973 + 1u) < _e973) {
+                                let _e977 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1659_ = (_e476 & (_e476 - 1u));
-                        phi_1660_ = true;
+                        phi_1667_ = (_e471 & (_e471 - 1u));
+                        phi_1668_ = true;
                     }
-                    let _e984 = phi_1659_;
-                    let _e986 = phi_1660_;
-                    phi_769_ = _e984;
-                    phi_1661_ = _e986;
+                    let _e979 = phi_1667_;
+                    let _e981 = phi_1668_;
+                    phi_777_ = _e979;
+                    phi_1669_ = _e981;
                 } else {
-                    phi_769_ = u32();
-                    phi_1661_ = false;
+                    phi_777_ = u32();
+                    phi_1669_ = false;
                 }
-                let _e988 = phi_769_;
-                let _e990 = phi_1661_;
+                let _e983 = phi_777_;
+                let _e985 = phi_1669_;
                 continue;
                 continuing {
-                    phi_765_ = _e488;
-                    phi_768_ = _e988;
-                    break if !(_e990);
+                    phi_773_ = _e483;
+                    phi_776_ = _e983;
+                    break if !(_e985);
                 }
             }
             workgroupBarrier();
-            let _e993 = atomicLoad((&counters[4u]));
-            if (2048u < _e993) {
-                phi_1668_ = 2048u;
+            let _e988 = atomicLoad((&counters[4u]));
+            if (2048u < _e988) {
+                phi_1676_ = 2048u;
             } else {
-                phi_1668_ = _e993;
+                phi_1676_ = _e988;
             }
-            let _e996 = phi_1668_;
-            phi_1671_ = type_9(0u, 16u);
+            let _e991 = phi_1676_;
+            phi_1679_ = type_9(0u, 16u);
             loop {
-                let _e998 = phi_1671_;
-                if (_e998.member < _e998.member_1) {
-                    phi_1672_ = type_9((_e998.member + 1u), _e998.member_1);
-                    phi_1695_ = type_9(1u, _e998.member);
+                let _e993 = phi_1679_;
+                if (_e993.member < _e993.member_1) {
+                    phi_1680_ = type_9((_e993.member + 1u), _e993.member_1);
+                    phi_1703_ = type_9(1u, _e993.member);
                 } else {
-                    phi_1672_ = _e998;
-                    phi_1695_ = type_9(0u, type_9().member_1);
+                    phi_1680_ = _e993;
+                    phi_1703_ = type_9(0u, type_9().member_1);
                 }
-                let _e1010 = phi_1672_;
-                let _e1012 = phi_1695_;
-                if (bitcast<i32>(_e1012.member) != 0i) {
-                    let _e1018 = (_e47 + (_e1012.member_1 * 128u));
-                    if (_e1018 >= _e996) {
-                        phi_2524_ = false;
+                let _e1005 = phi_1680_;
+                let _e1007 = phi_1703_;
+                if (bitcast<i32>(_e1007.member) != 0i) {
+                    let _e1013 = (_e47 + (_e1007.member_1 * 128u));
+                    if (_e1013 >= _e991) {
+                        phi_2532_ = false;
                     } else {
-                        let _e1021 = hits[_e1018];
-                        let _e1024 = ((_e1021 >> bitcast<u32>(10i)) & 3u);
-                        let _e1031 = firsts[(2u * _e1024)];
-                        let _e1032 = (_e1031 + ((_e1021 >> bitcast<u32>(5i)) & 31u));
-                        let _e1036 = firsts[((2u * _e1024) + 1u)];
-                        let _e1037 = (_e1036 + (_e1021 & 31u));
-                        let _e1039 = leaves.member[_e1032];
-                        let _e1041 = leaves.member[_e1037];
-                        let _e1043 = nodes.member[_e1032];
-                        let _e1045 = nodes.member[_e1037];
-                        let _e1048 = params.member.member.member_1;
-                        if ((_e1048 & 1u) != 0u) {
+                        let _e1016 = hits[_e1013];
+                        let _e1019 = ((_e1016 >> bitcast<u32>(10i)) & 3u);
+                        let _e1026 = firsts[(2u * _e1019)];
+                        let _e1027 = (_e1026 + ((_e1016 >> bitcast<u32>(5i)) & 31u));
+                        let _e1031 = firsts[((2u * _e1019) + 1u)];
+                        let _e1032 = (_e1031 + (_e1016 & 31u));
+                        let _e1034 = leaves.member[_e1027];
+                        let _e1036 = leaves.member[_e1032];
+                        let _e1038 = nodes.member[_e1027];
+                        let _e1052 = nodes.member[_e1032];
+                        let _e1067 = params.member.member.member_1;
+                        if ((_e1067 & 1u) != 0u) {
                             if (_e75 == 0u) {
-                                if (_e1041.member[0] == _e1039.member[0]) {
-                                    phi_1785_ = true;
+                                if (_e1036.member[0] == _e1034.member[0]) {
+                                    phi_1805_ = true;
                                 } else {
-                                    phi_1785_ = (_e1041.member[0] == _e1039.member[0]);
+                                    phi_1805_ = (_e1036.member[0] == _e1034.member[0]);
                                 }
-                                let _e1076 = phi_1785_;
-                                if (_e1041.member[1] == _e1039.member[0]) {
-                                    phi_1792_ = true;
+                                let _e1095 = phi_1805_;
+                                if (_e1036.member[1] == _e1034.member[0]) {
+                                    phi_1812_ = true;
                                 } else {
-                                    phi_1792_ = (_e1041.member[1] == _e1039.member[0]);
+                                    phi_1812_ = (_e1036.member[1] == _e1034.member[0]);
                                 }
-                                let _e1081 = phi_1792_;
-                                if (_e1041.member[2] == _e1039.member[0]) {
-                                    phi_1800_ = true;
+                                let _e1100 = phi_1812_;
+                                if (_e1036.member[2] == _e1034.member[0]) {
+                                    phi_1820_ = true;
                                 } else {
-                                    phi_1800_ = (_e1041.member[2] == _e1039.member[0]);
+                                    phi_1820_ = (_e1036.member[2] == _e1034.member[0]);
                                 }
-                                let _e1087 = phi_1800_;
-                                phi_1819_ = ((_e1076 || _e1081) || _e1087);
+                                let _e1106 = phi_1820_;
+                                phi_1839_ = ((_e1095 || _e1100) || _e1106);
                             } else {
-                                if (_e1041.member[0] == _e1039.member[0]) {
-                                    phi_1811_ = true;
+                                if (_e1036.member[0] == _e1034.member[0]) {
+                                    phi_1831_ = true;
                                 } else {
-                                    phi_1811_ = (_e1041.member[0] == _e1039.member[1]);
+                                    phi_1831_ = (_e1036.member[0] == _e1034.member[1]);
                                 }
-                                let _e1063 = phi_1811_;
-                                if (_e1041.member[1] == _e1039.member[0]) {
-                                    phi_1817_ = true;
+                                let _e1082 = phi_1831_;
+                                if (_e1036.member[1] == _e1034.member[0]) {
+                                    phi_1837_ = true;
                                 } else {
-                                    phi_1817_ = (_e1041.member[1] == _e1039.member[1]);
+                                    phi_1837_ = (_e1036.member[1] == _e1034.member[1]);
                                 }
-                                let _e1067 = phi_1817_;
-                                phi_1819_ = (_e1063 || _e1067);
+                                let _e1086 = phi_1837_;
+                                phi_1839_ = (_e1082 || _e1086);
                             }
-                            let _e1090 = phi_1819_;
-                            if _e1090 {
-                                phi_1823_ = false;
+                            let _e1109 = phi_1839_;
+                            if _e1109 {
+                                phi_1843_ = false;
                             } else {
-                                phi_1823_ = true;
+                                phi_1843_ = true;
                             }
-                            let _e1092 = phi_1823_;
-                            phi_1824_ = _e1092;
+                            let _e1111 = phi_1843_;
+                            phi_1844_ = _e1111;
                         } else {
-                            phi_1824_ = true;
+                            phi_1844_ = true;
                         }
-                        let _e1094 = phi_1824_;
-                        if _e1094 {
-                            let _e1096 = params.member.member.member_1;
-                            if ((_e1096 & 2u) != 0u) {
-                                let _e1100 = params.member.member.member_1;
-                                let _e1106 = bodies.member[_e1039.member[0]];
-                                let _e1110 = bodies.member[_e1041.member[0]];
-                                if ((_e1106 / 2u) != (_e1110 / 2u)) {
-                                    phi_1870_ = true;
+                        let _e1113 = phi_1844_;
+                        if _e1113 {
+                            let _e1115 = params.member.member.member_1;
+                            if ((_e1115 & 2u) != 0u) {
+                                let _e1119 = params.member.member.member_1;
+                                let _e1125 = bodies.member[_e1034.member[0]];
+                                let _e1129 = bodies.member[_e1036.member[0]];
+                                if ((_e1125 / 2u) != (_e1129 / 2u)) {
+                                    phi_1890_ = true;
                                 } else {
-                                    phi_1870_ = ((_e1100 & 4u) != 0u);
+                                    phi_1890_ = ((_e1119 & 4u) != 0u);
                                 }
-                                let _e1115 = phi_1870_;
-                                if _e1115 {
-                                    phi_1877_ = (((_e1106 & _e1110) & 1u) == 0u);
+                                let _e1134 = phi_1890_;
+                                if _e1134 {
+                                    phi_1897_ = (((_e1125 & _e1129) & 1u) == 0u);
                                 } else {
-                                    phi_1877_ = false;
+                                    phi_1897_ = false;
                                 }
-                                let _e1120 = phi_1877_;
-                                phi_1881_ = _e1120;
+                                let _e1139 = phi_1897_;
+                                phi_1901_ = _e1139;
                             } else {
-                                phi_1881_ = true;
+                                phi_1901_ = true;
                             }
-                            let _e1122 = phi_1881_;
-                            if _e1122 {
-                                let _e1124 = params.member.member.member_1;
-                                if ((_e1124 & 32u) != 0u) {
-                                    let _e1128 = params.member.member.member_6;
-                                    let _e1169 = (((((_e1043.member_1[0] - _e1045.member[0]) > _e1128) && ((_e1045.member_1[0] - _e1043.member[0]) > _e1128)) && (((_e1043.member_1[1] - _e1045.member[1]) > _e1128) && ((_e1045.member_1[1] - _e1043.member[1]) > _e1128))) && (((_e1043.member_1[2] - _e1045.member[2]) > _e1128) && ((_e1045.member_1[2] - _e1043.member[2]) > _e1128)));
-                                    if _e1169 {
-                                        phi_2495_ = bool();
+                            let _e1141 = phi_1901_;
+                            if _e1141 {
+                                let _e1143 = params.member.member.member_1;
+                                if ((_e1143 & 32u) != 0u) {
+                                    let _e1147 = params.member.member.member_6;
+                                    let _e1164 = (((((_e1038.member_1.y - _e1052.member.x) > _e1147) && ((_e1052.member_1.y - _e1038.member.x) > _e1147)) && (((_e1038.member_2.x - _e1052.member.y) > _e1147) && ((_e1052.member_2.x - _e1038.member.y) > _e1147))) && (((_e1038.member_2.y - _e1052.member_1.x) > _e1147) && ((_e1052.member_2.y - _e1038.member_1.x) > _e1147)));
+                                    if _e1164 {
+                                        phi_2503_ = bool();
                                     } else {
-                                        let _e1173 = keys.member[_e1039.member[0]];
-                                        let _e1178 = keys.member[_e1039.member[1]];
-                                        let _e1180 = function_5(_e1173[0], _e1178[0]);
-                                        let _e1184 = keys.member[_e1039.member[2]];
-                                        let _e1186 = function_5(_e1180, _e1184[0]);
-                                        let _e1190 = keys.member[_e1041.member[0]];
-                                        let _e1195 = keys.member[_e1041.member[1]];
-                                        let _e1197 = function_4(_e1190[3], _e1195[3]);
-                                        let _e1201 = keys.member[_e1041.member[2]];
-                                        let _e1203 = function_4(_e1197, _e1201[3]);
-                                        if (_e1186[1] > _e1203[1]) {
-                                            phi_2018_ = true;
+                                        let _e1168 = keys.member[_e1034.member[0]];
+                                        let _e1173 = keys.member[_e1034.member[1]];
+                                        let _e1175 = function_5(_e1168[0], _e1173[0]);
+                                        let _e1179 = keys.member[_e1034.member[2]];
+                                        let _e1181 = function_5(_e1175, _e1179[0]);
+                                        let _e1185 = keys.member[_e1036.member[0]];
+                                        let _e1190 = keys.member[_e1036.member[1]];
+                                        let _e1192 = function_4(_e1185[3], _e1190[3]);
+                                        let _e1196 = keys.member[_e1036.member[2]];
+                                        let _e1198 = function_4(_e1192, _e1196[3]);
+                                        if (_e1181[1] > _e1198[1]) {
+                                            phi_2026_ = true;
                                         } else {
-                                            if (_e1186[1] == _e1203[1]) {
-                                                phi_2017_ = (_e1186[0] > _e1203[0]);
+                                            if (_e1181[1] == _e1198[1]) {
+                                                phi_2025_ = (_e1181[0] > _e1198[0]);
                                             } else {
-                                                phi_2017_ = false;
+                                                phi_2025_ = false;
                                             }
-                                            let _e1214 = phi_2017_;
-                                            phi_2018_ = _e1214;
+                                            let _e1209 = phi_2025_;
+                                            phi_2026_ = _e1209;
                                         }
-                                        let _e1216 = phi_2018_;
-                                        let _e1221 = keys.member[_e1041.member[0]];
-                                        let _e1226 = keys.member[_e1041.member[1]];
-                                        let _e1228 = function_5(_e1221[0], _e1226[0]);
-                                        let _e1232 = keys.member[_e1041.member[2]];
-                                        let _e1234 = function_5(_e1228, _e1232[0]);
-                                        let _e1238 = keys.member[_e1039.member[0]];
-                                        let _e1243 = keys.member[_e1039.member[1]];
-                                        let _e1245 = function_4(_e1238[3], _e1243[3]);
-                                        let _e1249 = keys.member[_e1039.member[2]];
-                                        let _e1251 = function_4(_e1245, _e1249[3]);
-                                        if (_e1234[1] > _e1251[1]) {
-                                            phi_2112_ = true;
+                                        let _e1211 = phi_2026_;
+                                        let _e1216 = keys.member[_e1036.member[0]];
+                                        let _e1221 = keys.member[_e1036.member[1]];
+                                        let _e1223 = function_5(_e1216[0], _e1221[0]);
+                                        let _e1227 = keys.member[_e1036.member[2]];
+                                        let _e1229 = function_5(_e1223, _e1227[0]);
+                                        let _e1233 = keys.member[_e1034.member[0]];
+                                        let _e1238 = keys.member[_e1034.member[1]];
+                                        let _e1240 = function_4(_e1233[3], _e1238[3]);
+                                        let _e1244 = keys.member[_e1034.member[2]];
+                                        let _e1246 = function_4(_e1240, _e1244[3]);
+                                        if (_e1229[1] > _e1246[1]) {
+                                            phi_2120_ = true;
                                         } else {
-                                            if (_e1234[1] == _e1251[1]) {
-                                                phi_2111_ = (_e1234[0] > _e1251[0]);
+                                            if (_e1229[1] == _e1246[1]) {
+                                                phi_2119_ = (_e1229[0] > _e1246[0]);
                                             } else {
-                                                phi_2111_ = false;
+                                                phi_2119_ = false;
                                             }
-                                            let _e1262 = phi_2111_;
-                                            phi_2112_ = _e1262;
+                                            let _e1257 = phi_2119_;
+                                            phi_2120_ = _e1257;
                                         }
-                                        let _e1264 = phi_2112_;
-                                        let _e1270 = keys.member[_e1039.member[0]];
-                                        let _e1275 = keys.member[_e1039.member[1]];
-                                        let _e1277 = function_3(_e1270[1], _e1275[1]);
-                                        let _e1281 = keys.member[_e1039.member[2]];
-                                        let _e1283 = function_3(_e1277, _e1281[1]);
-                                        let _e1287 = keys.member[_e1041.member[0]];
-                                        let _e1292 = keys.member[_e1041.member[1]];
-                                        let _e1294 = function_2(_e1287[4], _e1292[4]);
-                                        let _e1298 = keys.member[_e1041.member[2]];
-                                        let _e1300 = function_2(_e1294, _e1298[4]);
-                                        if (_e1283[1] > _e1300[1]) {
-                                            phi_2207_ = true;
+                                        let _e1259 = phi_2120_;
+                                        let _e1265 = keys.member[_e1034.member[0]];
+                                        let _e1270 = keys.member[_e1034.member[1]];
+                                        let _e1272 = function_3(_e1265[1], _e1270[1]);
+                                        let _e1276 = keys.member[_e1034.member[2]];
+                                        let _e1278 = function_3(_e1272, _e1276[1]);
+                                        let _e1282 = keys.member[_e1036.member[0]];
+                                        let _e1287 = keys.member[_e1036.member[1]];
+                                        let _e1289 = function_2(_e1282[4], _e1287[4]);
+                                        let _e1293 = keys.member[_e1036.member[2]];
+                                        let _e1295 = function_2(_e1289, _e1293[4]);
+                                        if (_e1278[1] > _e1295[1]) {
+                                            phi_2215_ = true;
                                         } else {
-                                            if (_e1283[1] == _e1300[1]) {
-                                                phi_2206_ = (_e1283[0] > _e1300[0]);
+                                            if (_e1278[1] == _e1295[1]) {
+                                                phi_2214_ = (_e1278[0] > _e1295[0]);
                                             } else {
-                                                phi_2206_ = false;
+                                                phi_2214_ = false;
                                             }
-                                            let _e1311 = phi_2206_;
-                                            phi_2207_ = _e1311;
+                                            let _e1306 = phi_2214_;
+                                            phi_2215_ = _e1306;
                                         }
-                                        let _e1313 = phi_2207_;
-                                        let _e1318 = keys.member[_e1041.member[0]];
-                                        let _e1323 = keys.member[_e1041.member[1]];
-                                        let _e1325 = function_3(_e1318[1], _e1323[1]);
-                                        let _e1329 = keys.member[_e1041.member[2]];
-                                        let _e1331 = function_3(_e1325, _e1329[1]);
-                                        let _e1335 = keys.member[_e1039.member[0]];
-                                        let _e1340 = keys.member[_e1039.member[1]];
-                                        let _e1342 = function_2(_e1335[4], _e1340[4]);
-                                        let _e1346 = keys.member[_e1039.member[2]];
-                                        let _e1348 = function_2(_e1342, _e1346[4]);
-                                        if (_e1331[1] > _e1348[1]) {
-                                            phi_2301_ = true;
+                                        let _e1308 = phi_2215_;
+                                        let _e1313 = keys.member[_e1036.member[0]];
+                                        let _e1318 = keys.member[_e1036.member[1]];
+                                        let _e1320 = function_3(_e1313[1], _e1318[1]);
+                                        let _e1324 = keys.member[_e1036.member[2]];
+                                        let _e1326 = function_3(_e1320, _e1324[1]);
+                                        let _e1330 = keys.member[_e1034.member[0]];
+                                        let _e1335 = keys.member[_e1034.member[1]];
+                                        let _e1337 = function_2(_e1330[4], _e1335[4]);
+                                        let _e1341 = keys.member[_e1034.member[2]];
+                                        let _e1343 = function_2(_e1337, _e1341[4]);
+                                        if (_e1326[1] > _e1343[1]) {
+                                            phi_2309_ = true;
                                         } else {
-                                            if (_e1331[1] == _e1348[1]) {
-                                                phi_2300_ = (_e1331[0] > _e1348[0]);
+                                            if (_e1326[1] == _e1343[1]) {
+                                                phi_2308_ = (_e1326[0] > _e1343[0]);
                                             } else {
-                                                phi_2300_ = false;
+                                                phi_2308_ = false;
                                             }
-                                            let _e1359 = phi_2300_;
-                                            phi_2301_ = _e1359;
+                                            let _e1354 = phi_2308_;
+                                            phi_2309_ = _e1354;
                                         }
-                                        let _e1361 = phi_2301_;
-                                        let _e1368 = keys.member[_e1039.member[0]];
-                                        let _e1373 = keys.member[_e1039.member[1]];
-                                        let _e1375 = function_1(_e1368[2], _e1373[2]);
-                                        let _e1379 = keys.member[_e1039.member[2]];
-                                        let _e1381 = function_1(_e1375, _e1379[2]);
-                                        let _e1385 = keys.member[_e1041.member[0]];
-                                        let _e1390 = keys.member[_e1041.member[1]];
-                                        let _e1392 = function_(_e1385[5], _e1390[5]);
-                                        let _e1396 = keys.member[_e1041.member[2]];
-                                        let _e1398 = function_(_e1392, _e1396[5]);
-                                        if (_e1381[1] > _e1398[1]) {
-                                            phi_2397_ = true;
+                                        let _e1356 = phi_2309_;
+                                        let _e1363 = keys.member[_e1034.member[0]];
+                                        let _e1368 = keys.member[_e1034.member[1]];
+                                        let _e1370 = function_1(_e1363[2], _e1368[2]);
+                                        let _e1374 = keys.member[_e1034.member[2]];
+                                        let _e1376 = function_1(_e1370, _e1374[2]);
+                                        let _e1380 = keys.member[_e1036.member[0]];
+                                        let _e1385 = keys.member[_e1036.member[1]];
+                                        let _e1387 = function_(_e1380[5], _e1385[5]);
+                                        let _e1391 = keys.member[_e1036.member[2]];
+                                        let _e1393 = function_(_e1387, _e1391[5]);
+                                        if (_e1376[1] > _e1393[1]) {
+                                            phi_2405_ = true;
                                         } else {
-                                            if (_e1381[1] == _e1398[1]) {
-                                                phi_2396_ = (_e1381[0] > _e1398[0]);
+                                            if (_e1376[1] == _e1393[1]) {
+                                                phi_2404_ = (_e1376[0] > _e1393[0]);
                                             } else {
-                                                phi_2396_ = false;
+                                                phi_2404_ = false;
                                             }
-                                            let _e1409 = phi_2396_;
-                                            phi_2397_ = _e1409;
+                                            let _e1404 = phi_2404_;
+                                            phi_2405_ = _e1404;
                                         }
-                                        let _e1411 = phi_2397_;
-                                        let _e1416 = keys.member[_e1041.member[0]];
-                                        let _e1421 = keys.member[_e1041.member[1]];
-                                        let _e1423 = function_1(_e1416[2], _e1421[2]);
-                                        let _e1427 = keys.member[_e1041.member[2]];
-                                        let _e1429 = function_1(_e1423, _e1427[2]);
-                                        let _e1433 = keys.member[_e1039.member[0]];
-                                        let _e1438 = keys.member[_e1039.member[1]];
-                                        let _e1440 = function_(_e1433[5], _e1438[5]);
-                                        let _e1444 = keys.member[_e1039.member[2]];
-                                        let _e1446 = function_(_e1440, _e1444[5]);
-                                        if (_e1429[1] > _e1446[1]) {
-                                            phi_2491_ = true;
+                                        let _e1406 = phi_2405_;
+                                        let _e1411 = keys.member[_e1036.member[0]];
+                                        let _e1416 = keys.member[_e1036.member[1]];
+                                        let _e1418 = function_1(_e1411[2], _e1416[2]);
+                                        let _e1422 = keys.member[_e1036.member[2]];
+                                        let _e1424 = function_1(_e1418, _e1422[2]);
+                                        let _e1428 = keys.member[_e1034.member[0]];
+                                        let _e1433 = keys.member[_e1034.member[1]];
+                                        let _e1435 = function_(_e1428[5], _e1433[5]);
+                                        let _e1439 = keys.member[_e1034.member[2]];
+                                        let _e1441 = function_(_e1435, _e1439[5]);
+                                        if (_e1424[1] > _e1441[1]) {
+                                            phi_2499_ = true;
                                         } else {
-                                            if (_e1429[1] == _e1446[1]) {
-                                                phi_2490_ = (_e1429[0] > _e1446[0]);
+                                            if (_e1424[1] == _e1441[1]) {
+                                                phi_2498_ = (_e1424[0] > _e1441[0]);
                                             } else {
-                                                phi_2490_ = false;
+                                                phi_2498_ = false;
                                             }
-                                            let _e1457 = phi_2490_;
-                                            phi_2491_ = _e1457;
+                                            let _e1452 = phi_2498_;
+                                            phi_2499_ = _e1452;
                                         }
-                                        let _e1459 = phi_2491_;
-                                        phi_2495_ = (((!(_e1216) && !(_e1264)) && (!(_e1313) && !(_e1361))) && (!(_e1411) && !(_e1459)));
+                                        let _e1454 = phi_2499_;
+                                        phi_2503_ = (((!(_e1211) && !(_e1259)) && (!(_e1308) && !(_e1356))) && (!(_e1406) && !(_e1454)));
                                     }
-                                    let _e1464 = phi_2495_;
-                                    phi_2496_ = _e1464;
-                                    phi_2497_ = _e1169;
+                                    let _e1459 = phi_2503_;
+                                    phi_2504_ = _e1459;
+                                    phi_2505_ = _e1164;
                                 } else {
-                                    phi_2496_ = bool();
-                                    phi_2497_ = true;
+                                    phi_2504_ = bool();
+                                    phi_2505_ = true;
                                 }
-                                let _e1466 = phi_2496_;
-                                let _e1468 = phi_2497_;
-                                if _e1468 {
-                                    phi_2501_ = false;
+                                let _e1461 = phi_2504_;
+                                let _e1463 = phi_2505_;
+                                if _e1463 {
+                                    phi_2509_ = false;
                                 } else {
-                                    phi_2501_ = true;
+                                    phi_2509_ = true;
                                 }
-                                let _e1470 = phi_2501_;
-                                phi_2502_ = _e1466;
-                                phi_2503_ = _e1470;
+                                let _e1465 = phi_2509_;
+                                phi_2510_ = _e1461;
+                                phi_2511_ = _e1465;
                             } else {
-                                phi_2502_ = false;
-                                phi_2503_ = true;
+                                phi_2510_ = false;
+                                phi_2511_ = true;
                             }
-                            let _e1472 = phi_2502_;
-                            let _e1474 = phi_2503_;
-                            phi_2504_ = _e1472;
-                            phi_2505_ = _e1474;
+                            let _e1467 = phi_2510_;
+                            let _e1469 = phi_2511_;
+                            phi_2512_ = _e1467;
+                            phi_2513_ = _e1469;
                         } else {
-                            phi_2504_ = false;
-                            phi_2505_ = true;
+                            phi_2512_ = false;
+                            phi_2513_ = true;
                         }
-                        let _e1476 = phi_2504_;
-                        let _e1478 = phi_2505_;
-                        if _e1478 {
-                            phi_2509_ = _e1476;
+                        let _e1471 = phi_2512_;
+                        let _e1473 = phi_2513_;
+                        if _e1473 {
+                            phi_2517_ = _e1471;
                         } else {
-                            phi_2509_ = true;
+                            phi_2517_ = true;
                         }
-                        let _e1480 = phi_2509_;
-                        if _e1480 {
-                            let _e1482 = atomicAdd((&counters[7u]), 1u);
-                            let _e1484 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1018] = ((2147483648u | (_e1484 << bitcast<u32>(12i))) | _e1021);
+                        let _e1475 = phi_2517_;
+                        if _e1475 {
+                            let _e1477 = atomicAdd((&counters[7u]), 1u);
+                            let _e1479 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1013] = ((2147483648u | (_e1479 << bitcast<u32>(12i))) | _e1016);
                         }
-                        phi_2524_ = true;
+                        phi_2532_ = true;
                     }
-                    let _e1491 = phi_2524_;
-                    phi_2525_ = _e1491;
+                    let _e1486 = phi_2532_;
+                    phi_2533_ = _e1486;
                 } else {
-                    phi_2525_ = false;
+                    phi_2533_ = false;
                 }
-                let _e1493 = phi_2525_;
+                let _e1488 = phi_2533_;
                 continue;
                 continuing {
-                    phi_1671_ = _e1010;
-                    break if !(_e1493);
+                    phi_1679_ = _e1005;
+                    break if !(_e1488);
                 }
             }
             workgroupBarrier();
             if (_e47 == 0u) {
-                let _e1497 = atomicLoad((&counters[5u]));
-                if (_e1497 > 0u) {
-                    let _e1500 = atomicAdd((&output.member[0u]), _e1497);
-                    if ((_e1500 + _e1497) < _e1500) {
-                        let _e1504 = atomicAdd((&output.member[2u]), 1u);
+                let _e1492 = atomicLoad((&counters[5u]));
+                if (_e1492 > 0u) {
+                    let _e1495 = atomicAdd((&output.member[0u]), _e1492);
+                    if ((_e1495 + _e1492) < _e1495) {
+                        let _e1499 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e1500);
+                    atomicStore((&counters[6u]), _e1495);
                 }
             }
             workgroupBarrier();
-            let _e1507 = atomicLoad((&counters[6u]));
+            let _e1502 = atomicLoad((&counters[6u]));
             if (_e47 == 0u) {
-                let _e1510 = atomicLoad((&counters[7u]));
-                if (_e1510 > 0u) {
-                    let _e1513 = atomicAdd((&output.member[1u]), _e1510);
-                    if ((_e1513 + _e1510) < _e1513) {
-                        let _e1517 = atomicAdd((&output.member[3u]), 1u);
+                let _e1505 = atomicLoad((&counters[7u]));
+                if (_e1505 > 0u) {
+                    let _e1508 = atomicAdd((&output.member[1u]), _e1505);
+                    if ((_e1508 + _e1505) < _e1508) {
+                        let _e1512 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_2575_ = type_9(0u, 16u);
+            phi_2583_ = type_9(0u, 16u);
             loop {
-                let _e1519 = phi_2575_;
-                if (_e1519.member < _e1519.member_1) {
-                    phi_2576_ = type_9((_e1519.member + 1u), _e1519.member_1);
-                    phi_2599_ = type_9(1u, _e1519.member);
+                let _e1514 = phi_2583_;
+                if (_e1514.member < _e1514.member_1) {
+                    phi_2584_ = type_9((_e1514.member + 1u), _e1514.member_1);
+                    phi_2607_ = type_9(1u, _e1514.member);
                 } else {
-                    phi_2576_ = _e1519;
-                    phi_2599_ = type_9(0u, type_9().member_1);
+                    phi_2584_ = _e1514;
+                    phi_2607_ = type_9(0u, type_9().member_1);
                 }
-                let _e1531 = phi_2576_;
-                let _e1533 = phi_2599_;
-                if (bitcast<i32>(_e1533.member) != 0i) {
-                    let _e1539 = (_e47 + (_e1533.member_1 * 128u));
-                    if (_e1539 >= _e996) {
-                        phi_2696_ = false;
+                let _e1526 = phi_2584_;
+                let _e1528 = phi_2607_;
+                if (bitcast<i32>(_e1528.member) != 0i) {
+                    let _e1534 = (_e47 + (_e1528.member_1 * 128u));
+                    if (_e1534 >= _e991) {
+                        phi_2704_ = false;
                     } else {
-                        let _e1542 = hits[_e1539];
-                        if ((_e1542 & 2147483648u) == 0u) {
-                            phi_2622_ = 4294967295u;
+                        let _e1537 = hits[_e1534];
+                        if ((_e1537 & 2147483648u) == 0u) {
+                            phi_2630_ = 4294967295u;
                         } else {
-                            phi_2622_ = ((_e1542 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_2630_ = ((_e1537 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e1549 = phi_2622_;
-                        if (_e1549 != 4294967295u) {
-                            let _e1553 = ((_e1542 >> bitcast<u32>(10i)) & 3u);
-                            let _e1560 = firsts[(2u * _e1553)];
-                            let _e1563 = leaves.member[(_e1560 + ((_e1542 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1567 = firsts[((2u * _e1553) + 1u)];
-                            let _e1570 = leaves.member[(_e1567 + (_e1542 & 31u))];
-                            let _e1575 = params.member.member_1.member_3;
-                            let _e1576 = (_e1507 + _e1549);
+                        let _e1544 = phi_2630_;
+                        if (_e1544 != 4294967295u) {
+                            let _e1548 = ((_e1537 >> bitcast<u32>(10i)) & 3u);
+                            let _e1555 = firsts[(2u * _e1548)];
+                            let _e1558 = leaves.member[(_e1555 + ((_e1537 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1562 = firsts[((2u * _e1548) + 1u)];
+                            let _e1565 = leaves.member[(_e1562 + (_e1537 & 31u))];
+                            let _e1570 = params.member.member_1.member_3;
+                            let _e1571 = (_e1502 + _e1544);
                             if (_e78[0] == _e78[1]) {
-                                if (_e1563.member_1 < _e1570.member_1) {
-                                    phi_2677_ = type_9(_e1563.member_1, _e1570.member_1);
+                                if (_e1558.member_1 < _e1565.member_1) {
+                                    phi_2685_ = type_9(_e1558.member_1, _e1565.member_1);
                                 } else {
-                                    phi_2677_ = type_9(_e1570.member_1, _e1563.member_1);
+                                    phi_2685_ = type_9(_e1565.member_1, _e1558.member_1);
                                 }
-                                let _e1583 = phi_2677_;
-                                phi_2682_ = _e1583;
+                                let _e1578 = phi_2685_;
+                                phi_2690_ = _e1578;
                             } else {
-                                phi_2682_ = type_9(_e1563.member_1, _e1570.member_1);
+                                phi_2690_ = type_9(_e1558.member_1, _e1565.member_1);
                             }
-                            let _e1585 = phi_2682_;
-                            if (_e1576 < _e1575) {
-                                let _e1589 = (2u * _e1576);
-                                atomicStore((&output.member[(4u + _e1589)]), _e1585.member);
-                                atomicStore((&output.member[(_e1589 + 5u)]), _e1585.member_1);
+                            let _e1580 = phi_2690_;
+                            if (_e1571 < _e1570) {
+                                let _e1584 = (2u * _e1571);
+                                atomicStore((&output.member[(4u + _e1584)]), _e1580.member);
+                                atomicStore((&output.member[(_e1584 + 5u)]), _e1580.member_1);
                             }
                         }
-                        phi_2696_ = true;
+                        phi_2704_ = true;
                     }
-                    let _e1595 = phi_2696_;
-                    phi_2697_ = _e1595;
+                    let _e1590 = phi_2704_;
+                    phi_2705_ = _e1590;
                 } else {
-                    phi_2697_ = false;
+                    phi_2705_ = false;
                 }
-                let _e1597 = phi_2697_;
+                let _e1592 = phi_2705_;
                 continue;
                 continuing {
-                    phi_2575_ = _e1531;
-                    break if !(_e1597);
+                    phi_2583_ = _e1526;
+                    break if !(_e1592);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_257_ = _e140;
+            phi_259_ = _e140;
             break if !(_e146);
         }
     }

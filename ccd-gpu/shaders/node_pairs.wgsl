@@ -48,15 +48,21 @@ struct type_18 {
 }
 
 struct type_20 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_22 {
     member: array<type_20>,
 }
 
-struct type_28 {
+struct type_24 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
@@ -67,60 +73,60 @@ var<storage> nodes: type_22;
 @group(0) @binding(2) 
 var<storage> input: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_28;
+var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_20, 128>;
+var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_128_: u32;
-    var phi_159_: u32;
-    var phi_160_: u32;
-    var phi_168_: u32;
-    var phi_184_: u32;
-    var phi_205_: u32;
-    var phi_206_: u32;
-    var phi_209_: type_9;
-    var phi_210_: type_9;
-    var phi_233_: type_9;
-    var phi_274_: u32;
-    var phi_275_: u32;
-    var phi_283_: u32;
-    var phi_295_: u32;
-    var phi_351_: array<u32, 2>;
-    var phi_549_: bool;
-    var phi_550_: bool;
-    var phi_554_: type_20;
-    var phi_563_: bool;
-    var phi_570_: type_9;
-    var phi_573_: u32;
-    var phi_571_: type_9;
-    var phi_596_: type_9;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_668_: bool;
-    var phi_686_: u32;
-    var phi_687_: u32;
-    var phi_688_: u32;
-    var phi_574_: u32;
-    var phi_691_: type_9;
+    var phi_130_: u32;
+    var phi_161_: u32;
+    var phi_162_: u32;
+    var phi_170_: u32;
+    var phi_186_: u32;
+    var phi_207_: u32;
+    var phi_208_: u32;
+    var phi_211_: type_9;
+    var phi_212_: type_9;
+    var phi_235_: type_9;
+    var phi_276_: u32;
+    var phi_277_: u32;
+    var phi_285_: u32;
+    var phi_297_: u32;
+    var phi_353_: array<u32, 2>;
+    var phi_557_: bool;
+    var phi_558_: bool;
+    var phi_562_: type_24;
+    var phi_571_: bool;
+    var phi_578_: type_9;
+    var phi_581_: u32;
+    var phi_579_: type_9;
+    var phi_604_: type_9;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
+    var phi_676_: bool;
     var phi_694_: u32;
-    var phi_692_: type_9;
-    var phi_717_: type_9;
-    var phi_768_: u32;
-    var phi_769_: bool;
     var phi_695_: u32;
-    var phi_770_: bool;
-    var phi_777_: u32;
-    var phi_810_: type_9;
-    var phi_811_: type_9;
-    var phi_834_: type_9;
-    var phi_879_: bool;
-    var phi_880_: bool;
+    var phi_696_: u32;
+    var phi_582_: u32;
+    var phi_699_: type_9;
+    var phi_702_: u32;
+    var phi_700_: type_9;
+    var phi_725_: type_9;
+    var phi_776_: u32;
+    var phi_777_: bool;
+    var phi_703_: u32;
+    var phi_778_: bool;
+    var phi_785_: u32;
+    var phi_818_: type_9;
+    var phi_819_: type_9;
+    var phi_842_: type_9;
+    var phi_887_: bool;
+    var phi_888_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -137,11 +143,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e54 = params.member.member_1.member_2;
     let _e56 = input.member[0u];
     if (_e54 < _e56) {
-        phi_128_ = _e54;
+        phi_130_ = _e54;
     } else {
-        phi_128_ = _e56;
+        phi_130_ = _e56;
     }
-    let _e59 = phi_128_;
+    let _e59 = phi_130_;
     let _e60 = (_e39 / 32u);
     let _e63 = params.member.member_1.member_1;
     if (_e59 > _e63) {
@@ -156,30 +162,30 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e68 % _e71) > 0u) {
-            phi_159_ = (_e73 + 1u);
+            phi_161_ = (_e73 + 1u);
         } else {
-            phi_159_ = _e73;
+            phi_161_ = _e73;
         }
-        let _e79 = phi_159_;
-        phi_160_ = _e79;
+        let _e79 = phi_161_;
+        phi_162_ = _e79;
     } else {
-        phi_160_ = 0u;
+        phi_162_ = 0u;
     }
-    let _e81 = phi_160_;
+    let _e81 = phi_162_;
     let _e84 = params.member.member_2.member_4;
     if (_e84 < _e81) {
-        phi_168_ = _e84;
+        phi_170_ = _e84;
     } else {
-        phi_168_ = _e81;
+        phi_170_ = _e81;
     }
-    let _e87 = phi_168_;
+    let _e87 = phi_170_;
     let _e88 = (_e87 / 4u);
     if ((_e87 % 4u) > 0u) {
-        phi_184_ = (_e88 + 1u);
+        phi_186_ = (_e88 + 1u);
     } else {
-        phi_184_ = _e88;
+        phi_186_ = _e88;
     }
-    let _e93 = phi_184_;
+    let _e93 = phi_186_;
     if (_e93 > _e48) {
         let _e95 = (_e93 - _e48);
         if (_e51 == 0u) {
@@ -190,28 +196,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e95 % _e51) > 0u) {
-            phi_205_ = (_e97 + 1u);
+            phi_207_ = (_e97 + 1u);
         } else {
-            phi_205_ = _e97;
+            phi_207_ = _e97;
         }
-        let _e103 = phi_205_;
-        phi_206_ = _e103;
+        let _e103 = phi_207_;
+        phi_208_ = _e103;
     } else {
-        phi_206_ = 0u;
+        phi_208_ = 0u;
     }
-    let _e105 = phi_206_;
-    phi_209_ = type_9(0u, _e105);
+    let _e105 = phi_208_;
+    phi_211_ = type_9(0u, _e105);
     loop {
-        let _e108 = phi_209_;
+        let _e108 = phi_211_;
         if (_e108.member < _e108.member_1) {
-            phi_210_ = type_9((_e108.member + 1u), _e108.member_1);
-            phi_233_ = type_9(1u, _e108.member);
+            phi_212_ = type_9((_e108.member + 1u), _e108.member_1);
+            phi_235_ = type_9(1u, _e108.member);
         } else {
-            phi_210_ = _e108;
-            phi_233_ = type_9(0u, type_9().member_1);
+            phi_212_ = _e108;
+            phi_235_ = type_9(0u, type_9().member_1);
         }
-        let _e120 = phi_210_;
-        let _e122 = phi_233_;
+        let _e120 = phi_212_;
+        let _e122 = phi_235_;
         let _e126 = (bitcast<i32>(_e122.member) != 0i);
         if _e126 {
             let _e130 = (((_e48 + (_e122.member_1 * _e51)) * 4u) + _e60);
@@ -228,32 +234,32 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e138 % _e141) > 0u) {
-                    phi_274_ = (_e143 + 1u);
+                    phi_276_ = (_e143 + 1u);
                 } else {
-                    phi_274_ = _e143;
+                    phi_276_ = _e143;
                 }
-                let _e149 = phi_274_;
-                phi_275_ = _e149;
+                let _e149 = phi_276_;
+                phi_277_ = _e149;
             } else {
-                phi_275_ = 0u;
+                phi_277_ = 0u;
             }
-            let _e151 = phi_275_;
+            let _e151 = phi_277_;
             let _e154 = params.member.member_2.member_4;
             if (_e154 < _e151) {
-                phi_283_ = _e154;
+                phi_285_ = _e154;
             } else {
-                phi_283_ = _e151;
+                phi_285_ = _e151;
             }
-            let _e157 = phi_283_;
+            let _e157 = phi_285_;
             let _e158 = (_e130 < _e157);
             let _e161 = params.member.member_1.member_1;
             if _e158 {
                 let _e164 = params.member.member_2.member_3;
-                phi_295_ = (_e130 * _e164);
+                phi_297_ = (_e130 * _e164);
             } else {
-                phi_295_ = 0u;
+                phi_297_ = 0u;
             }
-            let _e167 = phi_295_;
+            let _e167 = phi_297_;
             let _e169 = (2u * (_e161 + _e167));
             let _e172 = input.member[(4u + _e169)];
             let _e175 = input.member[(_e169 + 5u)];
@@ -267,263 +273,263 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e189 = params.member.member_2.member_1;
             if (_e189 == 0u) {
-                phi_351_ = array<u32, 2>(0u, 2u);
+                phi_353_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_351_ = array<u32, 2>(1u, 1u);
+                phi_353_ = array<u32, 2>(1u, 1u);
             }
-            let _e192 = phi_351_;
+            let _e192 = phi_353_;
             let _e195 = (_e39 / 32u);
             let _e196 = (_e39 % 32u);
             let _e200 = params.member.member_2.member_2;
             let _e204 = params.member.member_2.member[_e200][_e192[0]];
             let _e207 = nodes.member[(_e204 + _e172)];
-            let _e211 = params.member.member_2.member_2;
-            let _e215 = params.member.member_2.member[_e211][_e192[1]];
-            let _e218 = nodes.member[(_e215 + _e175)];
-            let _e222 = params.member.member_2.member_2;
-            let _e229 = params.member.member_2.member[(_e222 - 1u)][_e192[0]];
-            let _e232 = nodes.member[(_e229 + ((_e172 * 32u) + _e196))];
-            let _e236 = params.member.member_2.member_2;
-            let _e243 = params.member.member_2.member[(_e236 - 1u)][_e192[1]];
-            let _e246 = nodes.member[(_e243 + ((_e175 * 32u) + _e196))];
+            let _e223 = params.member.member_2.member_2;
+            let _e227 = params.member.member_2.member[_e223][_e192[1]];
+            let _e230 = nodes.member[(_e227 + _e175)];
+            let _e246 = params.member.member_2.member_2;
+            let _e253 = params.member.member_2.member[(_e246 - 1u)][_e192[0]];
+            let _e256 = nodes.member[(_e253 + ((_e172 * 32u) + _e196))];
+            let _e275 = params.member.member_2.member_2;
+            let _e282 = params.member.member_2.member[(_e275 - 1u)][_e192[1]];
+            let _e285 = nodes.member[(_e282 + ((_e175 * 32u) + _e196))];
             if _e158 {
-                if ((((((_e246.member[0] <= _e207.member_1[0]) && (_e207.member[0] <= _e246.member_1[0])) && (_e246.member[1] <= _e207.member_1[1])) && (_e207.member[1] <= _e246.member_1[1])) && (_e246.member[2] <= _e207.member_1[2])) && (_e207.member[2] <= _e246.member_1[2])) {
-                    let _e284 = atomicAdd((&counters[_e195]), 1u);
-                    let _e285 = ((_e195 * 32u) + _e284);
-                    columns[_e285] = type_20(array<f32, 3>(_e246.member[0], _e246.member[1], _e246.member[2]), array<f32, 3>(_e246.member_1[0], _e246.member_1[1], _e246.member_1[2]));
-                    names[_e285] = _e196;
+                if ((((((_e285.member.x <= _e207.member_1.y) && (_e207.member.x <= _e285.member_1.y)) && (_e285.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e285.member_2.x)) && (_e285.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e285.member_2.y)) {
+                    let _e311 = atomicAdd((&counters[_e195]), 1u);
+                    let _e312 = ((_e195 * 32u) + _e311);
+                    columns[_e312] = type_24(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member_1.x), array<f32, 3>(_e285.member_1.y, _e285.member_2.x, _e285.member_2.y));
+                    names[_e312] = _e196;
                 }
             }
             workgroupBarrier();
             if _e158 {
-                if ((((((_e232.member[0] <= _e218.member_1[0]) && (_e218.member[0] <= _e232.member_1[0])) && (_e232.member[1] <= _e218.member_1[1])) && (_e218.member[1] <= _e232.member_1[1])) && (_e232.member[2] <= _e218.member_1[2])) && (_e218.member[2] <= _e232.member_1[2])) {
-                    phi_549_ = false;
+                if ((((((_e256.member.x <= _e230.member_1.y) && (_e230.member.x <= _e256.member_1.y)) && (_e256.member.y <= _e230.member_2.x)) && (_e230.member.y <= _e256.member_2.x)) && (_e256.member_1.x <= _e230.member_2.y)) && (_e230.member_1.x <= _e256.member_2.y)) {
+                    phi_557_ = false;
                 } else {
-                    phi_549_ = true;
+                    phi_557_ = true;
                 }
-                let _e335 = phi_549_;
-                phi_550_ = _e335;
+                let _e330 = phi_557_;
+                phi_558_ = _e330;
             } else {
-                phi_550_ = true;
+                phi_558_ = true;
             }
-            let _e337 = phi_550_;
-            if _e337 {
-                phi_554_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e332 = phi_558_;
+            if _e332 {
+                phi_562_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_554_ = _e232;
+                phi_562_ = type_24(array<f32, 3>(_e256.member.x, _e256.member.y, _e256.member_1.x), array<f32, 3>(_e256.member_1.y, _e256.member_2.x, _e256.member_2.y));
             }
-            let _e339 = phi_554_;
-            let _e342 = params.member.member_2.member_1;
-            if (_e342 == 1u) {
-                phi_563_ = (_e172 == _e175);
+            let _e334 = phi_562_;
+            let _e337 = params.member.member_2.member_1;
+            if (_e337 == 1u) {
+                phi_571_ = (_e172 == _e175);
             } else {
-                phi_563_ = false;
+                phi_571_ = false;
             }
-            let _e346 = phi_563_;
-            let _e347 = (_e39 / 32u);
-            let _e348 = (_e39 % 32u);
-            let _e350 = atomicLoad((&counters[_e347]));
-            phi_570_ = type_9(0u, _e350);
-            phi_573_ = 0u;
+            let _e341 = phi_571_;
+            let _e342 = (_e39 / 32u);
+            let _e343 = (_e39 % 32u);
+            let _e345 = atomicLoad((&counters[_e342]));
+            phi_578_ = type_9(0u, _e345);
+            phi_581_ = 0u;
             loop {
-                let _e353 = phi_570_;
-                let _e355 = phi_573_;
-                local = _e355;
-                if (_e353.member < _e353.member_1) {
-                    phi_571_ = type_9((_e353.member + 1u), _e353.member_1);
-                    phi_596_ = type_9(1u, _e353.member);
+                let _e348 = phi_578_;
+                let _e350 = phi_581_;
+                local = _e350;
+                if (_e348.member < _e348.member_1) {
+                    phi_579_ = type_9((_e348.member + 1u), _e348.member_1);
+                    phi_604_ = type_9(1u, _e348.member);
                 } else {
-                    phi_571_ = _e353;
-                    phi_596_ = type_9(0u, type_9().member_1);
+                    phi_579_ = _e348;
+                    phi_604_ = type_9(0u, type_9().member_1);
                 }
-                let _e367 = phi_571_;
-                let _e369 = phi_596_;
-                let _e373 = (bitcast<i32>(_e369.member) != 0i);
-                if _e373 {
-                    let _e377 = names[((_e347 * 32u) + _e369.member_1)];
-                    let _e381 = columns[((_e347 * 32u) + _e369.member_1)];
-                    if ((((((_e339.member[0] <= _e381.member_1[0]) && (_e381.member[0] <= _e339.member_1[0])) && (_e339.member[1] <= _e381.member_1[1])) && (_e381.member[1] <= _e339.member_1[1])) && (_e339.member[2] <= _e381.member_1[2])) && (_e381.member[2] <= _e339.member_1[2])) {
-                        if _e346 {
-                            let _e413 = (_e348 < _e377);
-                            if _e413 {
-                                phi_662_ = bool();
+                let _e362 = phi_579_;
+                let _e364 = phi_604_;
+                let _e368 = (bitcast<i32>(_e364.member) != 0i);
+                if _e368 {
+                    let _e372 = names[((_e342 * 32u) + _e364.member_1)];
+                    let _e376 = columns[((_e342 * 32u) + _e364.member_1)];
+                    if ((((((_e334.member[0] <= _e376.member_1[0]) && (_e376.member[0] <= _e334.member_1[0])) && (_e334.member[1] <= _e376.member_1[1])) && (_e376.member[1] <= _e334.member_1[1])) && (_e334.member[2] <= _e376.member_1[2])) && (_e376.member[2] <= _e334.member_1[2])) {
+                        if _e341 {
+                            let _e408 = (_e343 < _e372);
+                            if _e408 {
+                                phi_670_ = bool();
                             } else {
-                                if (_e348 == _e377) {
-                                    phi_661_ = true;
+                                if (_e343 == _e372) {
+                                    phi_669_ = true;
                                 } else {
-                                    phi_661_ = false;
+                                    phi_669_ = false;
                                 }
-                                let _e416 = phi_661_;
-                                phi_662_ = _e416;
+                                let _e411 = phi_669_;
+                                phi_670_ = _e411;
                             }
-                            let _e418 = phi_662_;
-                            phi_663_ = _e418;
-                            phi_664_ = _e413;
+                            let _e413 = phi_670_;
+                            phi_671_ = _e413;
+                            phi_672_ = _e408;
                         } else {
-                            phi_663_ = bool();
-                            phi_664_ = true;
+                            phi_671_ = bool();
+                            phi_672_ = true;
                         }
-                        let _e420 = phi_663_;
-                        let _e422 = phi_664_;
-                        if _e422 {
-                            phi_668_ = true;
+                        let _e415 = phi_671_;
+                        let _e417 = phi_672_;
+                        if _e417 {
+                            phi_676_ = true;
                         } else {
-                            phi_668_ = _e420;
+                            phi_676_ = _e415;
                         }
-                        let _e424 = phi_668_;
-                        if _e424 {
-                            let _e426 = atomicAdd((&counters[4u]), 1u);
-                            if (_e426 < 2048u) {
-                                hits[_e426] = (((_e347 << bitcast<u32>(10i)) | (_e348 << bitcast<u32>(5i))) | _e377);
-                                phi_686_ = _e355;
+                        let _e419 = phi_676_;
+                        if _e419 {
+                            let _e421 = atomicAdd((&counters[4u]), 1u);
+                            if (_e421 < 2048u) {
+                                hits[_e421] = (((_e342 << bitcast<u32>(10i)) | (_e343 << bitcast<u32>(5i))) | _e372);
+                                phi_694_ = _e350;
                             } else {
-                                phi_686_ = (_e355 | (1u << bitcast<u32>((_e369.member_1 & 31u))));
+                                phi_694_ = (_e350 | (1u << bitcast<u32>((_e364.member_1 & 31u))));
                             }
-                            let _e440 = phi_686_;
-                            phi_687_ = _e440;
+                            let _e435 = phi_694_;
+                            phi_695_ = _e435;
                         } else {
-                            phi_687_ = _e355;
+                            phi_695_ = _e350;
                         }
-                        let _e442 = phi_687_;
-                        phi_688_ = _e442;
+                        let _e437 = phi_695_;
+                        phi_696_ = _e437;
                     } else {
-                        phi_688_ = _e355;
+                        phi_696_ = _e350;
                     }
-                    let _e444 = phi_688_;
-                    phi_574_ = _e444;
+                    let _e439 = phi_696_;
+                    phi_582_ = _e439;
                 } else {
-                    phi_574_ = u32();
+                    phi_582_ = u32();
                 }
-                let _e446 = phi_574_;
+                let _e441 = phi_582_;
                 continue;
                 continuing {
-                    phi_570_ = _e367;
-                    phi_573_ = _e446;
-                    break if !(_e373);
+                    phi_578_ = _e362;
+                    phi_581_ = _e441;
+                    break if !(_e368);
                 }
             }
-            phi_691_ = type_9(0u, 32u);
-            let _e620 = local;
-            phi_694_ = _e620;
+            phi_699_ = type_9(0u, 32u);
+            let _e615 = local;
+            phi_702_ = _e615;
             loop {
-                let _e449 = phi_691_;
-                let _e451 = phi_694_;
-                if (_e449.member < _e449.member_1) {
-                    phi_692_ = type_9((_e449.member + 1u), _e449.member_1);
-                    phi_717_ = type_9(1u, _e449.member);
+                let _e444 = phi_699_;
+                let _e446 = phi_702_;
+                if (_e444.member < _e444.member_1) {
+                    phi_700_ = type_9((_e444.member + 1u), _e444.member_1);
+                    phi_725_ = type_9(1u, _e444.member);
                 } else {
-                    phi_692_ = _e449;
-                    phi_717_ = type_9(0u, type_9().member_1);
+                    phi_700_ = _e444;
+                    phi_725_ = type_9(0u, type_9().member_1);
                 }
-                let _e463 = phi_692_;
-                let _e465 = phi_717_;
-                if (bitcast<i32>(_e465.member) != 0i) {
-                    if (_e451 == 0u) {
-                        phi_768_ = u32();
-                        phi_769_ = false;
+                let _e458 = phi_700_;
+                let _e460 = phi_725_;
+                if (bitcast<i32>(_e460.member) != 0i) {
+                    if (_e446 == 0u) {
+                        phi_776_ = u32();
+                        phi_777_ = false;
                     } else {
-                        let _e476 = names[((_e60 * 32u) + select(firstTrailingBit(_e451), 32u, (_e451 == 0u)))];
-                        let _e481 = params.member.member_1.member_3;
-                        let _e488 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e488 + 1u) < _e488) {
-                            let _e492 = atomicAdd((&output.member[2u]), 1u);
+                        let _e471 = names[((_e60 * 32u) + select(firstTrailingBit(_e446), 32u, (_e446 == 0u)))];
+                        let _e476 = params.member.member_1.member_3;
+                        let _e483 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e483 + 1u) < _e483) {
+                            let _e487 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e488 < _e481) {
-                            let _e494 = (2u * _e488);
-                            atomicStore((&output.member[(4u + _e494)]), ((_e172 * 32u) + (_e39 % 32u)));
-                            atomicStore((&output.member[(_e494 + 5u)]), ((_e175 * 32u) + _e476));
+                        if (_e483 < _e476) {
+                            let _e489 = (2u * _e483);
+                            atomicStore((&output.member[(4u + _e489)]), ((_e172 * 32u) + (_e39 % 32u)));
+                            atomicStore((&output.member[(_e489 + 5u)]), ((_e175 * 32u) + _e471));
                         }
-                        phi_768_ = (_e451 & (_e451 - 1u));
-                        phi_769_ = true;
+                        phi_776_ = (_e446 & (_e446 - 1u));
+                        phi_777_ = true;
                     }
-                    let _e500 = phi_768_;
-                    let _e502 = phi_769_;
-                    phi_695_ = _e500;
-                    phi_770_ = _e502;
+                    let _e495 = phi_776_;
+                    let _e497 = phi_777_;
+                    phi_703_ = _e495;
+                    phi_778_ = _e497;
                 } else {
-                    phi_695_ = u32();
-                    phi_770_ = false;
+                    phi_703_ = u32();
+                    phi_778_ = false;
                 }
-                let _e504 = phi_695_;
-                let _e506 = phi_770_;
+                let _e499 = phi_703_;
+                let _e501 = phi_778_;
                 continue;
                 continuing {
-                    phi_691_ = _e463;
-                    phi_694_ = _e504;
-                    break if !(_e506);
+                    phi_699_ = _e458;
+                    phi_702_ = _e499;
+                    break if !(_e501);
                 }
             }
             workgroupBarrier();
-            let _e509 = atomicLoad((&counters[4u]));
-            if (2048u < _e509) {
-                phi_777_ = 2048u;
+            let _e504 = atomicLoad((&counters[4u]));
+            if (2048u < _e504) {
+                phi_785_ = 2048u;
             } else {
-                phi_777_ = _e509;
+                phi_785_ = _e504;
             }
-            let _e512 = phi_777_;
+            let _e507 = phi_785_;
             if (_e39 == 0u) {
-                atomicStore((&counters[5u]), _e512);
+                atomicStore((&counters[5u]), _e507);
             }
             workgroupBarrier();
             if (_e39 == 0u) {
-                let _e517 = atomicLoad((&counters[5u]));
-                if (_e517 > 0u) {
-                    let _e520 = atomicAdd((&output.member[0u]), _e517);
-                    if ((_e520 + _e517) < _e520) {
-                        let _e524 = atomicAdd((&output.member[2u]), 1u);
+                let _e512 = atomicLoad((&counters[5u]));
+                if (_e512 > 0u) {
+                    let _e515 = atomicAdd((&output.member[0u]), _e512);
+                    if ((_e515 + _e512) < _e515) {
+                        let _e519 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e520);
+                    atomicStore((&counters[6u]), _e515);
                 }
             }
             workgroupBarrier();
-            let _e527 = atomicLoad((&counters[6u]));
-            phi_810_ = type_9(0u, 16u);
+            let _e522 = atomicLoad((&counters[6u]));
+            phi_818_ = type_9(0u, 16u);
             loop {
-                let _e529 = phi_810_;
-                if (_e529.member < _e529.member_1) {
-                    phi_811_ = type_9((_e529.member + 1u), _e529.member_1);
-                    phi_834_ = type_9(1u, _e529.member);
+                let _e524 = phi_818_;
+                if (_e524.member < _e524.member_1) {
+                    phi_819_ = type_9((_e524.member + 1u), _e524.member_1);
+                    phi_842_ = type_9(1u, _e524.member);
                 } else {
-                    phi_811_ = _e529;
-                    phi_834_ = type_9(0u, type_9().member_1);
+                    phi_819_ = _e524;
+                    phi_842_ = type_9(0u, type_9().member_1);
                 }
-                let _e541 = phi_811_;
-                let _e543 = phi_834_;
-                if (bitcast<i32>(_e543.member) != 0i) {
-                    let _e549 = (_e39 + (_e543.member_1 * 128u));
-                    if (_e549 >= _e512) {
-                        phi_879_ = false;
+                let _e536 = phi_819_;
+                let _e538 = phi_842_;
+                if (bitcast<i32>(_e538.member) != 0i) {
+                    let _e544 = (_e39 + (_e538.member_1 * 128u));
+                    if (_e544 >= _e507) {
+                        phi_887_ = false;
                     } else {
-                        let _e552 = hits[_e549];
-                        let _e555 = ((_e552 >> bitcast<u32>(10i)) & 3u);
-                        let _e562 = firsts[(2u * _e555)];
-                        let _e567 = firsts[((2u * _e555) + 1u)];
-                        let _e571 = params.member.member_1.member_3;
-                        let _e572 = (_e527 + _e549);
-                        if (_e572 < _e571) {
-                            let _e574 = (2u * _e572);
-                            atomicStore((&output.member[(4u + _e574)]), (_e562 + ((_e552 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e574 + 5u)]), (_e567 + (_e552 & 31u)));
+                        let _e547 = hits[_e544];
+                        let _e550 = ((_e547 >> bitcast<u32>(10i)) & 3u);
+                        let _e557 = firsts[(2u * _e550)];
+                        let _e562 = firsts[((2u * _e550) + 1u)];
+                        let _e566 = params.member.member_1.member_3;
+                        let _e567 = (_e522 + _e544);
+                        if (_e567 < _e566) {
+                            let _e569 = (2u * _e567);
+                            atomicStore((&output.member[(4u + _e569)]), (_e557 + ((_e547 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e569 + 5u)]), (_e562 + (_e547 & 31u)));
                         }
-                        phi_879_ = true;
+                        phi_887_ = true;
                     }
-                    let _e580 = phi_879_;
-                    phi_880_ = _e580;
+                    let _e575 = phi_887_;
+                    phi_888_ = _e575;
                 } else {
-                    phi_880_ = false;
+                    phi_888_ = false;
                 }
-                let _e582 = phi_880_;
+                let _e577 = phi_888_;
                 continue;
                 continuing {
-                    phi_810_ = _e541;
-                    break if !(_e582);
+                    phi_818_ = _e536;
+                    break if !(_e577);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_209_ = _e120;
+            phi_211_ = _e120;
             break if !(_e126);
         }
     }

@@ -46,143 +46,179 @@ var<storage, read_write> table: type_13;
 var<workgroup> sums: array<u32, 512>;
 
 fn function_(id_1: vec3<u32>, lane_1: u32) {
-    var phi_79_: u32;
-    var phi_82_: type_9;
-    var phi_85_: u32;
-    var phi_83_: type_9;
-    var phi_108_: type_9;
-    var phi_136_: u32;
-    var phi_140_: type_9;
-    var phi_143_: u32;
-    var phi_145_: u32;
-    var phi_147_: u32;
-    var phi_144_: u32;
-    var phi_141_: type_9;
-    var phi_170_: type_9;
-    var phi_186_: u32;
-    var phi_146_: u32;
-    var phi_148_: u32;
+    var phi_77_: u32;
+    var phi_80_: type_9;
+    var phi_83_: u32;
+    var phi_81_: type_9;
+    var phi_106_: type_9;
+    var phi_132_: u32;
+    var phi_149_: u32;
+    var phi_166_: u32;
+    var phi_183_: u32;
+    var phi_190_: type_9;
+    var phi_193_: u32;
+    var phi_195_: u32;
+    var phi_197_: u32;
+    var phi_194_: u32;
+    var phi_191_: type_9;
+    var phi_220_: type_9;
+    var phi_236_: u32;
+    var phi_196_: u32;
+    var phi_198_: u32;
     var local: u32;
-    var phi_86_: u32;
+    var phi_84_: u32;
     var local_1: u32;
     var id_2: vec3<u32>;
     var lane_2: u32;
 
     id_2 = id_1;
     lane_2 = lane_1;
-    let _e14 = id_2;
-    let _e15 = lane_2;
-    let _e21 = params.member.member_2.member_1;
-    let _e22 = (_e14.x * _e21);
-    let _e25 = params.member.member_2.member_1;
-    let _e26 = (_e25 / 256u);
-    if ((_e25 % 256u) > 0u) {
-        phi_79_ = (_e26 + 1u);
+    let _e17 = id_2;
+    let _e18 = lane_2;
+    let _e23 = params.member.member_2.member_1;
+    let _e25 = (_e17.x * _e23);
+    let _e26 = (_e23 / 1024u);
+    if ((_e23 % 1024u) > 0u) {
+        phi_77_ = (_e26 + 1u);
     } else {
-        phi_79_ = _e26;
+        phi_77_ = _e26;
     }
-    let _e31 = phi_79_;
-    phi_82_ = type_9(0u, _e31);
-    phi_85_ = 0u;
+    let _e31 = phi_77_;
+    phi_80_ = type_9(0u, _e31);
+    phi_83_ = 0u;
     loop {
-        let _e34 = phi_82_;
-        let _e36 = phi_85_;
+        let _e34 = phi_80_;
+        let _e36 = phi_83_;
         local_1 = _e36;
         if (_e34.member < _e34.member_1) {
-            phi_83_ = type_9((_e34.member + 1u), _e34.member_1);
-            phi_108_ = type_9(1u, _e34.member);
+            phi_81_ = type_9((_e34.member + 1u), _e34.member_1);
+            phi_106_ = type_9(1u, _e34.member);
         } else {
-            phi_83_ = _e34;
-            phi_108_ = type_9(0u, type_9().member_1);
+            phi_81_ = _e34;
+            phi_106_ = type_9(0u, type_9().member_1);
         }
-        let _e48 = phi_83_;
-        let _e50 = phi_108_;
+        let _e48 = phi_81_;
+        let _e50 = phi_106_;
         let _e54 = (bitcast<i32>(_e50.member) != 0i);
         if _e54 {
-            let _e56 = ((_e50.member_1 * 256u) + _e15);
-            let _e59 = params.member.member_2.member_1;
-            if (_e56 < _e59) {
-                let _e63 = table.member[(_e22 + _e56)];
-                phi_136_ = _e63;
+            let _e57 = ((_e50.member_1 * 1024u) + (4u * _e18));
+            if (_e57 < _e23) {
+                let _e61 = table.member[(_e25 + _e57)];
+                phi_132_ = _e61;
             } else {
-                phi_136_ = 0u;
+                phi_132_ = 0u;
             }
-            let _e65 = phi_136_;
-            sums[_e15] = _e65;
-            phi_140_ = type_9(0u, 8u);
-            phi_143_ = 0u;
-            phi_145_ = 1u;
-            phi_147_ = _e65;
-            phi_144_ = 256u;
+            let _e63 = phi_132_;
+            let _e64 = (_e57 + 1u);
+            if (_e64 < _e23) {
+                let _e68 = table.member[(_e25 + _e64)];
+                phi_149_ = _e68;
+            } else {
+                phi_149_ = 0u;
+            }
+            let _e70 = phi_149_;
+            let _e71 = (_e57 + 2u);
+            if (_e71 < _e23) {
+                let _e75 = table.member[(_e25 + _e71)];
+                phi_166_ = _e75;
+            } else {
+                phi_166_ = 0u;
+            }
+            let _e77 = phi_166_;
+            let _e78 = (_e57 + 3u);
+            if (_e78 < _e23) {
+                let _e82 = table.member[(_e25 + _e78)];
+                phi_183_ = _e82;
+            } else {
+                phi_183_ = 0u;
+            }
+            let _e84 = phi_183_;
+            let _e87 = (((_e63 + _e70) + _e77) + _e84);
+            sums[_e18] = _e87;
+            phi_190_ = type_9(0u, 8u);
+            phi_193_ = 0u;
+            phi_195_ = 1u;
+            phi_197_ = _e87;
+            phi_194_ = 256u;
             loop {
-                let _e68 = phi_140_;
-                let _e70 = phi_143_;
-                let _e72 = phi_145_;
-                let _e74 = phi_147_;
-                let _e76 = phi_144_;
-                local = _e74;
-                if (_e68.member < _e68.member_1) {
-                    phi_141_ = type_9((_e68.member + 1u), _e68.member_1);
-                    phi_170_ = type_9(1u, _e68.member);
+                let _e90 = phi_190_;
+                let _e92 = phi_193_;
+                let _e94 = phi_195_;
+                let _e96 = phi_197_;
+                let _e98 = phi_194_;
+                local = _e96;
+                if (_e90.member < _e90.member_1) {
+                    phi_191_ = type_9((_e90.member + 1u), _e90.member_1);
+                    phi_220_ = type_9(1u, _e90.member);
                 } else {
-                    phi_141_ = _e68;
-                    phi_170_ = type_9(0u, type_9().member_1);
+                    phi_191_ = _e90;
+                    phi_220_ = type_9(0u, type_9().member_1);
                 }
-                let _e88 = phi_141_;
-                let _e90 = phi_170_;
-                let _e93 = (bitcast<i32>(_e90.member) != 0i);
-                if _e93 {
+                let _e110 = phi_191_;
+                let _e112 = phi_220_;
+                let _e115 = (bitcast<i32>(_e112.member) != 0i);
+                if _e115 {
                     workgroupBarrier();
-                    if (_e15 >= _e72) {
-                        let _e98 = sums[((_e70 + _e15) - _e72)];
-                        phi_186_ = (_e74 + _e98);
+                    if (_e18 >= _e94) {
+                        let _e120 = sums[((_e92 + _e18) - _e94)];
+                        phi_236_ = (_e96 + _e120);
                     } else {
-                        phi_186_ = _e74;
+                        phi_236_ = _e96;
                     }
-                    let _e101 = phi_186_;
-                    sums[(_e76 + _e15)] = _e101;
-                    phi_146_ = (_e72 * 2u);
-                    phi_148_ = _e101;
+                    let _e123 = phi_236_;
+                    sums[(_e98 + _e18)] = _e123;
+                    phi_196_ = (_e94 * 2u);
+                    phi_198_ = _e123;
                 } else {
-                    phi_146_ = u32();
-                    phi_148_ = u32();
+                    phi_196_ = u32();
+                    phi_198_ = u32();
                 }
-                let _e106 = phi_146_;
-                let _e108 = phi_148_;
+                let _e128 = phi_196_;
+                let _e130 = phi_198_;
                 continue;
                 continuing {
-                    phi_140_ = _e88;
-                    phi_143_ = _e76;
-                    phi_145_ = _e106;
-                    phi_147_ = _e108;
-                    phi_144_ = _e70;
-                    break if !(_e93);
+                    phi_190_ = _e110;
+                    phi_193_ = _e98;
+                    phi_195_ = _e128;
+                    phi_197_ = _e130;
+                    phi_194_ = _e92;
+                    break if !(_e115);
                 }
             }
             workgroupBarrier();
-            let _e112 = params.member.member_2.member_1;
-            if (_e56 < _e112) {
-                let _e116 = local;
-                table.member[(_e22 + _e56)] = ((_e36 + _e116) - _e65);
+            let _e133 = local;
+            let _e135 = ((_e36 + _e133) - _e87);
+            if (_e57 < _e23) {
+                table.member[(_e25 + _e57)] = _e135;
             }
-            let _e121 = sums[255u];
+            let _e139 = (_e135 + _e63);
+            if ((_e57 + 1u) < _e23) {
+                table.member[((_e25 + _e57) + 1u)] = _e139;
+            }
+            let _e145 = (_e139 + _e70);
+            if ((_e57 + 2u) < _e23) {
+                table.member[((_e25 + _e57) + 2u)] = _e145;
+            }
+            if ((_e57 + 3u) < _e23) {
+                table.member[((_e25 + _e57) + 3u)] = (_e145 + _e77);
+            }
+            let _e158 = sums[255u];
             workgroupBarrier();
-            phi_86_ = (_e36 + _e121);
+            phi_84_ = (_e36 + _e158);
         } else {
-            phi_86_ = u32();
+            phi_84_ = u32();
         }
-        let _e124 = phi_86_;
+        let _e161 = phi_84_;
         continue;
         continuing {
-            phi_82_ = _e48;
-            phi_85_ = _e124;
+            phi_80_ = _e48;
+            phi_83_ = _e161;
             break if !(_e54);
         }
     }
-    if (_e15 == 0u) {
-        let _e129 = params.member.member_2.member_1;
-        let _e135 = local_1;
-        table.member[((256u * _e129) + _e14.x)] = _e135;
+    if (_e18 == 0u) {
+        let _e169 = local_1;
+        table.member[((256u * _e23) + _e17.x)] = _e169;
     }
     return;
 }

@@ -9,6 +9,7 @@
 
 pub mod broad_phase;
 pub mod probe;
+mod records;
 pub mod sort;
 pub mod step;
 mod workgroup;

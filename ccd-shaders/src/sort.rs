@@ -7,6 +7,11 @@ use ccd_core::layout::{Params, SortPass};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
+/// Runs of 32 threads of a workgroup.
+const RUNS: u32 = THREADS / 32;
+/// Masks of one key a thread.
+const HALF: u32 = RUNS * DIGITS;
+
 /// A workgroup counts the digits of its tile into `table[digit n_tiles + tile]`.
 #[spirv(compute(threads(128)))]
 pub fn sort_count(
@@ -44,7 +49,7 @@ pub fn sort_count(
 }
 
 /// Workgroup `d` turns the counts of digit `d` into the number of keys with that digit in earlier
-/// tiles, and writes their total behind the table.
+/// tiles, and writes their total behind the table. Four counts a thread and round.
 #[spirv(compute(threads(256)))]
 pub fn sort_scan(
     #[spirv(workgroup_id)] id: UVec3,
@@ -53,21 +58,40 @@ pub fn sort_scan(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<SortPass>,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &mut [u32],
 ) {
-    let row = id.x * params.own.n_tiles;
+    let n_tiles = params.own.n_tiles;
+    let row = id.x * n_tiles;
     let mut carry = 0;
-    for round in 0..params.own.n_tiles.div_ceil(256) {
-        let i = round * 256 + lane;
-        let count = if i < params.own.n_tiles { at(table, (row + i) as usize) } else { 0 };
-        let sum = scan(lane, 8, 256, count, sums);
-        if i < params.own.n_tiles {
-            put(table, (row + i) as usize, carry + sum - count);
+    for round in 0..n_tiles.div_ceil(1024) {
+        let i = round * 1024 + 4 * lane;
+        let count = [
+            count_of(table, row, n_tiles, i),
+            count_of(table, row, n_tiles, i + 1),
+            count_of(table, row, n_tiles, i + 2),
+            count_of(table, row, n_tiles, i + 3),
+        ];
+        let own = count[0] + count[1] + count[2] + count[3];
+        let mut start = carry + scan(lane, 8, 256, own, sums) - own;
+        macro_rules! write {
+            ($($k:literal)*) => {$(
+                if i + $k < n_tiles {
+                    put(table, (row + i + $k) as usize, start);
+                }
+                start += count[$k];
+            )*};
         }
+        write!(0 1 2 3);
         carry += get(sums, 255);
         barrier();
     }
     if lane == 0 {
-        put(table, (DIGITS * params.own.n_tiles + id.x) as usize, carry);
+        put(table, (DIGITS * n_tiles + id.x) as usize, carry);
     }
+}
+
+/// Entry `i` of a row of the table, 0 past its end.
+#[inline(always)]
+fn count_of(table: &[u32], row: u32, n_tiles: u32, i: u32) -> u32 {
+    if i < n_tiles { at(table, (row + i) as usize) } else { 0 }
 }
 
 /// Sum of the values of threads up to this one, among `2^steps` threads; after an even number of
@@ -94,14 +118,17 @@ fn scan<const N: usize>(lane: u32, steps: u32, half: u32, value: u32, sums: &mut
     sum
 }
 
-/// A workgroup moves the keys and values of its tile to where they belong after this pass.
+/// A workgroup moves the keys and values of its tile to where they belong after this pass: first
+/// within the tile, in workgroup memory, so that neighbouring threads then write neighbouring
+/// words.
 #[spirv(compute(threads(128)))]
 pub fn sort_scatter(
     #[spirv(workgroup_id)] id: UVec3,
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] masks: &mut [u32; 2048],
+    #[spirv(workgroup)] words: &mut [u32; 2048],
     #[spirv(workgroup)] counts: &mut [u32; 1024],
+    #[spirv(workgroup)] starts: &mut [u32; 256],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<SortPass>,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
@@ -111,11 +138,12 @@ pub fn sort_scatter(
 ) {
     let tile = group(id, n);
     let (run, shift, n_keys) = (lane / 32 * DIGITS, params.own.shift, params.dispatch.n);
-    // All loads before the first barrier, so that they overlap; unrolled, so that what they give
-    // stays in registers.
+    let n_tiles = params.own.n_tiles;
+    // Unrolled, so that what is indexed by `k` stays in registers.
     macro_rules! move_all {
         ($($k:literal $second:literal)*) => {
             let (mut sorted, mut carried) = ([0u32; KEYS as usize], [0u32; KEYS as usize]);
+            // All loads before the first barrier, so that they overlap.
             $(
                 sorted[$k] = load(keys, n_keys, tile * TILE + place(lane, $k));
                 sorted[$second] = load(keys, n_keys, tile * TILE + place(lane, $second));
@@ -123,13 +151,13 @@ pub fn sort_scatter(
                 carried[$second] = load(values, n_keys, tile * TILE + place(lane, $second));
             )*
             for k in 0..8 {
-                set(masks, k * THREADS + lane, 0);
-                set(masks, 1024 + k * THREADS + lane, 0);
+                set(words, k * THREADS + lane, 0);
+                set(words, HALF + k * THREADS + lane, 0);
                 set(counts, k * THREADS + lane, 0);
             }
             barrier();
             // Rank of every key among those of the same digit that come before it in its run; two
-            // keys a thread between barriers.
+            // keys a thread between barriers. The words are masks of lanes.
             let mut ranks = [0u32; KEYS as usize];
             $(
                 let there = tile * TILE + place(lane, $k) < n_keys;
@@ -137,63 +165,96 @@ pub fn sort_scatter(
                 let first = run + digit(sorted[$k], shift);
                 let second = run + digit(sorted[$second], shift);
                 if there {
-                    or_shared(masks, first, 1 << (lane % 32));
+                    or_shared(words, first, 1 << (lane % 32));
                 }
                 if next_there {
-                    or_shared(masks, 1024 + second, 1 << (lane % 32));
+                    or_shared(words, HALF + second, 1 << (lane % 32));
                 }
                 barrier();
-                let (mask, next_mask) = (get(masks, first), get(masks, 1024 + second));
+                let (mask, next_mask) = (get(words, first), get(words, HALF + second));
                 let (earlier, next_earlier) = (before(mask, lane), before(next_mask, lane));
                 ranks[$k] = get(counts, first) + earlier;
                 ranks[$second] =
-                    get(counts, second) + get(masks, second).count_ones() + next_earlier;
+                    get(counts, second) + get(words, second).count_ones() + next_earlier;
                 barrier();
                 if there && earlier == 0 {
                     add_shared(counts, first, mask.count_ones());
-                    set(masks, first, 0);
+                    set(words, first, 0);
                 }
                 if next_there && next_earlier == 0 {
                     add_shared(counts, second, next_mask.count_ones());
-                    set(masks, 1024 + second, 0);
+                    set(words, HALF + second, 0);
                 }
                 barrier();
             )*
-            // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A
-            // thread has two digits. The masks are not needed any more.
-            let totals = DIGITS * params.own.n_tiles;
-            let low = at(table, (totals + 2 * lane) as usize);
-            let both = low + at(table, (totals + 2 * lane + 1) as usize);
-            let mut start = scan(lane, 7, 1024, both, masks) - both;
+            // Where each digit starts in the tile and in all: a thread has two digits. The masks
+            // are not needed any more.
+            let (mut here, mut all) = (0, 0);
             for half in 0..2 {
                 let d = 2 * lane + half;
-                let in_tiles = if tile < params.own.n_tiles {
-                    at(table, (d * params.own.n_tiles + tile) as usize)
-                } else {
-                    0
-                };
-                let mut next = start + in_tiles;
-                for r in 0..4 {
-                    let word = r * DIGITS + d;
-                    let count = get(counts, word);
-                    set(counts, word, next);
-                    next += count;
+                for r in 0..RUNS {
+                    here += get(counts, r * DIGITS + d);
                 }
-                start += low;
+                all += at(table, (DIGITS * n_tiles + d) as usize);
+            }
+            let mut in_tile = scan(lane, 7, HALF, here, words) - here;
+            let mut in_all = scan(lane, 7, HALF, all, words) - all;
+            for half in 0..2 {
+                let d = 2 * lane + half;
+                let in_tiles =
+                    if tile < n_tiles { at(table, (d * n_tiles + tile) as usize) } else { 0 };
+                // What a key of this digit adds to its place in the tile.
+                set(starts, d, (in_all + in_tiles).wrapping_sub(in_tile));
+                in_all += at(table, (DIGITS * n_tiles + d) as usize);
+                for r in 0..RUNS {
+                    let count = get(counts, r * DIGITS + d);
+                    set(counts, r * DIGITS + d, in_tile);
+                    in_tile += count;
+                }
             }
             barrier();
-            $(
-                if tile * TILE + place(lane, $k) < n_keys {
-                    let to = get(counts, run + digit(sorted[$k], shift)) + ranks[$k];
-                    put(keys_out, to as usize, sorted[$k]);
-                    put(values_out, to as usize, carried[$k]);
-                }
-                if tile * TILE + place(lane, $second) < n_keys {
-                    let to = get(counts, run + digit(sorted[$second], shift)) + ranks[$second];
-                    put(keys_out, to as usize, sorted[$second]);
-                    put(values_out, to as usize, carried[$second]);
-                }
-            )*
+            // The words are now the keys of the tile in order, then its values.
+            macro_rules! keep {
+                ($i:literal) => {
+                    if tile * TILE + place(lane, $i) < n_keys {
+                        ranks[$i] += get(counts, run + digit(sorted[$i], shift));
+                        set(words, ranks[$i], sorted[$i]);
+                    }
+                };
+            }
+            $(keep!($k); keep!($second);)*
+            barrier();
+            // `sorted` is from here on where the words go.
+            macro_rules! hand_over {
+                ($i:literal) => {
+                    let i = $i * THREADS + lane;
+                    if tile * TILE + i < n_keys {
+                        let key = get(words, i);
+                        sorted[$i] = get(starts, digit(key, shift)).wrapping_add(i);
+                        put(keys_out, sorted[$i] as usize, key);
+                    }
+                };
+            }
+            $(hand_over!($k); hand_over!($second);)*
+            barrier();
+            macro_rules! keep_value {
+                ($i:literal) => {
+                    if tile * TILE + place(lane, $i) < n_keys {
+                        set(words, ranks[$i], carried[$i]);
+                    }
+                };
+            }
+            $(keep_value!($k); keep_value!($second);)*
+            barrier();
+            macro_rules! hand_over_value {
+                ($i:literal) => {
+                    let i = $i * THREADS + lane;
+                    if tile * TILE + i < n_keys {
+                        put(values_out, sorted[$i] as usize, get(words, i));
+                    }
+                };
+            }
+            $(hand_over_value!($k); hand_over_value!($second);)*
         };
     }
     move_all!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);

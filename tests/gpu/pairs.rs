@@ -5,13 +5,15 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, twin, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{
-    BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs,
-    TraverseFull, TraverseHalf,
+    BranchBoxes, Branches, FarNodes, FilterEdgeEdge, FilterVertexFace, ListCandidates, NearNodes,
+    NodePairs, TraverseFull, TraverseHalf,
 };
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path, Queries};
+use ccd_core::layout::{
+    Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path, Queries, WideNode,
+};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -236,6 +238,43 @@ fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin, set: usize) {
     assert!(seen.iter().all(|&s| s), "a leaf is missing");
 }
 
+/// Children split the range of their parent where its keys first differ, boxes are those of the
+/// leaves, no leaf comes twice. Equal keys differ by their place.
+fn check_wide_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin, set: usize) {
+    let n = keys.len();
+    assert_eq!(nodes.len(), n - 1);
+    let key = |i: u32| (keys[i as usize] as u64) << 32 | i as u64;
+    let common = |i: u32, j: u32| (key(i) ^ key(j)).leading_zeros();
+    let mut seen = vec![false; n];
+    let mut stack = vec![(0, 0, n as u32 - 1)];
+    while let Some((node, first, last)) = stack.pop() {
+        let record = &nodes[node as usize];
+        let split = record.split;
+        assert!(
+            (first..last).contains(&split)
+                && common(first, split) > common(first, last)
+                && common(split + 1, last) > common(first, last),
+            "split {split} of {first} to {last}"
+        );
+        let smaller = split - first < last - split;
+        assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
+        for (child, first, last, own) in [
+            (record.left, first, split, record.left_box()),
+            (record.right, split + 1, last, record.right_box()),
+        ] {
+            let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
+            check_boxes("node", &[want], &[own]);
+            if first == last {
+                assert_eq!(child, first | WideNode::MARK);
+                assert!(!std::mem::replace(&mut seen[first as usize], true), "{first} comes twice");
+            } else {
+                stack.push((child, first, last));
+            }
+        }
+    }
+    assert!(seen.iter().all(|&s| s), "a leaf is missing");
+}
+
 /// The kernels of the binary tree, one after the other, on boxes in general position and on boxes
 /// of which many have one code.
 fn check_radix_tree(device: &Device) {
@@ -252,19 +291,23 @@ fn check_radix_tree(device: &Device) {
         for level in [1, 2] {
             let (nodes, branches) = radix_tree(device, &twin, 1, level);
             check_tree(&read(&nodes), &read(&branches), &twin, 1);
-            check_traversal(device, &twin, boxes, &nodes, &branches);
+            let nodes = wide_tree(device, &twin, 1, level);
+            check_wide_tree(&read(&nodes), &sorted_keys(&twin, 1), &twin, 1);
+            check_traversal(device, &twin, boxes, &nodes);
         }
         // As the second set of two, of which the first stays loose.
         let twin = Twin::new([&loose, &[], boxes], |_, i| [i; 3]);
         let (nodes, branches) = radix_tree(device, &twin, 2, 2);
         check_tree(&read(&nodes), &read(&branches), &twin, 2);
-        let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
+        let nodes = wide_tree(device, &twin, 2, 2);
+        check_wide_tree(&read(&nodes), &sorted_keys(&twin, 2), &twin, 2);
+        let found = traverse_full(device, &twin, 0, &nodes, loose.len() as u32);
         check_pairs("loose boxes", brute::pairs(&loose, boxes), found);
     }
     // A tree of one leaf.
     let twin = Twin::new([&loose, &[], &uniform[1000..1001]], |_, i| [i; 3]);
-    let (nodes, branches) = radix_tree(device, &twin, 2, 1);
-    let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
+    let nodes = wide_tree(device, &twin, 2, 1);
+    let found = traverse_full(device, &twin, 0, &nodes, loose.len() as u32);
     assert!(!found.is_empty());
     check_pairs("one leaf", brute::pairs(&loose, &uniform[1000..1001]), found);
 }
@@ -287,16 +330,36 @@ pub fn radix_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> (Vec<
     (run(device, kernel, &p, groups).nodes, branches)
 }
 
+/// The sorted keys of a set.
+fn sorted_keys(twin: &Twin, set: usize) -> Vec<u32> {
+    let of_set = twin.frame.start[set] as usize..twin.frame.start[set + 1] as usize;
+    twin.order[of_set].iter().map(|&i| twin.keys[i as usize]).collect()
+}
+
+/// Nodes of the binary tree over a set, each with the boxes of both children.
+fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8> {
+    let n = twin.frame.count[set];
+    let (_, branches) = radix_tree(device, twin, set, level);
+    let own = Blocks { kind: set as u32, level, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let kernel = NearNodes {
+        branches: branches.clone(),
+        block_nodes: bytes(&twin.nodes),
+        nodes: zeros::<WideNode>(n as usize - 1),
+        far: zeros::<u32>(LIST_HEADER + n as usize),
+    };
+    let NearNodes { nodes, far, .. } = run(device, kernel, &p, n.div_ceil(256));
+    let is_far = |b: &Branch| b.first / 256 != b.last / 256;
+    let want = read::<Branch>(&branches).iter().filter(|b| is_far(b)).count();
+    assert_eq!(read::<u32>(&far)[0] as usize, want, "far nodes of {n}");
+    // One workgroup, so that it takes several rounds.
+    let kernel = FarNodes { branches, block_nodes: bytes(&twin.nodes), far, nodes };
+    run(device, kernel, &p, 1).nodes
+}
+
 /// What queries of the first set of a kind find, in the order of input and in that of leaves, which
 /// is the same.
-fn traverse_full(
-    device: &Device,
-    twin: &Twin,
-    kind: u32,
-    nodes: &[u8],
-    branches: &[u8],
-    n: u32,
-) -> Vec<Pair> {
+fn traverse_full(device: &Device, twin: &Twin, kind: u32, nodes: &[u8], n: u32) -> Vec<Pair> {
     let [mut by_input, mut by_leaves] = [0, 1].map(|sorted| {
         let mut found = Vec::new();
         // In two parts, as a dispatch of many queries is.
@@ -307,7 +370,6 @@ fn traverse_full(
                 boxes: bytes(&twin.boxes),
                 order: bytes(&twin.order),
                 nodes: nodes.to_vec(),
-                branches: branches.to_vec(),
                 pairs: room(200_000),
             };
             found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
@@ -322,12 +384,14 @@ fn traverse_full(
 
 /// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
 /// that runs over.
-fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], branches: &[u8]) {
+fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
     let (n, room_out) = (boxes.len() as u32, 200_000);
     let all = brute::self_pairs(boxes);
     let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
-        let kernel = TraverseHalf { nodes: nodes.to_vec(), branches: branches.to_vec(), pairs };
-        run(device, kernel, &twin.plain(dispatch), dispatch.n.div_ceil(128)).pairs
+        let (leaves, order) = (bytes(&twin.nodes), bytes(&twin.order));
+        let kernel = TraverseHalf { leaves, order, nodes: nodes.to_vec(), pairs };
+        let p = Params { frame: twin.frame, dispatch, own: twin.tree };
+        run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
     };
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
@@ -337,7 +401,7 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], b
         )));
     }
     check_pairs("overlaps by a tree", all.clone(), found);
-    let found = traverse_full(device, twin, 1, nodes, branches, n);
+    let found = traverse_full(device, twin, 1, nodes, n);
     check_pairs("overlaps by queries of all", all.clone(), found);
     let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
     let wrapped = !all.is_empty() as u32;

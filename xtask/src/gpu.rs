@@ -1,12 +1,13 @@
 //! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and
 //! how far that is from the bytes that must move.
 
+use crate::Part;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::{BroadPhaseMethod, Mesh};
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Work before a measurement: a device that was idle needs about this long to reach its clock
@@ -32,9 +33,15 @@ const PEERS: [Peer; 3] = [
 
 type Stages = Vec<(&'static str, f64)>;
 
-/// Measures and writes Markdown to `out`.
-pub fn run(runs: usize, out: &Path) -> Result<(), String> {
-    let dir = data_dir()?;
+/// Measures and writes Markdown to `out`. `only`: these parts; none: all.
+pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
+    let wanted = |part| only.is_empty() || only.contains(&part);
+    let dir = if wanted(Part::Scenes) { Some(data_dir()?) } else { None };
+    let scenes = || {
+        let there =
+            |(s, dir): &(&'static Scene, &PathBuf)| dir.join("scenes").join(s.name).is_dir();
+        dir.iter().flat_map(|dir| SCENES.iter().map(move |s| (s, dir))).filter(there)
+    };
     let mut text = String::from(
         "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. \
          Device: all kernels together, by its timestamps; \
@@ -56,14 +63,23 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
             device.info().adapter.name,
             device.info()
         );
-        for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
-            measure_scene(&device, scene, &dir, runs, &mut text).map_err(error)?;
+        for (scene, dir) in scenes() {
+            measure_scene(&device, scene, dir, runs, &mut text).map_err(error)?;
             write(&text)?;
         }
-        let measured = measure_boxes(&device, runs, &mut text).map_err(error);
+        if wanted(Part::Boxes) {
+            let measured = measure_boxes(&device, runs, &mut text).map_err(error);
+            write(&text)?;
+            measured?;
+        }
+        if wanted(Part::Sort) {
+            measure_sort(&device, runs, &mut text).map_err(error)?;
+        }
+    }
+    if !wanted(Part::Scenes) {
         write(&text)?;
-        measured?;
-        measure_sort(&device, runs, &mut text).map_err(error)?;
+        println!("{text}");
+        return Ok(());
     }
     let device =
         Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
@@ -73,8 +89,8 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
         "| scene | candidates | left by filters | left open | contacts | undecided | wall |\n",
     );
     text.push_str("|---|---|---|---|---|---|---|\n");
-    for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
-        measure_narrow(&device, scene, &dir, runs, &mut text).map_err(error)?;
+    for (scene, dir) in scenes() {
+        measure_narrow(&device, scene, dir, runs, &mut text).map_err(error)?;
     }
     write(&text)?;
     println!("{text}");

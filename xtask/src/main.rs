@@ -53,6 +53,9 @@ enum Task {
         /// Where the GPU's report goes
         #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
         out: std::path::PathBuf,
+        /// Only these measurements of the GPU
+        #[arg(long, requires = "gpu", value_enum, value_delimiter = ',')]
+        only: Vec<Part>,
     },
     /// Measure how long compiling takes, beside bars; fails above twice a bar (takes long)
     CompileTimes {
@@ -62,6 +65,27 @@ enum Task {
     },
 }
 
+/// What the report of the GPU measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Part {
+    /// Steps of real scenes (needs the data)
+    Scenes,
+    /// Pairs of uniform boxes
+    Boxes,
+    /// Sorting
+    Sort,
+}
+
+impl std::fmt::Display for Part {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Scenes => "scenes",
+            Self::Boxes => "boxes",
+            Self::Sort => "sort",
+        })
+    }
+}
+
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     let result = match Task::parse() {
@@ -69,7 +93,7 @@ fn main() -> ExitCode {
         Task::Tidy => tidy::run(root),
         Task::Mutants { name } => mutants::run(root, &name),
         Task::Shaders { check } => shaders_task(root, check),
-        Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
+        Task::Report { runs, gpu: true, out, only } => gpu_task(root, runs, &root.join(out), &only),
         Task::Report { runs, .. } => report_task(root, runs),
         Task::CompileTimes { only } => compile_times::run(root, only),
     };
@@ -110,15 +134,17 @@ fn report_task(root: &Path, runs: usize) -> Result<(), String> {
 }
 
 #[cfg(feature = "gpu-report")]
-fn gpu_task(_root: &Path, runs: usize, out: &Path) -> Result<(), String> {
-    gpu::run(runs, out)
+fn gpu_task(_root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
+    gpu::run(runs, out, only)
 }
 
 /// Without what it measures: builds itself again with it.
 #[cfg(not(feature = "gpu-report"))]
-fn gpu_task(root: &Path, runs: usize, out: &Path) -> Result<(), String> {
+fn gpu_task(root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
     let (runs, out) = (runs.to_string(), out.to_string_lossy());
-    let args = ["report", "--gpu", "--runs", &runs, "--out", &out];
+    let only: Vec<String> = only.iter().map(|part| format!("--only={part}")).collect();
+    let mut args = vec!["report", "--gpu", "--runs", &runs, "--out", &out];
+    args.extend(only.iter().map(String::as_str));
     ci::command(
         root,
         &[

@@ -82,12 +82,21 @@ pub fn run(root: &Path, name: &str) -> Result<(), String> {
             (Outcome::Broken(e), _) => format!("BROKEN: {e}"),
         };
         println!("{:<40} {line}", m.name);
-        if (outcome == Outcome::Survived) != m.survives.is_some() {
+        if !expected(&outcome, m.survives.is_some()) {
             bad.push(m.name);
         }
     }
     println!("{} mutants, {} not as expected", chosen.len(), bad.len());
     if bad.is_empty() { Ok(()) } else { Err(format!("mutants: {}", bad.join(", "))) }
+}
+
+/// Whether a mutant is noticed, or survives with a reason; one that does not compile shows nothing.
+fn expected(outcome: &Outcome, explained: bool) -> bool {
+    match outcome {
+        Outcome::Killed(_) => !explained,
+        Outcome::Survived => explained,
+        Outcome::Broken(_) => false,
+    }
 }
 
 /// Copies what the tests of `ccd-core` need, and a manifest of a workspace around it.
@@ -198,6 +207,18 @@ mod tests {
         let failed = "failures:\n\n---- a::b stdout ----\npanicked\n";
         assert_eq!(outcome(false, failed, "error: test failed"), Outcome::Killed("a::b".into()));
         assert_eq!(outcome(false, "", "x\nerror: no"), Outcome::Broken("error: no".into()));
+    }
+
+    #[test]
+    fn what_does_not_compile_is_never_as_expected() {
+        let killed = Outcome::Killed("a".into());
+        let broken = Outcome::Broken("error".into());
+        for (outcome, unexplained, explained) in
+            [(killed, true, false), (Outcome::Survived, false, true), (broken, false, false)]
+        {
+            let got = [expected(&outcome, false), expected(&outcome, true)];
+            assert_eq!(got, [unexplained, explained], "{outcome:?}");
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in
 //! ARCHITECTURE.md).
 
-use crate::kernel::memory::at;
+use crate::kernel::memory::Stored;
 use crate::layout::{Blocks, MAX_LEVELS};
 use crate::math::aabb::Aabb;
 
@@ -53,12 +53,12 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
 ///
 /// At most 62 nodes a level, and all of that level's.
 #[inline(always)]
-pub fn range_box(
+pub fn range_box<N: Stored<Aabb<f32>>>(
     tree: &Blocks,
     set: usize,
     first: u32,
     last: u32,
-    nodes: &[Aabb<f32>],
+    nodes: &[N],
 ) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     let (mut from, mut to) = (first, last + 1);
@@ -66,16 +66,34 @@ pub fn range_box(
         let (up, down) = (from.next_multiple_of(WIDTH), to / WIDTH * WIDTH);
         let goes_on = up < down && level < tree.level;
         let (end, begin) = if goes_on { (up, down) } else { (to, to) };
-        for i in from..end {
-            out = out.union(&at(nodes, slot(tree, level, set, i)));
+        for four in 0..(end - from).div_ceil(4) {
+            out = out.union(&four_boxes(
+                slot(tree, level, set, from + 4 * four),
+                slot(tree, level, set, end),
+                nodes,
+            ));
         }
-        for i in begin..to {
-            out = out.union(&at(nodes, slot(tree, level, set, i)));
+        for four in 0..(to - begin).div_ceil(4) {
+            out = out.union(&four_boxes(
+                slot(tree, level, set, begin + 4 * four),
+                slot(tree, level, set, to),
+                nodes,
+            ));
         }
         from = if goes_on { up / WIDTH } else { 0 };
         to = if goes_on { down / WIDTH } else { 0 };
     }
     out
+}
+
+/// Union of four nodes from `i` on, or of those before `end`: read together, so that none waits for
+/// another.
+#[inline(always)]
+fn four_boxes<N: Stored<Aabb<f32>>>(i: usize, end: usize, nodes: &[N]) -> Aabb<f32> {
+    let last = end - 1;
+    let (a, b) = (N::load(nodes, i), N::load(nodes, (i + 1).min(last)));
+    let (c, d) = (N::load(nodes, (i + 2).min(last)), N::load(nodes, (i + 3).min(last)));
+    a.union(&b).union(&c.union(&d))
 }
 
 /// A hit in one word: which pair of nodes, which child of either side.

@@ -21,3 +21,4 @@ pub mod swept_box;
 #[cfg(test)]
 mod test_trees;
 pub mod uniform_grid;
+pub mod wide_nodes;

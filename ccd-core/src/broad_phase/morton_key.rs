@@ -1,6 +1,6 @@
 //! Map: the bounds of many boxes, and their Morton codes.
 
-use crate::kernel::memory::at;
+use crate::kernel::memory::{Stored, at};
 use crate::math::aabb::Aabb;
 use crate::math::morton::{MortonGrid, morton30, morton63};
 
@@ -9,12 +9,17 @@ pub const CHUNK: usize = 8;
 
 /// Union of `CHUNK` boxes from `first` on, `stride` apart; those past the end are left out.
 #[inline(always)]
-pub fn scene_bounds(first: usize, stride: usize, boxes: &[Aabb<f32>], n: usize) -> Aabb<f32> {
+pub fn scene_bounds<B: Stored<Aabb<f32>>>(
+    first: usize,
+    stride: usize,
+    boxes: &[B],
+    n: usize,
+) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     for k in 0..CHUNK {
         let i = first + k * stride;
         if i < n {
-            out = out.union(&at(boxes, i));
+            out = out.union(&B::load(boxes, i));
         }
     }
     out
@@ -60,8 +65,8 @@ pub fn morton(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> [u32; 2] {
 /// Key by which a device sorts box `i`: its set, then 30 bits of Morton code on a grid of 2^10
 /// cells a side.
 #[inline(always)]
-pub fn sort_key(i: usize, set: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> u32 {
-    (set as u32) << 30 | morton30(grid.cell(&at(boxes, i)))
+pub fn sort_key<B: Stored<Aabb<f32>>>(i: usize, set: usize, boxes: &[B], grid: &MortonGrid) -> u32 {
+    (set as u32) << 30 | morton30(grid.cell(&B::load(boxes, i)))
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Meet: the numbers that all builders give the nodes of a binary tree, whatever order they made
 //! the nodes in.
 //!
-//! Of `n` leaves, counted from left to right, leaf `i` is node `n - 1 + i`; internal nodes are `0 ..
-//! n - 1`, of which 0 is the root. An internal node that is a left child has the number of its last
-//! leaf, one that is a right child that of its first [Karras 2012]:
+//! Of `n` leaves, counted from left to right, leaf `i` is node `n - 1 + i`; internal nodes have the
+//! numbers below `n - 1`, of which 0 is the root. An internal node that is a left child has the
+//! number of its last leaf, one that is a right child that of its first [Karras 2012]:
 //!
 //! ```text
 //!            0
@@ -17,11 +17,12 @@
 //! ```
 //!
 //! So a node's number, its range of leaves and both of its children follow from three counts of
-//! leaves: of those before it, those below its left child, and those below it. A builder from sorted
-//! codes knows them; one that joins nodes bottom up knows the two latter when it joins, and every
-//! thread then finds the first by itself, on its way up to the root, where it adds what lies below
-//! the left siblings of the nodes that it passes. The cost is the depth of each node; there is no
-//! order between threads.
+//! leaves: of those before it, those below its left child, and those below it. A builder from
+//! sorted codes knows them; one that joins nodes bottom up knows the two latter when it joins. Then
+//! a thread a leaf finds its place by itself, on its way up to the root, where it adds what lies
+//! below the left siblings of the nodes that it passes. As long as it comes from a left child, its
+//! place is also the first leaf of the node above, and it writes the branch of that. The cost is
+//! the depth of each leaf; there is no order between threads.
 
 use crate::kernel::Words;
 use crate::layout::Branch;
@@ -64,44 +65,48 @@ pub fn make_root(node: u32, ancestry: &impl Words) {
     ancestry.store(node as usize * ANCESTRY + 1, 0);
 }
 
-/// How many leaves are left of all leaves of `node`: of a leaf its place, of an internal node its
-/// first leaf.
+/// Thread of leaf `i`, in the builder's order: returns its place, and writes the branches of the
+/// nodes of which it is the first leaf, which no other thread does.
 ///
-/// A way up passes every internal node at most once, so `n_internal` bounds the loop.
+/// Both ways up pass every internal node at most once, so `n_internal` bounds the loops; all second
+/// ways together are as long as there are nodes.
 #[inline(always)]
-pub fn leaves_before(node: u32, n_internal: u32, ancestry: &impl Words) -> u32 {
-    let (mut node, mut before) = (node as usize, 0);
+pub fn number(
+    i: u32,
+    n_internal: u32,
+    ancestry: &impl Words,
+    splits: &impl Words,
+    branches: &impl Words,
+) -> u32 {
+    let leaf = (n_internal + i) as usize;
+    let (mut node, mut place) = (leaf, 0);
     for _ in 0..n_internal {
         let parent = ancestry.load(node * ANCESTRY);
         if parent == NO_PARENT {
             break;
         }
-        before += ancestry.load(node * ANCESTRY + 1);
+        place += ancestry.load(node * ANCESTRY + 1);
         node = parent as usize;
     }
-    before
-}
-
-/// The number of internal node `node`, and what it has below it.
-#[inline(always)]
-pub fn numbered(
-    node: u32,
-    n_internal: u32,
-    ancestry: &impl Words,
-    splits: &impl Words,
-) -> (u32, Branch) {
-    let (at, split) = (node as usize * ANCESTRY, node as usize * SPLIT);
-    let first = leaves_before(node, n_internal, ancestry);
-    let (left, all) = (splits.load(split), splits.load(split + 1));
-    let branch = branch_over(first, first + left, first + all, n_internal);
-    let number = if ancestry.load(at) == NO_PARENT {
-        0
-    } else if ancestry.load(at + 1) == 0 {
-        branch.last
-    } else {
-        first
-    };
-    (number, branch)
+    node = leaf;
+    for _ in 0..n_internal {
+        let parent = ancestry.load(node * ANCESTRY);
+        if parent == NO_PARENT || ancestry.load(node * ANCESTRY + 1) != 0 {
+            break;
+        }
+        node = parent as usize;
+        let (left, all) = (splits.load(node * SPLIT), splits.load(node * SPLIT + 1));
+        let number = if ancestry.load(node * ANCESTRY) == NO_PARENT {
+            0
+        } else if ancestry.load(node * ANCESTRY + 1) == 0 {
+            place + all - 1
+        } else {
+            place
+        };
+        let branch = branch_over(place, place + left, place + all, n_internal);
+        store_branch(number, &branch, branches);
+    }
+    place
 }
 
 /// The node over leaves `first .. end`, of which those from `middle` on are below its right child.
@@ -159,16 +164,15 @@ mod tests {
     /// Children of internal nodes, the last of which is the root; `n_internal + k` is leaf `k`.
     type Children = Vec<[u32; 2]>;
 
-    /// A walk from left to right: places of leaves, and every internal node with its number and its
-    /// branch.
-    fn walk(children: &Children) -> (Vec<u32>, Vec<(u32, Branch)>) {
+    /// A walk from left to right: places of leaves, and branches by their numbers.
+    fn walk(children: &Children) -> (Vec<u32>, Vec<Branch>) {
         /// Numbers the subtree of `node`; returns its number.
         fn visit(
             node: u32,
             children: &Children,
             side: Option<usize>,
             places: &mut Vec<u32>,
-            found: &mut Vec<(u32, Branch)>,
+            found: &mut Vec<Option<Branch>>,
             next: &mut u32,
         ) -> u32 {
             let n_internal = children.len() as u32;
@@ -187,22 +191,25 @@ mod tests {
                 Some(0) => last,
                 Some(_) => first,
             };
-            found[node as usize] = (number, Branch { left, right, first, last });
+            let branch = Branch { left, right, first, last };
+            assert!(found[number as usize].replace(branch).is_none(), "a number twice");
             number
         }
         let n_internal = children.len();
-        let none = (0, Branch { left: 0, right: 0, first: 0, last: 0 });
-        let (mut places, mut found) = (vec![0; n_internal + 1], vec![none; n_internal]);
+        let (mut places, mut found) = (vec![0; n_internal + 1], vec![None; n_internal]);
         let root = n_internal as u32 - 1;
         visit(root, children, None, &mut places, &mut found, &mut 0);
-        (places, found)
+        (places, found.into_iter().map(|branch| branch.expect("a number without a node")).collect())
     }
 
     /// What the threads find, each by itself.
-    fn by_threads(children: &Children) -> (Vec<u32>, Vec<(u32, Branch)>) {
+    fn by_threads(children: &Children) -> (Vec<u32>, Vec<Branch>) {
         let n_internal = children.len() as u32;
-        let (ancestry, splits) =
-            (Plain::new((2 * children.len() + 1) * ANCESTRY), Plain::new(children.len() * SPLIT));
+        let (ancestry, splits, branches) = (
+            Plain::new((2 * children.len() + 1) * ANCESTRY),
+            Plain::new(children.len() * SPLIT),
+            Plain::new(children.len() * BRANCH),
+        );
         let mut leaves = vec![1u32; 2 * children.len() + 1];
         for (node, &[left, right]) in children.iter().enumerate() {
             let below = [leaves[left as usize], leaves[right as usize]];
@@ -210,13 +217,20 @@ mod tests {
             join(node as u32, [left, right], below, &ancestry, &splits);
         }
         make_root(n_internal - 1, &ancestry);
-        let places = (0..=n_internal).map(|k| leaves_before(n_internal + k, n_internal, &ancestry));
-        let found = (0..n_internal).map(|i| numbered(i, n_internal, &ancestry, &splits));
-        (places.collect(), found.collect())
+        let places = (0..=n_internal).map(|i| number(i, n_internal, &ancestry, &splits, &branches));
+        let places = places.collect();
+        let word = |i: usize, k: usize| branches.load(i * BRANCH + k);
+        let branch = |i: usize| Branch {
+            left: word(i, 0),
+            right: word(i, 1),
+            first: word(i, 2),
+            last: word(i, 3),
+        };
+        (places, (0..children.len()).map(branch).collect())
     }
 
-    /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of the
-    /// latest are joined with each other (2: a chain).
+    /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of
+    /// the latest are joined with each other (2: a chain).
     fn random_tree(n: usize, spread: usize, mut state: u32) -> Children {
         let mut random = |n: usize| {
             state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
@@ -244,10 +258,6 @@ mod tests {
                 let children = random_tree(n, spread, seed);
                 let (want, found) = (walk(&children), by_threads(&children));
                 assert_eq!(found, want, "{children:?}");
-                // Every number is that of one node.
-                let mut numbers: Vec<u32> = found.1.iter().map(|(number, _)| *number).collect();
-                numbers.sort_unstable();
-                assert!(numbers.iter().enumerate().all(|(i, &k)| k == i as u32), "{children:?}");
                 // The comparison sees children that changed sides.
                 let mut other = children.clone();
                 other[0].swap(0, 1);

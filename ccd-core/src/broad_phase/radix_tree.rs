@@ -96,6 +96,12 @@ pub fn branch_from<C: Code>(i: u32, from: u32, n: u32, codes: &[C]) -> Branch {
     branch_over(first, middle, last + 1, n - 1)
 }
 
+/// Last leaf below the left child: an internal left child has the number of its last leaf.
+#[inline(always)]
+pub fn last_of_left(branch: &Branch, n_internal: u32) -> u32 {
+    if branch.left >= n_internal { branch.left - n_internal } else { branch.left }
+}
+
 /// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is
 /// written twice.
 #[inline]

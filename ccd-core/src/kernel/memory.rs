@@ -16,6 +16,20 @@ pub fn at<T: Copy>(slice: &[T], i: usize) -> T {
     return unsafe { *slice.get_unchecked(i) };
 }
 
+/// What a slice is made of that holds records `T`: the records themselves, or, on a device, words
+/// of two and four numbers, which it reads in one piece each.
+pub trait Stored<T>: Copy {
+    /// Record `i`.
+    fn load(slice: &[Self], i: usize) -> T;
+}
+
+impl<T: Copy> Stored<T> for T {
+    #[inline(always)]
+    fn load(slice: &[Self], i: usize) -> T {
+        at(slice, i)
+    }
+}
+
 /// Sets element `i`.
 #[inline(always)]
 pub fn put<T: Copy>(slice: &mut [T], i: usize, value: T) {

@@ -94,7 +94,7 @@ macro_rules! kernels {
             SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
             /// One pass of the sort.
-            SortScatter = sort_scatter(128 threads, 28 barriers, f32, Params<SortPass>)
+            SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Leaves in order and the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
@@ -105,15 +105,22 @@ macro_rules! kernels {
             /// Internal nodes of a binary tree.
             Branches = branches(256 threads, 0 barriers, f32, Params<Blocks>)
                 { keys: Read, branches: Write }
-            /// Boxes of a binary tree.
+            /// The same with their boxes, and leaves: for pairs of nodes.
             BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
                 { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
+            /// The same with the boxes of their children, if these are near; a list of the others:
+            /// for queries.
+            NearNodes = near_nodes(256 threads, 4 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, nodes: Write, far: Write }
+            /// Those of the list.
+            FarNodes = far_nodes(128 threads, 0 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, far: Read, nodes: Write }
             /// Leaves of a binary tree that overlap each other.
-            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Plain>)
-                { nodes: Read, branches: Read, pairs: Write }
+            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Blocks>)
+                { leaves: Read, order: Read, nodes: Read, pairs: Write }
             /// Boxes that overlap leaves of a binary tree.
             TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
-                { boxes: Read, order: Read, nodes: Read, branches: Read, pairs: Write }
+                { boxes: Read, order: Read, nodes: Read, pairs: Write }
             /// Nodes of a cut through a binary tree.
             CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
                 { branches: Read, cut: Write }
@@ -264,6 +271,7 @@ impl Id {
 const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
 const _: () = assert!(Id::IntervalPairs.threads() == crate::broad_phase::key_intervals::GROUP);
+const _: () = assert!(Id::NearNodes.threads() == crate::broad_phase::wide_nodes::TILE);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);

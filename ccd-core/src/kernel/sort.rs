@@ -2,7 +2,8 @@
 //! pass, in three kernels a pass.
 //!
 //! `sort_count` counts the digits of each tile, `sort_scan` turns the counts of each digit into
-//! offsets, `sort_scatter` ranks each tile and moves it. Nothing waits for another workgroup
+//! offsets, `sort_scatter` ranks each tile, brings it into order in workgroup memory and moves it,
+//! so that neighbouring threads write neighbouring words. Nothing waits for another workgroup
 //! (reduce, then scan), and nothing depends on the size of subgroups: the ranks within 32 keys come
 //! from a mask of lanes for each digit in workgroup memory: a digit's mask has a bit for every of
 //! 32 threads that has the digit.

@@ -246,6 +246,34 @@ mod tests {
     }
 
     #[test]
+    fn few_steps_are_enough_and_fewer_leave_a_basis() {
+        let mut x = 3u32;
+        let mut most = 0;
+        for i in 0..20_000 {
+            let mut next = || {
+                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+                let entry = (x >> 8) as f32 / 8_388_608.0 - 1.0;
+                // Every other matrix with many zeros and entries that are equal.
+                if i % 2 == 0 { entry } else { (entry * 1.5) as i32 as f32 }
+            };
+            let mut t = Tridiagonal::new([next(), next(), next()], [next(), next(), next()]);
+            let mut steps = 0;
+            loop {
+                // However many steps there were.
+                let left = orthonormal(t.basis);
+                let g = excess(&left);
+                assert!(g.iter().all(|x| x.abs() <= f32::UNIT * ORTHONORMAL), "{left:?}");
+                if !t.step() {
+                    break;
+                }
+                steps += 1;
+            }
+            most = most.max(steps);
+        }
+        assert!((3..=MAX_STEPS / 2).contains(&most), "{most} steps");
+    }
+
+    #[test]
     fn what_is_not_nearly_orthonormal_is_replaced() {
         let bent = [[1.0f64, 0.0, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!(orthonormal(bent), identity());

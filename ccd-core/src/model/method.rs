@@ -68,7 +68,7 @@ pub enum Builder {
 }
 
 impl Builder {
-    /// [`Builder::NearestPair`] up to the number of boxes that takes about a second.
+    /// [`Builder::NearestPair`] up to the number of boxes that takes a fifth of a second.
     pub const NEAREST_PAIR: Self = Self::NearestPair { limit: 20_000 };
     /// [`Builder::Ploc`] with the radius that its authors recommend for speed.
     pub const PLOC: Self = Self::Ploc { radius: 16 };

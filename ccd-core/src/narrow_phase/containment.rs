@@ -89,8 +89,8 @@ pub fn around<R: Real>(lo: R, hi: R) -> (R, R) {
     (lo + half, half + (R::UNIT * R::splat(4.0)))
 }
 
-/// What is positive inside the patch and negative outside, each with a bound of its error, from `D`,
-/// `S`, `R` with theirs, of a sign that makes `D` positive.
+/// What is positive inside the patch and negative outside, each with a bound of its error, from
+/// `D`, `S`, `R` with theirs, of a sign that makes `D` positive.
 #[inline(always)]
 pub fn conditions<R: Real>(
     patch: Patch,

@@ -1,7 +1,7 @@
 //! The bounds of oriented boxes against an adversary, with axes as skew as they may be, and against
 //! counts of operations.
 
-use crate::common::adversary::{Adversarial, MIN_NORMAL, UNIT, undisturbed};
+use crate::common::adversary::{Adversarial, MIN_NORMAL, UNIT};
 use crate::common::ascent::Ascent;
 use ccd_core::Real;
 use ccd_core::math::obb::Obb;
@@ -54,7 +54,10 @@ fn frame(x: &[f64]) -> [V; 3] {
 }
 
 fn half(x: &[f64], size: f64) -> V {
-    std::array::from_fn(|k| size * (0.5 + 0.5 * x[k]).powi(3) + 64.0 * MIN_NORMAL)
+    std::array::from_fn(|k| {
+        let part = 0.5 + 0.5 * x[k];
+        size * part * part * part + 64.0 * MIN_NORMAL
+    })
 }
 
 fn oriented(x: &[f64], size: f64) -> Obb<f64> {
@@ -140,18 +143,18 @@ fn boxes_in_a_box() {
 #[test]
 fn boxes_that_touch() {
     for (name, size, turned, documented) in [
-        ("gap", 1.0, true, 0.02),
-        ("gap of parallel boxes", 1.0, false, 0.029),
-        ("gap, flushed", 1e-37, true, 0.01),
+        ("gap", 1.0, 1.0, 0.09),
+        ("gap of parallel boxes", 1.0, 0.0, 0.11),
+        // Products of half lengths with sines that are not normal.
+        ("gap, flushed", 1e-37, 0.005, 0.028),
     ] {
         // Two boxes that share a corner: the one farthest along an axis of one of them, a product
         // of two, or any direction.
         let ratio = |x: &[f64]| {
             let mut x = x.to_vec();
-            if !turned {
-                [0, BOX]
-                    .into_iter()
-                    .for_each(|i| x[i..i + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]));
+            for i in [0, BOX] {
+                x[i] = if turned < 1.0 { 1.0 } else { x[i] };
+                x[i + 1..i + 4].iter_mut().for_each(|x| *x *= turned);
             }
             let (a, mut b) = (oriented(&x, size), oriented(&x[BOX..], size));
             let rest = &x[2 * BOX..];
@@ -164,10 +167,9 @@ fn boxes_that_touch() {
                 _ => [rest[3], rest[4], rest[5]],
             };
             b.centre = sub(farthest(&a, w), farthest(&b, scale(w, -1.0)));
-            let (a, b) = (wrap_box(&a), wrap_box(&b));
-            // Without errors of rounding nearly the bound alone is left.
-            let bound = -undisturbed(|| a.gap(&b).0);
-            1.0 + a.gap(&b).0 / bound
+            let sizes = sum_abs(b.centre) + sum_abs(a.half) + sum_abs(b.half);
+            let bound = 256.0 * UNIT * sizes + 128.0 * MIN_NORMAL;
+            1.0 + wrap_box(&a).gap(&wrap_box(&b)).0 / bound
         };
         Ascent { n_inputs: 2 * BOX + 6, flush: size < 1e-6, ratio }.check(
             name,

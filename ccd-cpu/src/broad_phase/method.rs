@@ -46,10 +46,10 @@ impl Method {
     }
 
     /// Nodes of binary trees, or pairs of them, that the last search visited.
-    pub fn steps(&self) -> u64 {
+    pub fn visits(&self) -> u64 {
         match self {
             Self::Blocks(_) => 0,
-            Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.steps).sum(),
+            Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.visits).sum(),
         }
     }
 
@@ -105,7 +105,7 @@ impl PairSource for Listed {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        self.buffers.iter_mut().for_each(|Own((scratch, _))| scratch.steps = 0);
+        self.buffers.iter_mut().for_each(|Own((scratch, _))| scratch.visits = 0);
         if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
             return;
         }

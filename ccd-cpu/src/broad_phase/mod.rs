@@ -104,12 +104,12 @@ impl BroadPhase {
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
-    /// How many steps the last search took, for comparisons of traversals: internal nodes of a
-    /// binary tree that queries visited, or pairs of nodes that were expanded, and of a cut the
+    /// How many nodes the last search visited, for comparisons of traversals: internal nodes of a
+    /// binary tree that queries looked at, or pairs of nodes that were expanded, and of a cut the
     /// pairs from which it began. The same on any number of threads; 0 by a method without a binary
     /// tree.
-    pub fn steps(&self) -> u64 {
-        self.method.steps()
+    pub fn visits(&self) -> u64 {
+        self.method.visits()
     }
 
     /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`], or

@@ -123,7 +123,7 @@ pub struct Scratch {
     /// Pairs of nodes that are still to be visited.
     pub pairs: Vec<[u32; 2]>,
     /// Nodes, or pairs of nodes, that were visited since the search began.
-    pub steps: u64,
+    pub visits: u64,
 }
 
 /// A leaf that overlaps the lanes `mask` of block `b`.
@@ -190,17 +190,53 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// Rows that [`Gathered`] keeps: of eight leaves against eight blocks.
+const PENDING: usize = 64;
+
+/// Pairs of leaves that come one by one, gathered into rows: the same leaf and the same block come
+/// again soon where trees are descended, but not at once.
+pub struct Gathered<'r, 'a> {
+    rows: &'r mut Rows<'a>,
+    /// A row each for the leaves and blocks with the same last bits; a mask of 0: none.
+    pending: [Row; PENDING],
+}
+
+impl<'r, 'a> Gathered<'r, 'a> {
+    /// Gathers into `rows`.
+    pub fn new(rows: &'r mut Rows<'a>) -> Self {
+        Self { rows, pending: [Row { a: 0, b: 0, mask: 0 }; PENDING] }
+    }
+
+    /// Adds lanes of a block to the row of a leaf.
+    #[inline(always)]
+    pub fn push(&mut self, a: usize, b: usize, mask: u32) {
+        let row = &mut self.pending[a % 8 * 8 + b % 8];
+        if (row.a, row.b) != (a as u32, b as u32) {
+            self.rows.push(row.a as usize, row.b as usize, row.mask);
+            *row = Row { a: a as u32, b: b as u32, mask: 0 };
+        }
+        row.mask |= mask;
+    }
+
+    /// Hands on what was gathered.
+    pub fn finish(self) {
+        for Row { a, b, mask } in self.pending {
+            self.rows.push(a as usize, b as usize, mask);
+        }
+    }
+}
+
 /// Has a tree of pairs list its rows: the sink by which what descends one is a [`RowSource`].
 #[derive(Debug, Default)]
-pub struct IntoRows<'a>(PhantomData<&'a ()>);
+pub struct IntoRows<'r, 'a>(PhantomData<&'r mut &'a ()>);
 
-impl<'a> PairSink for IntoRows<'a> {
-    type Worker = Rows<'a>;
+impl<'r, 'a> PairSink for IntoRows<'r, 'a> {
+    type Worker = Gathered<'r, 'a>;
 
     #[inline(always)]
     fn row<S: RowSimd>(
         &self,
-        rows: &mut Rows<'a>,
+        rows: &mut Gathered<'r, 'a>,
         _simd: S,
         a: usize,
         lane: usize,

@@ -55,44 +55,51 @@ fn methods_and_settings() -> impl Iterator<Item = BroadPhaseMethod> {
     methods().chain(trees.filter(has))
 }
 
-/// Pairs by all methods are those of brute force, of which there are some and not all; in the
-/// precision of the boxes.
-fn check_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) {
-    let n = a.len();
-    let n_within = check_any_pairs(a, b);
-    assert!(n_within > 0 && n_within < n * (n - 1) / 2, "all or none overlap");
-}
+/// Every method with its settings on one thread and on two, kept from one check to the next.
+struct Searches(Vec<(BroadPhaseMethod, [BroadPhase; 2])>);
 
-/// Pairs by all methods are those of brute force, on one thread and on two; their number within
-/// `a`.
-fn check_any_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) -> usize {
-    let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
-    let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
-    let n = a.len();
-    let within: Vec<Pair> =
-        all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
-    let between: Vec<Pair> =
-        all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
-    let sorted = |pairs: Pairs| {
-        let mut pairs = pairs.to_vec();
-        pairs.sort_unstable_by_key(|p| (p.a, p.b));
-        pairs
-    };
-    for method in methods_and_settings() {
-        let steps = [1, 2].map(|threads| {
-            let mut broad = BroadPhase::new(threads, method).unwrap();
-            let got = sorted(broad.self_pairs(a).unwrap());
-            assert_eq!(got, within, "{method:?}, within {a:?}");
-            let steps = broad.steps();
-            let got = sorted(broad.pairs(a, b).unwrap());
-            assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
-            [steps, broad.steps()]
-        });
-        assert_eq!(steps[0], steps[1], "{method:?}: steps within {a:?} and against {b:?}");
-        let is_tree = matches!(method, BroadPhaseMethod::Tree(_));
-        assert!(n < 2 || (steps[0][0] > 0) == is_tree, "{method:?}: {steps:?} steps");
+impl Searches {
+    fn new() -> Self {
+        let both = |method| [1, 2].map(|threads| BroadPhase::new(threads, method).unwrap());
+        Self(methods_and_settings().map(|method| (method, both(method))).collect())
     }
-    within.len()
+
+    /// Pairs by all methods are those of brute force, in the precision of the boxes; the number of
+    /// visits does not depend on threads. Returns the number of pairs within `a`.
+    fn check<T: Coordinate>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> usize {
+        let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
+        let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
+        let n = a.len();
+        let within: Vec<Pair> =
+            all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
+        let between: Vec<Pair> =
+            all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
+        let sorted = |pairs: Pairs| {
+            let mut pairs = pairs.to_vec();
+            pairs.sort_unstable_by_key(|p| (p.a, p.b));
+            pairs
+        };
+        for (method, broad_phases) in &mut self.0 {
+            let visits = broad_phases.each_mut().map(|broad| {
+                let got = sorted(broad.self_pairs(a).unwrap());
+                assert_eq!(got, within, "{method:?}, within {a:?}");
+                let visits = broad.visits();
+                let got = sorted(broad.pairs(a, b).unwrap());
+                assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
+                [visits, broad.visits()]
+            });
+            assert_eq!(visits[0], visits[1], "{method:?}: visits within {a:?} and against {b:?}");
+            let is_tree = matches!(method, BroadPhaseMethod::Tree(_));
+            assert!(n < 2 || (visits[0][0] > 0) == is_tree, "{method:?}: {visits:?} visits");
+        }
+        within.len()
+    }
+
+    /// The same of boxes of which some overlap, and not all.
+    fn check_some<T: Coordinate>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) {
+        let (n, n_within) = (a.len(), self.check(a, b));
+        assert!(n_within > 0 && n_within < n * (n - 1) / 2, "all or none overlap");
+    }
 }
 
 #[test]
@@ -106,21 +113,22 @@ fn trees_of_any_depth_are_searched() {
         Vec::from_iter((0..n as i32).map(part))
     };
     let equal = |n: usize| vec![at(0.25, 0.75); n];
+    let mut searches = Searches::new();
     let mut n_pairs = 0;
-    for n in [0, 1, 2, 3, 9, 150] {
-        for m in [0, 1, 2, 3, 150] {
-            for a in [nested(n), apart(n), equal(n)] {
-                for b in [nested(m), apart(m), equal(m)] {
-                    n_pairs += check_any_pairs(&a, &b);
-                }
+    for n in [150, 0, 1, 2, 3, 9] {
+        for a in [nested(n), apart(n), equal(n)] {
+            for m in [0, 1, 2, 60] {
+                n_pairs += searches.check(&a, &nested(m));
             }
+            n_pairs += searches.check(&a, &equal(3));
+            n_pairs += searches.check(&a, &apart(40));
         }
     }
     assert!(n_pairs > 10_000, "{n_pairs} pairs show nothing");
 }
 
 #[test]
-fn fewer_steps_find_the_same() {
+fn fewer_visits_find_the_same() {
     let mut x = 5u32;
     let mut unit = || {
         x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
@@ -131,11 +139,11 @@ fn fewer_steps_find_the_same() {
         Aabb { min, max: min.map(|c| c + 0.1) }
     };
     let boxes: Vec<_> = (0..2000).map(|_| one()).collect();
-    let steps = |traversal: Traversal| {
+    let visits = |traversal: Traversal| {
         let tree = TreeOptions::default().traversal(traversal);
         let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
         let n_pairs = broad.self_pairs(&boxes).unwrap().len();
-        (n_pairs, broad.steps())
+        (n_pairs, broad.visits())
     };
     let [recursive, iterative, in_order, half, simultaneous, cut] = [
         Traversal::Recursive,
@@ -145,7 +153,7 @@ fn fewer_steps_find_the_same() {
         Traversal::SIMULTANEOUS,
         Traversal::CUT,
     ]
-    .map(steps);
+    .map(visits);
     assert!(recursive == iterative && iterative == in_order, "{recursive:?} {iterative:?}");
     assert!(half.1 < in_order.1 * 2 / 3, "{half:?} of {in_order:?}");
     assert!(simultaneous.1 < half.1, "{simultaneous:?} of {half:?}");
@@ -154,16 +162,17 @@ fn fewer_steps_find_the_same() {
     // A method without a tree takes none, and a search in nothing forgets those of the one before.
     let mut broad = BroadPhase::new(1, BroadPhaseMethod::TREE).unwrap();
     broad.self_pairs(&boxes).unwrap();
-    let before = broad.steps();
+    let before = broad.visits();
     broad.self_pairs::<f32>(&[]).unwrap();
-    assert!(before > 0 && broad.steps() == 0);
+    assert!(before > 0 && broad.visits() == 0);
 }
 
 #[test]
 fn huge_and_infinite_bounds_are_compared_as_they_are() {
     let apart = [(2.95e38f32, 3.0e38), (3.2e38, 3.3e38), (0.0, 3.1e38)]
         .map(|(min, max)| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] });
-    check_pairs(&apart, &apart);
+    let mut searches = Searches::new();
+    searches.check_some(&apart, &apart);
     let mut x = 11u32;
     let mut bound = || {
         x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
@@ -183,7 +192,7 @@ fn huge_and_infinite_bounds_are_compared_as_they_are() {
             let mut boxes = vec![apart[0], apart[1], apart[2], apart[2]];
             boxes.extend((0..n).map(|_| one()));
             let others: Vec<_> = (0..n).map(|_| one()).collect();
-            check_pairs(&boxes, &others);
+            searches.check_some(&boxes, &others);
             let wide =
                 |b: &Aabb<f32>| Aabb { min: b.min.map(f64::from), max: b.max.map(f64::from) };
             let far = |b: &Aabb<f32>| {
@@ -192,7 +201,7 @@ fn huge_and_infinite_bounds_are_compared_as_they_are() {
             };
             for to_f64 in [&wide as &dyn Fn(&Aabb<f32>) -> Aabb<f64>, &far] {
                 let all = |boxes: &[Aabb<f32>]| boxes.iter().map(to_f64).collect::<Vec<_>>();
-                check_pairs(&all(&boxes), &all(&others));
+                searches.check_some(&all(&boxes), &all(&others));
             }
         }
     }
@@ -214,7 +223,7 @@ fn oriented_boxes_spare_steps_where_things_are_slanted() {
             let tree = TreeOptions::default().traversal(traversal).volume(volume);
             let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
             let n_pairs = broad.pairs(&beside, &strand).unwrap().len();
-            (n_pairs, broad.steps())
+            (n_pairs, broad.visits())
         });
         assert!(aabb.0 == obb.0 && aabb.0 > 50, "{traversal:?}: {aabb:?} {obb:?}");
         // The cut counts the pairs with which it begins.

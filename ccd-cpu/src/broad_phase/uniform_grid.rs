@@ -74,7 +74,7 @@ impl UniformGrid {
         sample.clear();
         // One of each of so many parts of the list; which one follows no pattern of the input.
         let one = |j: u64| {
-            let offset = (j as u32).wrapping_mul(0x9e37_79b9) as u64 * n >> 32;
+            let offset = ((j as u32).wrapping_mul(0x9e37_79b9) as u64 * n) >> 32;
             if n == m { j } else { (j * n + offset) / m }
         };
         sample.extend((0..m).map(|j| cells::key(grid.cell(&boxes[one(j) as usize]))));
@@ -96,7 +96,7 @@ impl UniformGrid {
         // A box of the sample has this part of the others around it.
         let part = m.saturating_sub(1) as f64 / n.saturating_sub(1).max(1) as f64;
         let tests = if part > 0.0 { pairs as f64 / m as f64 / part } else { 0.0 };
-        (tests, if m > 0 { fullest * n / m } else { 0 })
+        (tests, fullest * n / m.max(1))
     }
 }
 

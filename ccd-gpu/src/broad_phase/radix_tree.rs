@@ -2,13 +2,14 @@
 //! traversed by one thread a query.
 
 use super::block_bvh::Tree;
-use crate::bind::{BranchBoxes, Branches, TraverseFull, TraverseHalf};
+use crate::bind::{BranchBoxes, Branches, FarNodes, NearNodes, TraverseFull, TraverseHalf};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Plain, Queries};
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Queries, WideNode};
 use wgpu::BufferUsages as U;
 
 /// Queries of one dispatch: some milliseconds of a small device, so that no driver thinks that it
@@ -19,21 +20,40 @@ const DISPATCH_LIMIT: u32 = 1 << 22;
 pub struct RadixTree {
     set: usize,
     pub branches: wgpu::Buffer,
+    /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
+    /// nodes with the boxes of both children.
     pub nodes: wgpu::Buffer,
+    /// For queries: nodes whose leaves are far from one another, the head of a list, then room for
+    /// all.
+    far: Option<wgpu::Buffer>,
     /// Leaves.
     n: u32,
 }
 
 impl RadixTree {
-    /// Room for a tree over `n` boxes of a set, at least one.
-    pub fn new(device: &Device, set: usize, n: u32) -> Result<Self, Error> {
-        let buffer = |what, bytes: u64| device.buffer(what, bytes, U::STORAGE);
+    /// Room for a tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
+    pub fn new(device: &Device, set: usize, n: u32, for_pairs: bool) -> Result<Self, Error> {
+        let (storage, n_boxes) = (U::STORAGE, n as u64);
+        let buffer = |what, bytes: usize| device.buffer(what, n_boxes * bytes as u64, storage);
+        let far = || {
+            let bytes = HEADER_BYTES + 4 * n_boxes;
+            device.buffer("far nodes of the tree", bytes, storage | U::COPY_DST)
+        };
+        let node = if for_pairs { 2 * size_of::<Node>() } else { size_of::<WideNode>() };
         Ok(Self {
             set,
-            branches: buffer("branches of the tree", n as u64 * size_of::<Branch>() as u64)?,
-            nodes: buffer("nodes of the binary tree", 2 * n as u64 * size_of::<Node>() as u64)?,
+            branches: buffer("branches of the tree", size_of::<Branch>())?,
+            nodes: buffer("nodes of the binary tree", node)?,
+            far: if for_pairs { None } else { Some(far()?) },
             n,
         })
+    }
+
+    /// What must be zero before [`RadixTree::fit`].
+    pub fn clear(&self, recorder: &mut Recorder) {
+        if let Some(far) = &self.far {
+            recorder.clear(far, HEADER_BYTES);
+        }
     }
 
     /// Children and ranges of all nodes, from the keys of a block tree that is sorted.
@@ -44,10 +64,17 @@ impl RadixTree {
 
     /// Boxes of all nodes, from those of a block tree that is fitted.
     pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
-        let Self { branches, nodes, n, .. } = self;
+        let Self { branches, nodes, far, n, .. } = self;
         let (block_nodes, leaves) = (&blocks.nodes, &blocks.leaves);
-        let kernel = BranchBoxes { branches, block_nodes, leaves, nodes };
-        recorder.each(&kernel, &self.params(frame, blocks), *n);
+        let p = self.params(frame, blocks);
+        match far {
+            None => recorder.each(&BranchBoxes { branches, block_nodes, leaves, nodes }, &p, *n),
+            Some(far) => {
+                recorder.each(&NearNodes { branches, block_nodes, nodes, far }, &p, *n);
+                let groups = blocks.groups.min(n.div_ceil(Id::FarNodes.threads()));
+                recorder.dispatch(&FarNodes { branches, block_nodes, far, nodes }, &p, groups);
+            }
+        }
     }
 
     fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
@@ -56,11 +83,17 @@ impl RadixTree {
     }
 
     /// Lists all pairs within the tree, each query looking only at leaves after its own.
-    pub fn traverse_half(&self, recorder: &mut Recorder, frame: &Frame, pairs: &List) {
-        let Self { branches, nodes, n, .. } = self;
-        for dispatch in parts(*n, pairs) {
-            let p = Params { frame: *frame, dispatch, own: Plain::default() };
-            let kernel = TraverseHalf { nodes, branches, pairs: pairs.buffer() };
+    pub fn traverse_half(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        blocks: &Tree,
+        pairs: &List,
+    ) {
+        let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &self.nodes);
+        for dispatch in parts(self.n, pairs) {
+            let p = Params { dispatch, ..self.params(frame, blocks) };
+            let kernel = TraverseHalf { leaves, order, nodes, pairs: pairs.buffer() };
             recorder.each(&kernel, &p, dispatch.n);
         }
     }
@@ -75,10 +108,9 @@ impl RadixTree {
         own: Queries,
         pairs: &List,
     ) {
-        let Self { branches, nodes, .. } = self;
-        let (boxes, [_, order]) = (&blocks.boxes, blocks.sorted());
+        let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
         for dispatch in parts(frame.count[sets(own.kind)[0]], pairs) {
-            let kernel = TraverseFull { boxes, order, nodes, branches, pairs: pairs.buffer() };
+            let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
             recorder.each(&kernel, &Params { frame: *frame, dispatch, own }, dispatch.n);
         }
     }

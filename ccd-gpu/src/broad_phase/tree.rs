@@ -39,7 +39,7 @@ impl TreeSource {
         let mut trees = [None, None, None];
         for kind in kinds_of(count) {
             for set in descended(kind, descent.is_some()) {
-                trees[set] = Some(RadixTree::new(device, set, count[set])?);
+                trees[set] = Some(RadixTree::new(device, set, count[set], descent.is_some())?);
             }
         }
         Ok(Self {
@@ -61,7 +61,7 @@ impl TreeSource {
                     descent.run(recorder, frame, kind, [a, b], pairs);
                 }
             }
-            Traversal::Half if kind == 1 => b.traverse_half(recorder, frame, pairs),
+            Traversal::Half if kind == 1 => b.traverse_half(recorder, frame, &self.blocks, pairs),
             Traversal::Iterative => {
                 b.traverse_full(recorder, frame, &self.blocks, full(0), pairs);
             }
@@ -83,6 +83,7 @@ impl PairSource for TreeSource {
 
     fn clear(&self, recorder: &mut Recorder) {
         self.blocks.clear_bounds(recorder);
+        self.trees.iter().flatten().for_each(|tree| tree.clear(recorder));
         if let Some(descent) = &self.descent {
             descent.clear(recorder);
         }
@@ -97,7 +98,7 @@ impl PairSource for TreeSource {
         blocks.fit(recorder, frame, none, none);
         recorder.stage("branches");
         trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
-        recorder.stage("boxes of branches");
+        recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         recorder.stage("pairs");
         for &kind in search.kinds {

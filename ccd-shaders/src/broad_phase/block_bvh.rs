@@ -1,11 +1,12 @@
 //! Boxes of the block tree: a workgroup fits eight nodes, 32 children each.
 
+use crate::records::{BoxWords, box_at, leaf_words};
 use crate::workgroup::{barrier, get, group, set};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::block_bvh::{set_of, slot};
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Blocks, Frame, Leaf, Params};
-use spirv_std::glam::UVec3;
+use spirv_std::glam::{UVec3, UVec4};
 use spirv_std::spirv;
 
 /// Unites the boxes of 32 threads each; thread 0 of each 32 gets the result.
@@ -34,12 +35,12 @@ pub fn fit_leaves(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(workgroup)] shared: &mut [Aabb; 256],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Blocks>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[BoxWords],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] order: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] edges: &[[u32; 2]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] faces: &[[u32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] nodes: &mut [Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] leaves: &mut [Leaf],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] nodes: &mut [BoxWords],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] leaves: &mut [UVec4],
 ) {
     let i = group(id, n) * 256 + lane;
     let set = set_of(&params.own.slots[0], i);
@@ -49,7 +50,7 @@ pub fn fit_leaves(
     let mut leaf = Leaf { vertices: [0; 3], id: Leaf::NONE };
     if there && k < params.frame.count[set] {
         let at_box = at(order, (params.frame.start[set] + k) as usize);
-        own = at(boxes, at_box as usize);
+        own = box_at(boxes, at_box as usize);
         let feature = at_box - params.frame.start[set];
         leaf.id = feature;
         leaf.vertices = [feature; 3];
@@ -64,10 +65,10 @@ pub fn fit_leaves(
     }
     let node = unite(lane, own, shared);
     if there {
-        put(nodes, i as usize, own);
-        put(leaves, i as usize, leaf);
+        put(nodes, i as usize, BoxWords::of(&own));
+        put(leaves, i as usize, leaf_words(&leaf));
         if lane % 32 == 0 {
-            put(nodes, slot(&params.own, 1, set, k / 32), node);
+            put(nodes, slot(&params.own, 1, set, k / 32), BoxWords::of(&node));
         }
     }
 }
@@ -81,7 +82,7 @@ pub fn fit_level(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(workgroup)] shared: &mut [Aabb; 256],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Blocks>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &mut [Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &mut [BoxWords],
 ) {
     let first = params.own.slots[params.own.level as usize];
     let i = first[0] + group(id, n) * 256 + lane;
@@ -89,10 +90,11 @@ pub fn fit_level(
     let there = i < first[3];
     let mut own = Aabb::EMPTY;
     if there {
-        own = at(nodes, i as usize);
+        own = box_at(nodes, i as usize);
     }
     let node = unite(lane, own, shared);
     if there && lane % 32 == 0 {
-        put(nodes, slot(&params.own, params.own.level + 1, set, (i - first[set]) / 32), node);
+        let to = slot(&params.own, params.own.level + 1, set, (i - first[set]) / 32);
+        put(nodes, to, BoxWords::of(&node));
     }
 }

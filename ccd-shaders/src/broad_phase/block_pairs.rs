@@ -5,6 +5,7 @@
 //! are gathered in workgroup memory, and every thread whose child reaches into the second tests it
 //! against all of them. The hits of all teams are then worked on together, one a thread.
 
+use crate::records::{BoxWords, box_at};
 use crate::workgroup::{
     add_shared, append, barrier, count, get, group, length, read_pair, set, write_pair,
 };
@@ -82,7 +83,7 @@ fn gather(
     params: &Params<Blocks>,
     pair: Pair,
     some: bool,
-    nodes: &[Aabb],
+    nodes: &[BoxWords],
     columns: &mut [Aabb; 128],
     names: &mut [u32; 128],
     counters: &mut [u32; 8],
@@ -90,11 +91,12 @@ fn gather(
     let [set_a, set_b] = sets(params.own.kind);
     let (team, own) = (lane / WIDTH, lane % WIDTH);
     let (a, b) = (
-        at(nodes, slot(&params.own, params.own.level, set_a, pair.a)),
-        at(nodes, slot(&params.own, params.own.level, set_b, pair.b)),
+        box_at(nodes, slot(&params.own, params.own.level, set_a, pair.a)),
+        box_at(nodes, slot(&params.own, params.own.level, set_b, pair.b)),
     );
-    let row = at(nodes, slot(&params.own, params.own.level - 1, set_a, pair.a * WIDTH + own));
-    let column = at(nodes, slot(&params.own, params.own.level - 1, set_b, pair.b * WIDTH + own));
+    let row = box_at(nodes, slot(&params.own, params.own.level - 1, set_a, pair.a * WIDTH + own));
+    let column =
+        box_at(nodes, slot(&params.own, params.own.level - 1, set_b, pair.b * WIDTH + own));
     if some && column.overlaps(&a) {
         let to = team * WIDTH + add_shared(counters, team, 1);
         set(columns, to, column);
@@ -167,7 +169,7 @@ pub fn node_pairs(
     #[spirv(workgroup)] hits: &mut [u32; 2048],
     #[spirv(workgroup)] firsts: &mut [u32; 8],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Blocks>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[BoxWords],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] input: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] output: &mut [u32],
 ) {
@@ -232,7 +234,7 @@ macro_rules! leaf_entry {
             #[spirv(workgroup)] hits: &mut [u32; 2048],
             #[spirv(workgroup)] firsts: &mut [u32; 8],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Blocks>,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[BoxWords],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] leaves: &[Leaf],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] bodies: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] keys: &[[[u32; 2]; 6]],
@@ -273,7 +275,7 @@ macro_rules! leaf_entry {
                         kind,
                         &a,
                         &b,
-                        [&at(nodes, p), &at(nodes, q)],
+                        [&box_at(nodes, p), &box_at(nodes, q)],
                         bodies,
                         keys,
                     ) {
@@ -300,7 +302,7 @@ macro_rules! leaf_entry {
                         kind,
                         &a,
                         &b,
-                        [&at(nodes, p), &at(nodes, q)],
+                        [&box_at(nodes, p), &box_at(nodes, q)],
                         bodies,
                         keys,
                     ) {

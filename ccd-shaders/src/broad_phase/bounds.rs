@@ -1,5 +1,6 @@
 //! Bounds of all boxes, and the keys by which boxes are sorted.
 
+use crate::records::BoxWords;
 use crate::workgroup::{barrier, get, group, raise, set};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{block_bvh, morton_key};
@@ -21,7 +22,7 @@ pub fn scene_bounds(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(workgroup)] shared: &mut [Aabb; 256],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[BoxWords],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &mut [u32],
 ) {
     let first = (group(id, n) * THREADS * morton_key::CHUNK as u32 + lane) as usize;
@@ -51,7 +52,7 @@ pub fn morton(
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[BoxWords],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] keys: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] order: &mut [u32],

@@ -98,9 +98,9 @@ pub fn survey_sides(
     }
 }
 
-/// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order: thread
-/// `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a workgroup
-/// adds what its threads found to the survey.
+/// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order:
+/// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
+/// workgroup adds what its threads found to the survey.
 #[spirv(compute(threads(256)))]
 pub fn survey_cells(
     #[spirv(workgroup_id)] id: UVec3,

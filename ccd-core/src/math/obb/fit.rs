@@ -8,8 +8,9 @@ use crate::math::vec3::{add, max_abs, scale, sub, sum_abs};
 impl<T: Real> Obb<T> {
     /// A box around points.
     ///
-    /// One loop over them for bounds, mean, covariance, reach, and reach once more. Points that do
-    /// not spread, or whose differences overflow, get a box along the coordinates or all of space.
+    /// Five loops over them: bounds, mean, covariance, the range along each axis, and how far they
+    /// are from its middle, rounded. Points that do not spread get axes along the coordinates; those
+    /// whose differences overflow get all of space.
     #[inline]
     pub fn around<const N: usize>(points: &[[T; 3]; N]) -> Self {
         let (mut low, mut high) = (points[0], points[0]);

@@ -1,8 +1,8 @@
 //! A binary tree over boxes: nodes in the numbering of Karras, which every builder gives, so that
 //! one refit, one check and every traversal serve them all.
 //!
-//! Of `n` leaves, in the order in which a walk from left to right meets them, the nodes `0 .. n - 1`
-//! are internal, 0 is the root, and leaf `i` is node `n - 1 + i`. An internal node that is a left
+//! Of `n` leaves, in the order in which a walk from left to right meets them, the nodes
+//! `0 .. n - 1` are internal, 0 is the root, and leaf `i` is node `n - 1 + i`. An internal node that is a left
 //! child has the number of its last leaf, one that is a right child that of its first: no two have
 //! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
 //! id of its box.
@@ -165,23 +165,23 @@ impl BinaryTree {
     }
 
     /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`: in an
-    /// order that depends on the tree alone. Returns the number of internal nodes that were visited.
+    /// order that depends on the tree alone. Returns the number of internal nodes visited.
     pub fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) -> u64 {
         if self.branches.is_empty() {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));
             return 0;
         }
-        let (mut walk, mut steps) = (Walk::new(), 0);
+        let (mut walk, mut visits) = (Walk::new(), 0);
         while walk.goes_on {
             if !self.reaches(walk.node(), query) {
                 walk.skip();
                 continue;
             }
-            steps += 1;
+            visits += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
             out.extend(found.into_iter().filter(|&leaf| leaf != NONE));
         }
-        steps
+        visits
     }
 }

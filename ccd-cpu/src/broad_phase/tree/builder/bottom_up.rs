@@ -3,9 +3,7 @@
 
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
-use ccd_core::broad_phase::node_numbering::{
-    ANCESTRY, BRANCH, SPLIT, join, leaves_before, make_root, numbered, store_branch,
-};
+use ccd_core::broad_phase::node_numbering::{ANCESTRY, BRANCH, SPLIT, join, make_root, number};
 use ccd_core::kernel::Words;
 use ccd_core::layout::Branch;
 use std::sync::atomic::AtomicU32;
@@ -71,13 +69,10 @@ impl Joins {
         let (ancestry, splits) = (Shared(&self.ancestry), Shared(&self.splits));
         let (places, n_internal) = (Shared(&self.places), self.n_internal);
         make_root(root, &ancestry);
+        let branch_words = Shared(&self.branches);
         threads.fill(&mut vec![(); self.places.len()], |i| {
-            let place = leaves_before(n_internal + i as u32, n_internal, &ancestry);
+            let place = number(i as u32, n_internal, &ancestry, &splits, &branch_words);
             places.store(place as usize, id(i));
-        });
-        threads.fill(&mut vec![(); n_internal as usize], |i| {
-            let (number, branch) = numbered(i as u32, n_internal, &ancestry, &splits);
-            store_branch(number, &branch, &Shared(&self.branches));
         });
         copy(threads, &self.places, order);
         copy_branches(threads, &self.branches, branches);

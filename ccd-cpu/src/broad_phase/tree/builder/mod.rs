@@ -4,6 +4,7 @@ pub mod bottom_up;
 mod lbvh;
 mod nearest_pair;
 mod ploc;
+mod ploc_search;
 mod split_lists;
 
 use crate::threads::Threads;

@@ -7,12 +7,13 @@
 //! level 1   ad    ce    b
 //! ```
 //!
-//! Only the distances to one target and the search for the least of them are parallel; targets come
-//! one after the other. Cost: `n^2 / 4` distances on the first level, a quarter of that on the next,
-//! so `n^2 / 3`: a second for 40,000 boxes, and no more threads than one pay below that. Nodes that
-//! are paired last on a level are far from each other, and such a pair stays near the root for the
-//! rest. The tree is `log2 n` deep. When to choose it: to learn from it; [`super::ploc`] does the
-//! same among neighbours along a curve, all at once, and is better in every respect.
+//! Only the distances to one target and the search for the least of them are parallel; targets
+//! come one after the other. Cost: `n^2 / 4` distances on the first level, a quarter of that on the
+//! next, so `n^2 / 3`: a second for 45,000 boxes on one thread, and a search takes so little that
+//! more threads do not help much. Nodes that are paired last on a level are far from each other,
+//! and such a pair stays near the root for the rest. The tree is `log2 n` deep. When to choose it:
+//! to learn from it; [`super::ploc`] does the same among neighbours along a curve, all at once, and
+//! gives the better tree in a hundredth of the time; figures are in benches/NOTES.md.
 //!
 //! Whoever wants more boxes than [`Builder::NEAREST_PAIR`] allows says so by its limit.
 //!

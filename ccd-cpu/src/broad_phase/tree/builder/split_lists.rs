@@ -93,7 +93,7 @@ impl SplitLists {
         });
         let present = chunks.iter().fold(0, |all, chunk| all | chunk.present);
         let rank = |level: u32| (present & ((1 << level) - 1)).count_ones();
-        threads.update(levels, |level| rank(level));
+        threads.update(levels, rank);
         threads.each(chunks, &|k, chunk| {
             chunk.entries.fill(0);
             for i in range(k) {

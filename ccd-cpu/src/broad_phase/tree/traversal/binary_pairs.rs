@@ -2,7 +2,7 @@
 //! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
 
 use super::Trees;
-use crate::broad_phase::pair_source::{IntoRows, PairSink, Rows, Scratch};
+use crate::broad_phase::pair_source::{Gathered, IntoRows, PairSink, Scratch};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::scheduler::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
@@ -40,12 +40,14 @@ impl<'a> BinaryPairs<'a> {
     }
 
     /// Adds all pairs of leaves below a wanted pair.
-    pub fn descend(self, from: NodePair, scratch: &mut Scratch, rows: &mut Rows) {
-        let Scratch { pairs: stack, steps, .. } = scratch;
+    pub fn descend(self, from: NodePair, scratch: &mut Scratch, rows: &mut Gathered) {
+        let Scratch { pairs: stack, visits, .. } = scratch;
         stack.clear();
+        // As in a scheduler: so that which tasks a thread gets decides nothing about allocations.
+        stack.reserve(1024);
         stack.push(from);
-        let (tree, sink, worker) = (self, &IntoRows::default(), &mut *rows);
-        *steps += crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
+        let (tree, sink, worker) = (self, &IntoRows::default(), rows);
+        *visits += crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
     }
 }
 

@@ -71,7 +71,7 @@ impl<Q: Query> Traverse for Queries<Q> {
         k: usize,
         trees: Trees,
         (a, b): Sides,
-        Scratch { hits, steps, .. }: &mut Scratch,
+        Scratch { hits, visits, .. }: &mut Scratch,
         rows: &mut Rows,
     ) {
         let within = b.is_none();
@@ -80,7 +80,7 @@ impl<Q: Query> Traverse for Queries<Q> {
                 if Q::INPUT_ORDER { self.leaf_of[i].load(Ordering::Relaxed) } else { i as u32 };
             hits.clear();
             let after = if Q::HALF && within { leaf } else { NONE };
-            *steps += Q::find(trees.b, &a.get(leaf as usize), after, hits);
+            *visits += Q::find(trees.b, &a.get(leaf as usize), after, hits);
             if within && !Q::HALF {
                 hits.retain(|&hit| hit > leaf);
             }

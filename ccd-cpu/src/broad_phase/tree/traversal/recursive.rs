@@ -8,9 +8,9 @@
 //! ```
 //!
 //! Changed here: where both children are visited, the function calls itself for the one with fewer
-//! leaves and goes on with the other in a loop. Each call then has at most half of the leaves of its
-//! caller's node, and at least two, so that of fewer than `2^31` leaves no more than 30 calls are
-//! within each other, in any tree, however deep.
+//! leaves and goes on with the other in a loop. Each call then has at most half of the leaves of
+//! its caller's node, and at least two, so that of fewer than `2^31` leaves no more than 30 calls
+//! are within each other, in any tree, however deep.
 //!
 //! Cost: the nodes of [`super::iterative`], with a call for many of them. A GPU has no recursion.
 //! It is here for comparison.
@@ -36,15 +36,15 @@ impl Query for Recursive {
     }
 }
 
-/// Appends the leaves below an internal node that overlap the query; returns how many internal nodes
-/// it visited.
+/// Appends the leaves below an internal node that overlap the query; returns how many internal
+/// nodes it visited.
 fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32>) -> u64 {
-    let mut steps = 0;
+    let mut visits = 0;
     loop {
         if !tree.reaches(node, query) {
-            return steps;
+            return visits;
         }
-        steps += 1;
+        visits += 1;
         let Branch { left, right, .. } = tree.branches[node as usize];
         let mut goes_down = |child: u32| {
             let child = &tree.nodes()[child as usize];
@@ -57,12 +57,12 @@ fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32
                 let n_leaves = |child| tree.range(child).len();
                 let left_is_smaller = n_leaves(left) < n_leaves(right);
                 let (fewer, more) = if left_is_smaller { (left, right) } else { (right, left) };
-                steps += visit(tree, query, fewer, hits);
+                visits += visit(tree, query, fewer, hits);
                 node = more;
             }
             (true, false) => node = left,
             (false, true) => node = right,
-            (false, false) => return steps,
+            (false, false) => return visits,
         }
     }
 }

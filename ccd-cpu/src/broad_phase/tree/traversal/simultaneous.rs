@@ -17,7 +17,7 @@
 
 use super::binary_pairs::{BinaryPairs, ROOTS};
 use super::{Traverse, Trees};
-use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
 use crate::threads::Threads;
 use ccd_core::model::method::Descent;
 
@@ -46,7 +46,9 @@ impl Traverse for Simultaneous {
     fn task(&self, _k: usize, trees: Trees, (_, b): Sides, scratch: &mut Scratch, rows: &mut Rows) {
         let pairs = BinaryPairs::new(trees, b.is_none(), self.descent);
         if pairs.is_wanted(ROOTS) {
-            pairs.descend(ROOTS, scratch, rows);
+            let mut rows = Gathered::new(rows);
+            pairs.descend(ROOTS, scratch, &mut rows);
+            rows.finish();
         }
     }
 

@@ -1,0 +1,110 @@
+//! Records as a device reads and writes them fastest: by words of two and four numbers, each in one
+//! piece. The fields are those of `ccd_core::layout`, in their order.
+
+use ccd_core::Aabb;
+use ccd_core::kernel::memory::{Stored, at};
+use ccd_core::layout::{Branch, Leaf, WideNode};
+use spirv_std::glam::{UVec4, Vec2};
+
+/// An [`Aabb`].
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct BoxWords {
+    low: Vec2,
+    middle: Vec2,
+    high: Vec2,
+}
+
+impl BoxWords {
+    /// The words of a box.
+    #[inline(always)]
+    pub fn of(b: &Aabb) -> Self {
+        Self {
+            low: Vec2::new(b.min[0], b.min[1]),
+            middle: Vec2::new(b.min[2], b.max[0]),
+            high: Vec2::new(b.max[1], b.max[2]),
+        }
+    }
+}
+
+impl Stored<Aabb> for BoxWords {
+    #[inline(always)]
+    fn load(slice: &[Self], i: usize) -> Aabb {
+        let w = at(slice, i);
+        Aabb { min: [w.low.x, w.low.y, w.middle.x], max: [w.middle.y, w.high.x, w.high.y] }
+    }
+}
+
+/// Box `i`.
+#[inline(always)]
+pub fn box_at(boxes: &[BoxWords], i: usize) -> Aabb {
+    <BoxWords as Stored<Aabb>>::load(boxes, i)
+}
+
+/// The words of a [`Leaf`].
+#[inline(always)]
+pub fn leaf_words(leaf: &Leaf) -> UVec4 {
+    UVec4::new(leaf.vertices[0], leaf.vertices[1], leaf.vertices[2], leaf.id)
+}
+
+/// Branch `i`.
+#[inline(always)]
+pub fn branch_at(branches: &[UVec4], i: usize) -> Branch {
+    let w = at(branches, i);
+    Branch { left: w.x, right: w.y, first: w.z, last: w.w }
+}
+
+/// The words of a [`Branch`].
+#[inline(always)]
+pub fn branch_words(branch: &Branch) -> UVec4 {
+    UVec4::new(branch.left, branch.right, branch.first, branch.last)
+}
+
+/// A [`WideNode`].
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct NodeWords {
+    left_min: UVec4,
+    left_max: UVec4,
+    right_min: UVec4,
+    right_max: UVec4,
+}
+
+impl NodeWords {
+    /// The words of a node.
+    #[inline(always)]
+    pub fn of(node: &WideNode) -> Self {
+        Self {
+            left_min: words(node.left_min, node.left),
+            left_max: words(node.left_max, node.right),
+            right_min: words(node.right_min, node.split),
+            right_max: words(node.right_max, node.last),
+        }
+    }
+}
+
+/// Node `i`.
+#[inline(always)]
+pub fn node_at(nodes: &[NodeWords], i: usize) -> WideNode {
+    let w = at(nodes, i);
+    WideNode {
+        left_min: corner(w.left_min),
+        left: w.left_min.w,
+        left_max: corner(w.left_max),
+        right: w.left_max.w,
+        right_min: corner(w.right_min),
+        split: w.right_min.w,
+        right_max: corner(w.right_max),
+        last: w.right_max.w,
+    }
+}
+
+#[inline(always)]
+fn words(corner: [f32; 3], word: u32) -> UVec4 {
+    UVec4::new(corner[0].to_bits(), corner[1].to_bits(), corner[2].to_bits(), word)
+}
+
+#[inline(always)]
+fn corner(w: UVec4) -> [f32; 3] {
+    [f32::from_bits(w.x), f32::from_bits(w.y), f32::from_bits(w.z)]
+}
