@@ -53,16 +53,16 @@ struct type_18 {
 }
 
 struct type_20 {
-    member: array<type_8>,
-}
-
-struct type_22 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_22 {
+    member: array<type_8>,
+}
+
 struct type_24 {
-    member: array<type_22>,
+    member: array<type_20>,
 }
 
 struct type_25 {
@@ -79,7 +79,7 @@ struct type_27 {
 @group(0) @binding(0) 
 var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> branches: type_20;
+var<storage> branches: type_22;
 @group(0) @binding(2) 
 var<storage> block_nodes: type_24;
 @group(0) @binding(3) 
@@ -89,7 +89,7 @@ var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_128_: type_9;
-    var phi_131_: type_22;
+    var phi_131_: type_20;
     var phi_133_: u32;
     var phi_135_: u32;
     var phi_129_: type_9;
@@ -98,37 +98,81 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_187_: bool;
     var phi_191_: u32;
     var phi_192_: u32;
-    var phi_195_: type_9;
-    var phi_198_: type_22;
-    var phi_196_: type_9;
-    var phi_221_: type_9;
-    var phi_259_: f32;
-    var phi_266_: f32;
-    var phi_273_: f32;
-    var phi_281_: f32;
-    var phi_288_: f32;
-    var phi_295_: f32;
-    var phi_199_: type_22;
-    var phi_300_: type_9;
-    var phi_303_: type_22;
-    var phi_301_: type_9;
-    var phi_326_: type_9;
-    var phi_364_: f32;
-    var phi_371_: f32;
-    var phi_378_: f32;
-    var phi_386_: f32;
-    var phi_393_: f32;
-    var phi_400_: f32;
-    var phi_304_: type_22;
-    var phi_407_: u32;
-    var phi_412_: u32;
-    var phi_132_: type_22;
+    var phi_209_: u32;
+    var phi_212_: type_9;
+    var phi_215_: type_20;
+    var phi_213_: type_9;
+    var phi_238_: type_9;
+    var phi_292_: u32;
+    var phi_308_: u32;
+    var phi_324_: u32;
+    var phi_341_: f32;
+    var phi_348_: f32;
+    var phi_355_: f32;
+    var phi_362_: f32;
+    var phi_369_: f32;
+    var phi_376_: f32;
+    var phi_383_: f32;
+    var phi_390_: f32;
+    var phi_397_: f32;
+    var phi_404_: f32;
+    var phi_411_: f32;
+    var phi_418_: f32;
+    var phi_423_: f32;
+    var phi_428_: f32;
+    var phi_433_: f32;
+    var phi_438_: f32;
+    var phi_443_: f32;
+    var phi_448_: f32;
+    var phi_454_: f32;
+    var phi_460_: f32;
+    var phi_466_: f32;
+    var phi_473_: f32;
+    var phi_479_: f32;
+    var phi_485_: f32;
+    var phi_216_: type_20;
+    var phi_504_: u32;
+    var phi_507_: type_9;
+    var phi_510_: type_20;
+    var phi_508_: type_9;
+    var phi_533_: type_9;
+    var phi_587_: u32;
+    var phi_603_: u32;
+    var phi_619_: u32;
+    var phi_636_: f32;
+    var phi_643_: f32;
+    var phi_650_: f32;
+    var phi_657_: f32;
+    var phi_664_: f32;
+    var phi_671_: f32;
+    var phi_678_: f32;
+    var phi_685_: f32;
+    var phi_692_: f32;
+    var phi_699_: f32;
+    var phi_706_: f32;
+    var phi_713_: f32;
+    var phi_718_: f32;
+    var phi_723_: f32;
+    var phi_728_: f32;
+    var phi_733_: f32;
+    var phi_738_: f32;
+    var phi_743_: f32;
+    var phi_749_: f32;
+    var phi_755_: f32;
+    var phi_761_: f32;
+    var phi_768_: f32;
+    var phi_774_: f32;
+    var phi_780_: f32;
+    var phi_511_: type_20;
+    var phi_787_: u32;
+    var phi_792_: u32;
+    var phi_132_: type_20;
     var phi_134_: u32;
     var phi_136_: u32;
-    var local: type_22;
-    var local_1: type_22;
-    var local_2: type_22;
-    var local_3: type_22;
+    var local: type_20;
+    var local_1: type_20;
+    var local_2: type_20;
+    var local_3: type_20;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -136,238 +180,524 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e20 = id_2;
-    let _e21 = n_2;
-    let _e22 = lane_2;
-    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
-    let _e37 = params.member.member_2.member_1;
-    let _e41 = params.member.member.member[_e37];
-    if ((_e34 + 1u) < _e41) {
-        let _e45 = branches.member[_e34];
+    let _e23 = id_2;
+    let _e24 = n_2;
+    let _e25 = lane_2;
+    let _e37 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
+    let _e40 = params.member.member_2.member_1;
+    let _e44 = params.member.member.member[_e40];
+    if ((_e37 + 1u) < _e44) {
+        let _e48 = branches.member[_e37];
         phi_128_ = type_9(0u, 8u);
-        phi_131_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_133_ = (_e45.member_3 + 1u);
-        phi_135_ = _e45.member_2;
+        phi_131_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_133_ = (_e48.member_3 + 1u);
+        phi_135_ = _e48.member_2;
         loop {
-            let _e51 = phi_128_;
-            let _e53 = phi_131_;
-            let _e55 = phi_133_;
-            let _e57 = phi_135_;
-            local = _e53;
-            local_1 = _e53;
-            if (_e51.member < _e51.member_1) {
-                phi_129_ = type_9((_e51.member + 1u), _e51.member_1);
-                phi_158_ = type_9(1u, _e51.member);
+            let _e54 = phi_128_;
+            let _e56 = phi_131_;
+            let _e58 = phi_133_;
+            let _e60 = phi_135_;
+            local = _e56;
+            local_1 = _e56;
+            if (_e54.member < _e54.member_1) {
+                phi_129_ = type_9((_e54.member + 1u), _e54.member_1);
+                phi_158_ = type_9(1u, _e54.member);
             } else {
-                phi_129_ = _e51;
+                phi_129_ = _e54;
                 phi_158_ = type_9(0u, type_9().member_1);
             }
-            let _e69 = phi_129_;
-            let _e71 = phi_158_;
-            let _e75 = (bitcast<i32>(_e71.member) != 0i);
-            if _e75 {
-                let _e76 = (_e57 % 32u);
-                if (_e76 == 0u) {
-                    phi_177_ = _e57;
+            let _e72 = phi_129_;
+            let _e74 = phi_158_;
+            let _e78 = (bitcast<i32>(_e74.member) != 0i);
+            if _e78 {
+                let _e79 = (_e60 % 32u);
+                if (_e79 == 0u) {
+                    phi_177_ = _e60;
                 } else {
-                    phi_177_ = (_e57 + (32u - _e76));
+                    phi_177_ = (_e60 + (32u - _e79));
                 }
-                let _e81 = phi_177_;
-                let _e83 = ((_e55 / 32u) * 32u);
-                if (_e81 < _e83) {
-                    let _e86 = params.member.member_2.member_2;
-                    phi_187_ = (_e71.member_1 < _e86);
+                let _e84 = phi_177_;
+                let _e86 = ((_e58 / 32u) * 32u);
+                if (_e84 < _e86) {
+                    let _e89 = params.member.member_2.member_2;
+                    phi_187_ = (_e74.member_1 < _e89);
                 } else {
                     phi_187_ = false;
                 }
-                let _e89 = phi_187_;
-                if _e89 {
-                    phi_191_ = _e83;
-                    phi_192_ = _e81;
+                let _e92 = phi_187_;
+                if _e92 {
+                    phi_191_ = _e86;
+                    phi_192_ = _e84;
                 } else {
-                    phi_191_ = _e55;
-                    phi_192_ = _e55;
+                    phi_191_ = _e58;
+                    phi_192_ = _e58;
                 }
-                let _e91 = phi_191_;
-                let _e93 = phi_192_;
-                phi_195_ = type_9(_e57, _e93);
-                phi_198_ = _e53;
+                let _e94 = phi_191_;
+                let _e96 = phi_192_;
+                let _e97 = (_e96 - _e60);
+                let _e98 = (_e97 / 4u);
+                if ((_e97 % 4u) > 0u) {
+                    phi_209_ = (_e98 + 1u);
+                } else {
+                    phi_209_ = _e98;
+                }
+                let _e103 = phi_209_;
+                phi_212_ = type_9(0u, _e103);
+                phi_215_ = _e56;
                 loop {
-                    let _e96 = phi_195_;
-                    let _e98 = phi_198_;
-                    local_2 = _e98;
-                    if (_e96.member < _e96.member_1) {
-                        phi_196_ = type_9((_e96.member + 1u), _e96.member_1);
-                        phi_221_ = type_9(1u, _e96.member);
+                    let _e106 = phi_212_;
+                    let _e108 = phi_215_;
+                    local_2 = _e108;
+                    if (_e106.member < _e106.member_1) {
+                        phi_213_ = type_9((_e106.member + 1u), _e106.member_1);
+                        phi_238_ = type_9(1u, _e106.member);
                     } else {
-                        phi_196_ = _e96;
-                        phi_221_ = type_9(0u, type_9().member_1);
+                        phi_213_ = _e106;
+                        phi_238_ = type_9(0u, type_9().member_1);
                     }
-                    let _e110 = phi_196_;
-                    let _e112 = phi_221_;
-                    let _e116 = (bitcast<i32>(_e112.member) != 0i);
-                    if _e116 {
-                        let _e120 = params.member.member_2.member[_e71.member_1][_e37];
-                        let _e123 = block_nodes.member[(_e120 + _e112.member_1)];
-                        if (_e98.member[0] < _e123.member[0]) {
-                            phi_259_ = _e98.member[0];
+                    let _e120 = phi_213_;
+                    let _e122 = phi_238_;
+                    let _e126 = (bitcast<i32>(_e122.member) != 0i);
+                    if _e126 {
+                        let _e132 = params.member.member_2.member[_e74.member_1][_e40];
+                        let _e133 = (_e132 + (_e60 + (4u * _e122.member_1)));
+                        let _e137 = params.member.member_2.member[_e74.member_1][_e40];
+                        let _e139 = ((_e137 + _e96) - 1u);
+                        let _e141 = block_nodes.member[_e133];
+                        let _e142 = (_e133 + 1u);
+                        if (_e139 < _e142) {
+                            phi_292_ = _e139;
                         } else {
-                            phi_259_ = _e123.member[0];
+                            phi_292_ = _e142;
                         }
-                        let _e130 = phi_259_;
-                        if (_e98.member[1] < _e123.member[1]) {
-                            phi_266_ = _e98.member[1];
+                        let _e145 = phi_292_;
+                        let _e147 = block_nodes.member[_e145];
+                        let _e148 = (_e133 + 2u);
+                        if (_e139 < _e148) {
+                            phi_308_ = _e139;
                         } else {
-                            phi_266_ = _e123.member[1];
+                            phi_308_ = _e148;
                         }
-                        let _e137 = phi_266_;
-                        if (_e98.member[2] < _e123.member[2]) {
-                            phi_273_ = _e98.member[2];
+                        let _e151 = phi_308_;
+                        let _e153 = block_nodes.member[_e151];
+                        let _e154 = (_e133 + 3u);
+                        if (_e139 < _e154) {
+                            phi_324_ = _e139;
                         } else {
-                            phi_273_ = _e123.member[2];
+                            phi_324_ = _e154;
                         }
-                        let _e144 = phi_273_;
-                        if (_e98.member_1[0] > _e123.member_1[0]) {
-                            phi_281_ = _e98.member_1[0];
+                        let _e157 = phi_324_;
+                        let _e159 = block_nodes.member[_e157];
+                        if (_e141.member[0] < _e147.member[0]) {
+                            phi_341_ = _e141.member[0];
                         } else {
-                            phi_281_ = _e123.member_1[0];
+                            phi_341_ = _e147.member[0];
                         }
-                        let _e152 = phi_281_;
-                        if (_e98.member_1[1] > _e123.member_1[1]) {
-                            phi_288_ = _e98.member_1[1];
+                        let _e166 = phi_341_;
+                        if (_e141.member[1] < _e147.member[1]) {
+                            phi_348_ = _e141.member[1];
                         } else {
-                            phi_288_ = _e123.member_1[1];
+                            phi_348_ = _e147.member[1];
                         }
-                        let _e159 = phi_288_;
-                        if (_e98.member_1[2] > _e123.member_1[2]) {
-                            phi_295_ = _e98.member_1[2];
+                        let _e173 = phi_348_;
+                        if (_e141.member[2] < _e147.member[2]) {
+                            phi_355_ = _e141.member[2];
                         } else {
-                            phi_295_ = _e123.member_1[2];
+                            phi_355_ = _e147.member[2];
                         }
-                        let _e166 = phi_295_;
-                        phi_199_ = type_22(array<f32, 3>(_e130, _e137, _e144), array<f32, 3>(_e152, _e159, _e166));
+                        let _e180 = phi_355_;
+                        if (_e141.member_1[0] > _e147.member_1[0]) {
+                            phi_362_ = _e141.member_1[0];
+                        } else {
+                            phi_362_ = _e147.member_1[0];
+                        }
+                        let _e187 = phi_362_;
+                        if (_e141.member_1[1] > _e147.member_1[1]) {
+                            phi_369_ = _e141.member_1[1];
+                        } else {
+                            phi_369_ = _e147.member_1[1];
+                        }
+                        let _e194 = phi_369_;
+                        if (_e141.member_1[2] > _e147.member_1[2]) {
+                            phi_376_ = _e141.member_1[2];
+                        } else {
+                            phi_376_ = _e147.member_1[2];
+                        }
+                        let _e201 = phi_376_;
+                        if (_e153.member[0] < _e159.member[0]) {
+                            phi_383_ = _e153.member[0];
+                        } else {
+                            phi_383_ = _e159.member[0];
+                        }
+                        let _e208 = phi_383_;
+                        if (_e153.member[1] < _e159.member[1]) {
+                            phi_390_ = _e153.member[1];
+                        } else {
+                            phi_390_ = _e159.member[1];
+                        }
+                        let _e215 = phi_390_;
+                        if (_e153.member[2] < _e159.member[2]) {
+                            phi_397_ = _e153.member[2];
+                        } else {
+                            phi_397_ = _e159.member[2];
+                        }
+                        let _e222 = phi_397_;
+                        if (_e153.member_1[0] > _e159.member_1[0]) {
+                            phi_404_ = _e153.member_1[0];
+                        } else {
+                            phi_404_ = _e159.member_1[0];
+                        }
+                        let _e229 = phi_404_;
+                        if (_e153.member_1[1] > _e159.member_1[1]) {
+                            phi_411_ = _e153.member_1[1];
+                        } else {
+                            phi_411_ = _e159.member_1[1];
+                        }
+                        let _e236 = phi_411_;
+                        if (_e153.member_1[2] > _e159.member_1[2]) {
+                            phi_418_ = _e153.member_1[2];
+                        } else {
+                            phi_418_ = _e159.member_1[2];
+                        }
+                        let _e243 = phi_418_;
+                        if (_e166 < _e208) {
+                            phi_423_ = _e166;
+                        } else {
+                            phi_423_ = _e208;
+                        }
+                        let _e246 = phi_423_;
+                        if (_e173 < _e215) {
+                            phi_428_ = _e173;
+                        } else {
+                            phi_428_ = _e215;
+                        }
+                        let _e249 = phi_428_;
+                        if (_e180 < _e222) {
+                            phi_433_ = _e180;
+                        } else {
+                            phi_433_ = _e222;
+                        }
+                        let _e252 = phi_433_;
+                        if (_e187 > _e229) {
+                            phi_438_ = _e187;
+                        } else {
+                            phi_438_ = _e229;
+                        }
+                        let _e255 = phi_438_;
+                        if (_e194 > _e236) {
+                            phi_443_ = _e194;
+                        } else {
+                            phi_443_ = _e236;
+                        }
+                        let _e258 = phi_443_;
+                        if (_e201 > _e243) {
+                            phi_448_ = _e201;
+                        } else {
+                            phi_448_ = _e243;
+                        }
+                        let _e261 = phi_448_;
+                        if (_e108.member[0] < _e246) {
+                            phi_454_ = _e108.member[0];
+                        } else {
+                            phi_454_ = _e246;
+                        }
+                        let _e266 = phi_454_;
+                        if (_e108.member[1] < _e249) {
+                            phi_460_ = _e108.member[1];
+                        } else {
+                            phi_460_ = _e249;
+                        }
+                        let _e271 = phi_460_;
+                        if (_e108.member[2] < _e252) {
+                            phi_466_ = _e108.member[2];
+                        } else {
+                            phi_466_ = _e252;
+                        }
+                        let _e276 = phi_466_;
+                        if (_e108.member_1[0] > _e255) {
+                            phi_473_ = _e108.member_1[0];
+                        } else {
+                            phi_473_ = _e255;
+                        }
+                        let _e282 = phi_473_;
+                        if (_e108.member_1[1] > _e258) {
+                            phi_479_ = _e108.member_1[1];
+                        } else {
+                            phi_479_ = _e258;
+                        }
+                        let _e287 = phi_479_;
+                        if (_e108.member_1[2] > _e261) {
+                            phi_485_ = _e108.member_1[2];
+                        } else {
+                            phi_485_ = _e261;
+                        }
+                        let _e292 = phi_485_;
+                        phi_216_ = type_20(array<f32, 3>(_e266, _e271, _e276), array<f32, 3>(_e282, _e287, _e292));
                     } else {
-                        phi_199_ = type_22();
+                        phi_216_ = type_20();
                     }
-                    let _e170 = phi_199_;
+                    let _e296 = phi_216_;
                     continue;
                     continuing {
-                        phi_195_ = _e110;
-                        phi_198_ = _e170;
-                        break if !(_e116);
+                        phi_212_ = _e120;
+                        phi_215_ = _e296;
+                        break if !(_e126);
                     }
                 }
-                phi_300_ = type_9(_e91, _e55);
-                let _e315 = local_2;
-                phi_303_ = _e315;
+                let _e298 = (_e58 - _e94);
+                let _e299 = (_e298 / 4u);
+                if ((_e298 % 4u) > 0u) {
+                    phi_504_ = (_e299 + 1u);
+                } else {
+                    phi_504_ = _e299;
+                }
+                let _e304 = phi_504_;
+                phi_507_ = type_9(0u, _e304);
+                let _e587 = local_2;
+                phi_510_ = _e587;
                 loop {
-                    let _e174 = phi_300_;
-                    let _e176 = phi_303_;
-                    local_3 = _e176;
-                    if (_e174.member < _e174.member_1) {
-                        phi_301_ = type_9((_e174.member + 1u), _e174.member_1);
-                        phi_326_ = type_9(1u, _e174.member);
+                    let _e307 = phi_507_;
+                    let _e309 = phi_510_;
+                    local_3 = _e309;
+                    if (_e307.member < _e307.member_1) {
+                        phi_508_ = type_9((_e307.member + 1u), _e307.member_1);
+                        phi_533_ = type_9(1u, _e307.member);
                     } else {
-                        phi_301_ = _e174;
-                        phi_326_ = type_9(0u, type_9().member_1);
+                        phi_508_ = _e307;
+                        phi_533_ = type_9(0u, type_9().member_1);
                     }
-                    let _e188 = phi_301_;
-                    let _e190 = phi_326_;
-                    let _e194 = (bitcast<i32>(_e190.member) != 0i);
-                    if _e194 {
-                        let _e198 = params.member.member_2.member[_e71.member_1][_e37];
-                        let _e201 = block_nodes.member[(_e198 + _e190.member_1)];
-                        if (_e176.member[0] < _e201.member[0]) {
-                            phi_364_ = _e176.member[0];
+                    let _e321 = phi_508_;
+                    let _e323 = phi_533_;
+                    let _e327 = (bitcast<i32>(_e323.member) != 0i);
+                    if _e327 {
+                        let _e333 = params.member.member_2.member[_e74.member_1][_e40];
+                        let _e334 = (_e333 + (_e94 + (4u * _e323.member_1)));
+                        let _e338 = params.member.member_2.member[_e74.member_1][_e40];
+                        let _e340 = ((_e338 + _e58) - 1u);
+                        let _e342 = block_nodes.member[_e334];
+                        let _e343 = (_e334 + 1u);
+                        if (_e340 < _e343) {
+                            phi_587_ = _e340;
                         } else {
-                            phi_364_ = _e201.member[0];
+                            phi_587_ = _e343;
                         }
-                        let _e208 = phi_364_;
-                        if (_e176.member[1] < _e201.member[1]) {
-                            phi_371_ = _e176.member[1];
+                        let _e346 = phi_587_;
+                        let _e348 = block_nodes.member[_e346];
+                        let _e349 = (_e334 + 2u);
+                        if (_e340 < _e349) {
+                            phi_603_ = _e340;
                         } else {
-                            phi_371_ = _e201.member[1];
+                            phi_603_ = _e349;
                         }
-                        let _e215 = phi_371_;
-                        if (_e176.member[2] < _e201.member[2]) {
-                            phi_378_ = _e176.member[2];
+                        let _e352 = phi_603_;
+                        let _e354 = block_nodes.member[_e352];
+                        let _e355 = (_e334 + 3u);
+                        if (_e340 < _e355) {
+                            phi_619_ = _e340;
                         } else {
-                            phi_378_ = _e201.member[2];
+                            phi_619_ = _e355;
                         }
-                        let _e222 = phi_378_;
-                        if (_e176.member_1[0] > _e201.member_1[0]) {
-                            phi_386_ = _e176.member_1[0];
+                        let _e358 = phi_619_;
+                        let _e360 = block_nodes.member[_e358];
+                        if (_e342.member[0] < _e348.member[0]) {
+                            phi_636_ = _e342.member[0];
                         } else {
-                            phi_386_ = _e201.member_1[0];
+                            phi_636_ = _e348.member[0];
                         }
-                        let _e230 = phi_386_;
-                        if (_e176.member_1[1] > _e201.member_1[1]) {
-                            phi_393_ = _e176.member_1[1];
+                        let _e367 = phi_636_;
+                        if (_e342.member[1] < _e348.member[1]) {
+                            phi_643_ = _e342.member[1];
                         } else {
-                            phi_393_ = _e201.member_1[1];
+                            phi_643_ = _e348.member[1];
                         }
-                        let _e237 = phi_393_;
-                        if (_e176.member_1[2] > _e201.member_1[2]) {
-                            phi_400_ = _e176.member_1[2];
+                        let _e374 = phi_643_;
+                        if (_e342.member[2] < _e348.member[2]) {
+                            phi_650_ = _e342.member[2];
                         } else {
-                            phi_400_ = _e201.member_1[2];
+                            phi_650_ = _e348.member[2];
                         }
-                        let _e244 = phi_400_;
-                        phi_304_ = type_22(array<f32, 3>(_e208, _e215, _e222), array<f32, 3>(_e230, _e237, _e244));
+                        let _e381 = phi_650_;
+                        if (_e342.member_1[0] > _e348.member_1[0]) {
+                            phi_657_ = _e342.member_1[0];
+                        } else {
+                            phi_657_ = _e348.member_1[0];
+                        }
+                        let _e388 = phi_657_;
+                        if (_e342.member_1[1] > _e348.member_1[1]) {
+                            phi_664_ = _e342.member_1[1];
+                        } else {
+                            phi_664_ = _e348.member_1[1];
+                        }
+                        let _e395 = phi_664_;
+                        if (_e342.member_1[2] > _e348.member_1[2]) {
+                            phi_671_ = _e342.member_1[2];
+                        } else {
+                            phi_671_ = _e348.member_1[2];
+                        }
+                        let _e402 = phi_671_;
+                        if (_e354.member[0] < _e360.member[0]) {
+                            phi_678_ = _e354.member[0];
+                        } else {
+                            phi_678_ = _e360.member[0];
+                        }
+                        let _e409 = phi_678_;
+                        if (_e354.member[1] < _e360.member[1]) {
+                            phi_685_ = _e354.member[1];
+                        } else {
+                            phi_685_ = _e360.member[1];
+                        }
+                        let _e416 = phi_685_;
+                        if (_e354.member[2] < _e360.member[2]) {
+                            phi_692_ = _e354.member[2];
+                        } else {
+                            phi_692_ = _e360.member[2];
+                        }
+                        let _e423 = phi_692_;
+                        if (_e354.member_1[0] > _e360.member_1[0]) {
+                            phi_699_ = _e354.member_1[0];
+                        } else {
+                            phi_699_ = _e360.member_1[0];
+                        }
+                        let _e430 = phi_699_;
+                        if (_e354.member_1[1] > _e360.member_1[1]) {
+                            phi_706_ = _e354.member_1[1];
+                        } else {
+                            phi_706_ = _e360.member_1[1];
+                        }
+                        let _e437 = phi_706_;
+                        if (_e354.member_1[2] > _e360.member_1[2]) {
+                            phi_713_ = _e354.member_1[2];
+                        } else {
+                            phi_713_ = _e360.member_1[2];
+                        }
+                        let _e444 = phi_713_;
+                        if (_e367 < _e409) {
+                            phi_718_ = _e367;
+                        } else {
+                            phi_718_ = _e409;
+                        }
+                        let _e447 = phi_718_;
+                        if (_e374 < _e416) {
+                            phi_723_ = _e374;
+                        } else {
+                            phi_723_ = _e416;
+                        }
+                        let _e450 = phi_723_;
+                        if (_e381 < _e423) {
+                            phi_728_ = _e381;
+                        } else {
+                            phi_728_ = _e423;
+                        }
+                        let _e453 = phi_728_;
+                        if (_e388 > _e430) {
+                            phi_733_ = _e388;
+                        } else {
+                            phi_733_ = _e430;
+                        }
+                        let _e456 = phi_733_;
+                        if (_e395 > _e437) {
+                            phi_738_ = _e395;
+                        } else {
+                            phi_738_ = _e437;
+                        }
+                        let _e459 = phi_738_;
+                        if (_e402 > _e444) {
+                            phi_743_ = _e402;
+                        } else {
+                            phi_743_ = _e444;
+                        }
+                        let _e462 = phi_743_;
+                        if (_e309.member[0] < _e447) {
+                            phi_749_ = _e309.member[0];
+                        } else {
+                            phi_749_ = _e447;
+                        }
+                        let _e467 = phi_749_;
+                        if (_e309.member[1] < _e450) {
+                            phi_755_ = _e309.member[1];
+                        } else {
+                            phi_755_ = _e450;
+                        }
+                        let _e472 = phi_755_;
+                        if (_e309.member[2] < _e453) {
+                            phi_761_ = _e309.member[2];
+                        } else {
+                            phi_761_ = _e453;
+                        }
+                        let _e477 = phi_761_;
+                        if (_e309.member_1[0] > _e456) {
+                            phi_768_ = _e309.member_1[0];
+                        } else {
+                            phi_768_ = _e456;
+                        }
+                        let _e483 = phi_768_;
+                        if (_e309.member_1[1] > _e459) {
+                            phi_774_ = _e309.member_1[1];
+                        } else {
+                            phi_774_ = _e459;
+                        }
+                        let _e488 = phi_774_;
+                        if (_e309.member_1[2] > _e462) {
+                            phi_780_ = _e309.member_1[2];
+                        } else {
+                            phi_780_ = _e462;
+                        }
+                        let _e493 = phi_780_;
+                        phi_511_ = type_20(array<f32, 3>(_e467, _e472, _e477), array<f32, 3>(_e483, _e488, _e493));
                     } else {
-                        phi_304_ = type_22();
+                        phi_511_ = type_20();
                     }
-                    let _e248 = phi_304_;
+                    let _e497 = phi_511_;
                     continue;
                     continuing {
-                        phi_300_ = _e188;
-                        phi_303_ = _e248;
-                        break if !(_e194);
+                        phi_507_ = _e321;
+                        phi_510_ = _e497;
+                        break if !(_e327);
                     }
                 }
-                if _e89 {
-                    phi_407_ = (_e81 / 32u);
+                if _e92 {
+                    phi_787_ = (_e84 / 32u);
                 } else {
-                    phi_407_ = 0u;
+                    phi_787_ = 0u;
                 }
-                let _e252 = phi_407_;
-                if _e89 {
-                    phi_412_ = (_e83 / 32u);
+                let _e501 = phi_787_;
+                if _e92 {
+                    phi_792_ = (_e86 / 32u);
                 } else {
-                    phi_412_ = 0u;
+                    phi_792_ = 0u;
                 }
-                let _e255 = phi_412_;
-                let _e329 = local_3;
-                phi_132_ = _e329;
-                phi_134_ = _e255;
-                phi_136_ = _e252;
+                let _e504 = phi_792_;
+                let _e622 = local_3;
+                phi_132_ = _e622;
+                phi_134_ = _e504;
+                phi_136_ = _e501;
             } else {
-                phi_132_ = type_22();
+                phi_132_ = type_20();
                 phi_134_ = u32();
                 phi_136_ = u32();
             }
-            let _e257 = phi_132_;
-            let _e259 = phi_134_;
-            let _e261 = phi_136_;
+            let _e506 = phi_132_;
+            let _e508 = phi_134_;
+            let _e510 = phi_136_;
             continue;
             continuing {
-                phi_128_ = _e69;
-                phi_131_ = _e257;
-                phi_133_ = _e259;
-                phi_135_ = _e261;
-                break if !(_e75);
+                phi_128_ = _e72;
+                phi_131_ = _e506;
+                phi_133_ = _e508;
+                phi_135_ = _e510;
+                break if !(_e78);
             }
         }
-        let _e264 = local;
-        let _e268 = local_1;
-        nodes.member[_e34] = type_25(_e264.member, _e45.member, _e268.member_1, _e45.member_1);
+        let _e513 = local;
+        let _e517 = local_1;
+        nodes.member[_e37] = type_25(_e513.member, _e48.member, _e517.member_1, _e48.member_1);
     }
-    if (_e34 < _e41) {
-        let _e278 = params.member.member_2.member[0u][_e37];
-        let _e279 = (_e278 + _e34);
-        let _e281 = block_nodes.member[_e279];
-        let _e286 = leaves.member[_e279];
-        nodes.member[((_e41 - 1u) + _e34)] = type_25(_e281.member, _e286.member_1, _e281.member_1, 4294967295u);
+    if (_e37 < _e44) {
+        let _e527 = params.member.member_2.member[0u][_e40];
+        let _e528 = (_e527 + _e37);
+        let _e530 = block_nodes.member[_e528];
+        let _e535 = leaves.member[_e528];
+        nodes.member[((_e44 - 1u) + _e37)] = type_25(_e530.member, _e535.member_1, _e530.member_1, 4294967295u);
     }
     return;
 }

@@ -60,25 +60,25 @@ struct type_22 {
     member: array<array<u32, 2>>,
 }
 
-struct type_24 {
-    member: u32,
-}
-
 struct type_25 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_24,
-}
-
-struct type_26 {
-    member: type_25,
-}
-
-struct type_28 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
+}
+
+struct type_26 {
+    member: u32,
+}
+
+struct type_27 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_26,
+}
+
+struct type_28 {
+    member: type_27,
 }
 
 struct type_29 {
@@ -99,7 +99,7 @@ struct type_31 {
 }
 
 struct type_34 {
-    member: type_28,
+    member: type_25,
     member_1: f32,
 }
 
@@ -126,11 +126,11 @@ struct type_42 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_19;
-@group(0) @binding(0) 
-var<storage> params: type_26;
 @group(0) @binding(3) 
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_28;
 @group(0) @binding(2) 
 var<storage> elements: type_22;
 @group(0) @binding(4) 
@@ -440,7 +440,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_9: type_30;
     var local_10: type_30;
     var local_11: array<f32, 3>;
-    var local_12: type_28;
+    var local_12: type_25;
     var phi_223_: u32;
     var phi_239_: u32;
     var phi_260_: u32;
@@ -1667,7 +1667,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_696_ = _e404;
                             }
                             let _e410 = phi_696_;
-                            phi_727_ = type_34(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
+                            phi_727_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
                             phi_728_ = false;
                         } else {
                             phi_727_ = type_34();
@@ -1689,12 +1689,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e450 = phi_731_;
                 let _e452 = phi_732_;
                 if _e452 {
-                    phi_737_ = type_34(type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
+                    phi_737_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
                 } else {
                     phi_737_ = _e450;
                 }
                 let _e455 = phi_737_;
-                local_12 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member[0][0], _e455.member.member[0][1], _e455.member.member[0][2]), array<f32, 3>(_e455.member.member[1][0], _e455.member.member[1][1], _e455.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_1[0][0], _e455.member.member_1[0][1], _e455.member.member_1[0][2]), array<f32, 3>(_e455.member.member_1[1][0], _e455.member.member_1[1][1], _e455.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_2[0][0], _e455.member.member_2[0][1], _e455.member.member_2[0][2]), array<f32, 3>(_e455.member.member_2[1][0], _e455.member.member_2[1][1], _e455.member.member_2[1][2])), _e455.member.member_3);
+                local_12 = type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member[0][0], _e455.member.member[0][1], _e455.member.member[0][2]), array<f32, 3>(_e455.member.member[1][0], _e455.member.member[1][1], _e455.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_1[0][0], _e455.member.member_1[0][1], _e455.member.member_1[0][2]), array<f32, 3>(_e455.member.member_1[1][0], _e455.member.member_1[1][1], _e455.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_2[0][0], _e455.member.member_2[0][1], _e455.member.member_2[0][2]), array<f32, 3>(_e455.member.member_2[1][0], _e455.member.member_2[1][1], _e455.member.member_2[1][2])), _e455.member.member_3);
                 let _e498 = local_12.member_1[0u];
                 let _e504 = local_12.member_2[0u];
                 let _e510 = ((_e498[1] * _e504[2]) - (_e498[2] * _e504[1]));

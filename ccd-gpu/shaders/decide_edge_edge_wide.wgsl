@@ -135,9 +135,9 @@ struct type_49 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_21;
+var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_28;
-var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(6) 
 var<storage, read_write> earliest: type_49;
 @group(0) @binding(2) 

@@ -56,25 +56,25 @@ struct type_20 {
     member_4: array<u32, 2>,
 }
 
-struct type_22 {
-    member: u32,
-}
-
 struct type_23 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_22,
-}
-
-struct type_24 {
-    member: type_23,
-}
-
-struct type_26 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
+}
+
+struct type_24 {
+    member: u32,
+}
+
+struct type_25 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_24,
+}
+
+struct type_26 {
+    member: type_25,
 }
 
 struct type_27 {
@@ -99,7 +99,7 @@ struct type_31 {
 }
 
 struct type_34 {
-    member: type_26,
+    member: type_23,
     member_1: f32,
 }
 
@@ -126,11 +126,11 @@ struct type_42 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_19;
-@group(0) @binding(0) 
-var<storage> params: type_24;
 @group(0) @binding(3) 
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_26;
 @group(0) @binding(2) 
 var<storage> elements: type_29;
 @group(0) @binding(4) 
@@ -440,7 +440,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_9: type_30;
     var local_10: type_30;
     var local_11: array<f32, 3>;
-    var local_12: type_26;
+    var local_12: type_23;
     var phi_767_: u32;
     var phi_783_: u32;
     var phi_804_: u32;
@@ -1666,7 +1666,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_1229_ = _e401;
                             }
                             let _e407 = phi_1229_;
-                            phi_1260_ = type_34(type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
+                            phi_1260_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
                             phi_1261_ = false;
                         } else {
                             phi_1260_ = type_34();
@@ -1688,12 +1688,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e447 = phi_1264_;
                 let _e449 = phi_1265_;
                 if _e449 {
-                    phi_1270_ = type_34(type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
+                    phi_1270_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
                 } else {
                     phi_1270_ = _e447;
                 }
                 let _e452 = phi_1270_;
-                local_12 = type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member[0][0], _e452.member.member[0][1], _e452.member.member[0][2]), array<f32, 3>(_e452.member.member[1][0], _e452.member.member[1][1], _e452.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_1[0][0], _e452.member.member_1[0][1], _e452.member.member_1[0][2]), array<f32, 3>(_e452.member.member_1[1][0], _e452.member.member_1[1][1], _e452.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_2[0][0], _e452.member.member_2[0][1], _e452.member.member_2[0][2]), array<f32, 3>(_e452.member.member_2[1][0], _e452.member.member_2[1][1], _e452.member.member_2[1][2])), _e452.member.member_3);
+                local_12 = type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member[0][0], _e452.member.member[0][1], _e452.member.member[0][2]), array<f32, 3>(_e452.member.member[1][0], _e452.member.member[1][1], _e452.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_1[0][0], _e452.member.member_1[0][1], _e452.member.member_1[0][2]), array<f32, 3>(_e452.member.member_1[1][0], _e452.member.member_1[1][1], _e452.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_2[0][0], _e452.member.member_2[0][1], _e452.member.member_2[0][2]), array<f32, 3>(_e452.member.member_2[1][0], _e452.member.member_2[1][1], _e452.member.member_2[1][2])), _e452.member.member_3);
                 let _e495 = local_12.member_1[0u];
                 let _e501 = local_12.member_2[0u];
                 let _e507 = ((_e495[1] * _e501[2]) - (_e495[2] * _e501[1]));

@@ -89,182 +89,182 @@ var<storage> far: type_11;
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_124_: u32;
-    var phi_127_: type_9;
-    var phi_128_: type_9;
-    var phi_151_: type_9;
-    var phi_202_: u32;
-    var phi_207_: type_9;
-    var phi_210_: type_29;
-    var phi_212_: u32;
-    var phi_214_: u32;
-    var phi_208_: type_9;
-    var phi_237_: type_9;
-    var phi_256_: u32;
-    var phi_266_: bool;
-    var phi_270_: u32;
-    var phi_271_: u32;
-    var phi_288_: u32;
-    var phi_291_: type_9;
-    var phi_294_: type_29;
-    var phi_292_: type_9;
-    var phi_317_: type_9;
-    var phi_377_: u32;
-    var phi_399_: u32;
-    var phi_421_: u32;
-    var phi_442_: f32;
-    var phi_447_: f32;
-    var phi_452_: f32;
-    var phi_457_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_472_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_487_: f32;
-    var phi_492_: f32;
-    var phi_497_: f32;
-    var phi_502_: f32;
-    var phi_507_: f32;
-    var phi_512_: f32;
-    var phi_517_: f32;
-    var phi_522_: f32;
-    var phi_527_: f32;
-    var phi_533_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_552_: f32;
-    var phi_558_: f32;
-    var phi_564_: f32;
-    var phi_295_: type_29;
-    var phi_583_: u32;
-    var phi_586_: type_9;
-    var phi_589_: type_29;
-    var phi_587_: type_9;
-    var phi_612_: type_9;
-    var phi_672_: u32;
-    var phi_694_: u32;
-    var phi_716_: u32;
-    var phi_737_: f32;
-    var phi_742_: f32;
-    var phi_747_: f32;
-    var phi_752_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_767_: f32;
-    var phi_772_: f32;
-    var phi_777_: f32;
-    var phi_782_: f32;
-    var phi_787_: f32;
-    var phi_792_: f32;
-    var phi_797_: f32;
-    var phi_802_: f32;
-    var phi_807_: f32;
-    var phi_812_: f32;
-    var phi_817_: f32;
-    var phi_822_: f32;
-    var phi_828_: f32;
-    var phi_834_: f32;
-    var phi_840_: f32;
-    var phi_847_: f32;
-    var phi_853_: f32;
-    var phi_859_: f32;
-    var phi_590_: type_29;
-    var phi_866_: u32;
-    var phi_871_: u32;
-    var phi_211_: type_29;
-    var phi_213_: u32;
-    var phi_215_: u32;
-    var phi_877_: type_9;
-    var phi_880_: type_29;
-    var phi_882_: u32;
-    var phi_884_: u32;
-    var phi_878_: type_9;
-    var phi_907_: type_9;
-    var phi_926_: u32;
-    var phi_936_: bool;
-    var phi_940_: u32;
-    var phi_941_: u32;
-    var phi_958_: u32;
-    var phi_961_: type_9;
-    var phi_964_: type_29;
-    var phi_962_: type_9;
-    var phi_987_: type_9;
-    var phi_1047_: u32;
-    var phi_1069_: u32;
-    var phi_1091_: u32;
-    var phi_1112_: f32;
-    var phi_1117_: f32;
-    var phi_1122_: f32;
-    var phi_1127_: f32;
-    var phi_1132_: f32;
-    var phi_1137_: f32;
-    var phi_1142_: f32;
-    var phi_1147_: f32;
-    var phi_1152_: f32;
-    var phi_1157_: f32;
-    var phi_1162_: f32;
-    var phi_1167_: f32;
-    var phi_1172_: f32;
-    var phi_1177_: f32;
-    var phi_1182_: f32;
-    var phi_1187_: f32;
-    var phi_1192_: f32;
-    var phi_1197_: f32;
-    var phi_1203_: f32;
-    var phi_1209_: f32;
-    var phi_1215_: f32;
-    var phi_1222_: f32;
-    var phi_1228_: f32;
-    var phi_1234_: f32;
-    var phi_965_: type_29;
-    var phi_1253_: u32;
-    var phi_1256_: type_9;
-    var phi_1259_: type_29;
-    var phi_1257_: type_9;
-    var phi_1282_: type_9;
-    var phi_1342_: u32;
-    var phi_1364_: u32;
-    var phi_1386_: u32;
-    var phi_1407_: f32;
-    var phi_1412_: f32;
-    var phi_1417_: f32;
-    var phi_1422_: f32;
-    var phi_1427_: f32;
-    var phi_1432_: f32;
-    var phi_1437_: f32;
-    var phi_1442_: f32;
-    var phi_1447_: f32;
-    var phi_1452_: f32;
-    var phi_1457_: f32;
-    var phi_1462_: f32;
-    var phi_1467_: f32;
-    var phi_1472_: f32;
-    var phi_1477_: f32;
-    var phi_1482_: f32;
-    var phi_1487_: f32;
-    var phi_1492_: f32;
-    var phi_1498_: f32;
-    var phi_1504_: f32;
-    var phi_1510_: f32;
-    var phi_1517_: f32;
-    var phi_1523_: f32;
-    var phi_1529_: f32;
-    var phi_1260_: type_29;
-    var phi_1536_: u32;
-    var phi_1541_: u32;
-    var phi_881_: type_29;
-    var phi_883_: u32;
-    var phi_885_: u32;
+    var phi_132_: u32;
+    var phi_135_: type_9;
+    var phi_136_: type_9;
+    var phi_159_: type_9;
+    var phi_210_: u32;
+    var phi_215_: type_9;
+    var phi_218_: type_29;
+    var phi_220_: u32;
+    var phi_222_: u32;
+    var phi_216_: type_9;
+    var phi_245_: type_9;
+    var phi_264_: u32;
+    var phi_274_: bool;
+    var phi_278_: u32;
+    var phi_279_: u32;
+    var phi_296_: u32;
+    var phi_299_: type_9;
+    var phi_302_: type_29;
+    var phi_300_: type_9;
+    var phi_325_: type_9;
+    var phi_385_: u32;
+    var phi_407_: u32;
+    var phi_429_: u32;
+    var phi_450_: f32;
+    var phi_455_: f32;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_470_: f32;
+    var phi_475_: f32;
+    var phi_480_: f32;
+    var phi_485_: f32;
+    var phi_490_: f32;
+    var phi_495_: f32;
+    var phi_500_: f32;
+    var phi_505_: f32;
+    var phi_510_: f32;
+    var phi_515_: f32;
+    var phi_520_: f32;
+    var phi_525_: f32;
+    var phi_530_: f32;
+    var phi_535_: f32;
+    var phi_541_: f32;
+    var phi_547_: f32;
+    var phi_553_: f32;
+    var phi_560_: f32;
+    var phi_566_: f32;
+    var phi_572_: f32;
+    var phi_303_: type_29;
+    var phi_591_: u32;
+    var phi_594_: type_9;
+    var phi_597_: type_29;
+    var phi_595_: type_9;
+    var phi_620_: type_9;
+    var phi_680_: u32;
+    var phi_702_: u32;
+    var phi_724_: u32;
+    var phi_745_: f32;
+    var phi_750_: f32;
+    var phi_755_: f32;
+    var phi_760_: f32;
+    var phi_765_: f32;
+    var phi_770_: f32;
+    var phi_775_: f32;
+    var phi_780_: f32;
+    var phi_785_: f32;
+    var phi_790_: f32;
+    var phi_795_: f32;
+    var phi_800_: f32;
+    var phi_805_: f32;
+    var phi_810_: f32;
+    var phi_815_: f32;
+    var phi_820_: f32;
+    var phi_825_: f32;
+    var phi_830_: f32;
+    var phi_836_: f32;
+    var phi_842_: f32;
+    var phi_848_: f32;
+    var phi_855_: f32;
+    var phi_861_: f32;
+    var phi_867_: f32;
+    var phi_598_: type_29;
+    var phi_874_: u32;
+    var phi_879_: u32;
+    var phi_219_: type_29;
+    var phi_221_: u32;
+    var phi_223_: u32;
+    var phi_885_: type_9;
+    var phi_888_: type_29;
+    var phi_890_: u32;
+    var phi_892_: u32;
+    var phi_886_: type_9;
+    var phi_915_: type_9;
+    var phi_934_: u32;
+    var phi_944_: bool;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_966_: u32;
+    var phi_969_: type_9;
+    var phi_972_: type_29;
+    var phi_970_: type_9;
+    var phi_995_: type_9;
+    var phi_1055_: u32;
+    var phi_1077_: u32;
+    var phi_1099_: u32;
+    var phi_1120_: f32;
+    var phi_1125_: f32;
+    var phi_1130_: f32;
+    var phi_1135_: f32;
+    var phi_1140_: f32;
+    var phi_1145_: f32;
+    var phi_1150_: f32;
+    var phi_1155_: f32;
+    var phi_1160_: f32;
+    var phi_1165_: f32;
+    var phi_1170_: f32;
+    var phi_1175_: f32;
+    var phi_1180_: f32;
+    var phi_1185_: f32;
+    var phi_1190_: f32;
+    var phi_1195_: f32;
+    var phi_1200_: f32;
+    var phi_1205_: f32;
+    var phi_1211_: f32;
+    var phi_1217_: f32;
+    var phi_1223_: f32;
+    var phi_1230_: f32;
+    var phi_1236_: f32;
+    var phi_1242_: f32;
+    var phi_973_: type_29;
+    var phi_1261_: u32;
+    var phi_1264_: type_9;
+    var phi_1267_: type_29;
+    var phi_1265_: type_9;
+    var phi_1290_: type_9;
+    var phi_1350_: u32;
+    var phi_1372_: u32;
+    var phi_1394_: u32;
+    var phi_1415_: f32;
+    var phi_1420_: f32;
+    var phi_1425_: f32;
+    var phi_1430_: f32;
+    var phi_1435_: f32;
+    var phi_1440_: f32;
+    var phi_1445_: f32;
+    var phi_1450_: f32;
+    var phi_1455_: f32;
+    var phi_1460_: f32;
+    var phi_1465_: f32;
+    var phi_1470_: f32;
+    var phi_1475_: f32;
+    var phi_1480_: f32;
+    var phi_1485_: f32;
+    var phi_1490_: f32;
+    var phi_1495_: f32;
+    var phi_1500_: f32;
+    var phi_1506_: f32;
+    var phi_1512_: f32;
+    var phi_1518_: f32;
+    var phi_1525_: f32;
+    var phi_1531_: f32;
+    var phi_1537_: f32;
+    var phi_1268_: type_29;
+    var phi_1544_: u32;
+    var phi_1549_: u32;
+    var phi_889_: type_29;
+    var phi_891_: u32;
+    var phi_893_: u32;
     var local: type_29;
-    var phi_1552_: u32;
-    var local_1: type_29;
     var phi_1560_: u32;
+    var local_1: type_29;
+    var phi_1568_: u32;
     var local_2: type_29;
     var local_3: type_29;
-    var phi_1566_: u32;
-    var phi_1599_: bool;
-    var phi_1600_: bool;
+    var phi_1574_: u32;
+    var phi_1607_: bool;
+    var phi_1608_: bool;
     var local_4: type_29;
     var local_5: type_29;
     var local_6: type_29;
@@ -279,1083 +279,1084 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e24 = id_2;
     let _e25 = n_2;
     let _e26 = lane_2;
-    let _e33 = far.member[0u];
-    let _e37 = params.member.member.member[1u];
-    let _e38 = (_e37 - 1u);
-    let _e42 = ((_e25.x * _e25.y) * 128u);
-    if (_e42 == 0u) {
+    let _e34 = params.member.member_2.member_1;
+    let _e36 = far.member[0u];
+    let _e40 = params.member.member.member[_e34];
+    let _e41 = (_e40 - 1u);
+    let _e45 = ((_e25.x * _e25.y) * 128u);
+    if (_e45 == 0u) {
         return;
     }
-    let _e44 = (_e33 / _e42);
-    if (_e42 == 0u) {
+    let _e47 = (_e36 / _e45);
+    if (_e45 == 0u) {
         return;
     }
-    if ((_e33 % _e42) > 0u) {
-        phi_124_ = (_e44 + 1u);
+    if ((_e36 % _e45) > 0u) {
+        phi_132_ = (_e47 + 1u);
     } else {
-        phi_124_ = _e44;
+        phi_132_ = _e47;
     }
-    let _e50 = phi_124_;
-    phi_127_ = type_9(0u, _e50);
+    let _e53 = phi_132_;
+    phi_135_ = type_9(0u, _e53);
     loop {
-        let _e53 = phi_127_;
-        if (_e53.member < _e53.member_1) {
-            phi_128_ = type_9((_e53.member + 1u), _e53.member_1);
-            phi_151_ = type_9(1u, _e53.member);
+        let _e56 = phi_135_;
+        if (_e56.member < _e56.member_1) {
+            phi_136_ = type_9((_e56.member + 1u), _e56.member_1);
+            phi_159_ = type_9(1u, _e56.member);
         } else {
-            phi_128_ = _e53;
-            phi_151_ = type_9(0u, type_9().member_1);
+            phi_136_ = _e56;
+            phi_159_ = type_9(0u, type_9().member_1);
         }
-        let _e65 = phi_128_;
-        let _e67 = phi_151_;
-        if (bitcast<i32>(_e67.member) != 0i) {
-            let _e80 = (((_e67.member_1 * _e42) + (((_e24.y * _e25.x) + _e24.x) * 128u)) + _e26);
-            if (_e80 >= _e33) {
-                phi_1599_ = false;
+        let _e68 = phi_136_;
+        let _e70 = phi_159_;
+        if (bitcast<i32>(_e70.member) != 0i) {
+            let _e83 = (((_e70.member_1 * _e45) + (((_e24.y * _e25.x) + _e24.x) * 128u)) + _e26);
+            if (_e83 >= _e36) {
+                phi_1607_ = false;
             } else {
-                let _e84 = far.member[(4u + _e80)];
-                let _e86 = branches.member[_e84];
-                if (_e86.x >= _e38) {
-                    phi_202_ = (_e86.x - _e38);
+                let _e87 = far.member[(4u + _e83)];
+                let _e89 = branches.member[_e87];
+                if (_e89.x >= _e41) {
+                    phi_210_ = (_e89.x - _e41);
                 } else {
-                    phi_202_ = _e86.x;
+                    phi_210_ = _e89.x;
                 }
-                let _e94 = phi_202_;
-                phi_207_ = type_9(0u, 8u);
-                phi_210_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                phi_212_ = (_e94 + 1u);
-                phi_214_ = _e86.z;
+                let _e97 = phi_210_;
+                phi_215_ = type_9(0u, 8u);
+                phi_218_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_220_ = (_e97 + 1u);
+                phi_222_ = _e89.z;
                 loop {
-                    let _e98 = phi_207_;
-                    let _e100 = phi_210_;
-                    let _e102 = phi_212_;
-                    let _e104 = phi_214_;
-                    local = _e100;
-                    local_1 = _e100;
-                    if (_e98.member < _e98.member_1) {
-                        phi_208_ = type_9((_e98.member + 1u), _e98.member_1);
-                        phi_237_ = type_9(1u, _e98.member);
+                    let _e101 = phi_215_;
+                    let _e103 = phi_218_;
+                    let _e105 = phi_220_;
+                    let _e107 = phi_222_;
+                    local = _e103;
+                    local_1 = _e103;
+                    if (_e101.member < _e101.member_1) {
+                        phi_216_ = type_9((_e101.member + 1u), _e101.member_1);
+                        phi_245_ = type_9(1u, _e101.member);
                     } else {
-                        phi_208_ = _e98;
-                        phi_237_ = type_9(0u, type_9().member_1);
+                        phi_216_ = _e101;
+                        phi_245_ = type_9(0u, type_9().member_1);
                     }
-                    let _e116 = phi_208_;
-                    let _e118 = phi_237_;
-                    let _e122 = (bitcast<i32>(_e118.member) != 0i);
-                    if _e122 {
-                        let _e123 = (_e104 % 32u);
-                        if (_e123 == 0u) {
-                            phi_256_ = _e104;
+                    let _e119 = phi_216_;
+                    let _e121 = phi_245_;
+                    let _e125 = (bitcast<i32>(_e121.member) != 0i);
+                    if _e125 {
+                        let _e126 = (_e107 % 32u);
+                        if (_e126 == 0u) {
+                            phi_264_ = _e107;
                         } else {
-                            phi_256_ = (_e104 + (32u - _e123));
+                            phi_264_ = (_e107 + (32u - _e126));
                         }
-                        let _e128 = phi_256_;
-                        let _e130 = ((_e102 / 32u) * 32u);
-                        if (_e128 < _e130) {
-                            let _e133 = params.member.member_2.member_2;
-                            phi_266_ = (_e118.member_1 < _e133);
+                        let _e131 = phi_264_;
+                        let _e133 = ((_e105 / 32u) * 32u);
+                        if (_e131 < _e133) {
+                            let _e136 = params.member.member_2.member_2;
+                            phi_274_ = (_e121.member_1 < _e136);
                         } else {
-                            phi_266_ = false;
+                            phi_274_ = false;
                         }
-                        let _e136 = phi_266_;
-                        if _e136 {
-                            phi_270_ = _e130;
-                            phi_271_ = _e128;
+                        let _e139 = phi_274_;
+                        if _e139 {
+                            phi_278_ = _e133;
+                            phi_279_ = _e131;
                         } else {
-                            phi_270_ = _e102;
-                            phi_271_ = _e102;
+                            phi_278_ = _e105;
+                            phi_279_ = _e105;
                         }
-                        let _e138 = phi_270_;
-                        let _e140 = phi_271_;
-                        let _e141 = (_e140 - _e104);
-                        let _e142 = (_e141 / 4u);
-                        if ((_e141 % 4u) > 0u) {
-                            phi_288_ = (_e142 + 1u);
+                        let _e141 = phi_278_;
+                        let _e143 = phi_279_;
+                        let _e144 = (_e143 - _e107);
+                        let _e145 = (_e144 / 4u);
+                        if ((_e144 % 4u) > 0u) {
+                            phi_296_ = (_e145 + 1u);
                         } else {
-                            phi_288_ = _e142;
+                            phi_296_ = _e145;
                         }
-                        let _e147 = phi_288_;
-                        phi_291_ = type_9(0u, _e147);
-                        phi_294_ = _e100;
+                        let _e150 = phi_296_;
+                        phi_299_ = type_9(0u, _e150);
+                        phi_302_ = _e103;
                         loop {
-                            let _e150 = phi_291_;
-                            let _e152 = phi_294_;
-                            local_4 = _e152;
-                            if (_e150.member < _e150.member_1) {
-                                phi_292_ = type_9((_e150.member + 1u), _e150.member_1);
-                                phi_317_ = type_9(1u, _e150.member);
+                            let _e153 = phi_299_;
+                            let _e155 = phi_302_;
+                            local_4 = _e155;
+                            if (_e153.member < _e153.member_1) {
+                                phi_300_ = type_9((_e153.member + 1u), _e153.member_1);
+                                phi_325_ = type_9(1u, _e153.member);
                             } else {
-                                phi_292_ = _e150;
-                                phi_317_ = type_9(0u, type_9().member_1);
+                                phi_300_ = _e153;
+                                phi_325_ = type_9(0u, type_9().member_1);
                             }
-                            let _e164 = phi_292_;
-                            let _e166 = phi_317_;
-                            let _e170 = (bitcast<i32>(_e166.member) != 0i);
-                            if _e170 {
-                                let _e176 = params.member.member_2.member[_e118.member_1][1u];
-                                let _e177 = (_e176 + (_e104 + (4u * _e166.member_1)));
-                                let _e181 = params.member.member_2.member[_e118.member_1][1u];
-                                let _e183 = ((_e181 + _e140) - 1u);
-                                let _e185 = block_nodes.member[_e177];
-                                let _e198 = (_e177 + 1u);
-                                if (_e183 < _e198) {
-                                    phi_377_ = _e183;
+                            let _e167 = phi_300_;
+                            let _e169 = phi_325_;
+                            let _e173 = (bitcast<i32>(_e169.member) != 0i);
+                            if _e173 {
+                                let _e179 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e180 = (_e179 + (_e107 + (4u * _e169.member_1)));
+                                let _e184 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e186 = ((_e184 + _e143) - 1u);
+                                let _e188 = block_nodes.member[_e180];
+                                let _e201 = (_e180 + 1u);
+                                if (_e186 < _e201) {
+                                    phi_385_ = _e186;
                                 } else {
-                                    phi_377_ = _e198;
+                                    phi_385_ = _e201;
                                 }
-                                let _e201 = phi_377_;
-                                let _e203 = block_nodes.member[_e201];
-                                let _e216 = (_e177 + 2u);
-                                if (_e183 < _e216) {
-                                    phi_399_ = _e183;
+                                let _e204 = phi_385_;
+                                let _e206 = block_nodes.member[_e204];
+                                let _e219 = (_e180 + 2u);
+                                if (_e186 < _e219) {
+                                    phi_407_ = _e186;
                                 } else {
-                                    phi_399_ = _e216;
+                                    phi_407_ = _e219;
                                 }
-                                let _e219 = phi_399_;
-                                let _e221 = block_nodes.member[_e219];
-                                let _e234 = (_e177 + 3u);
-                                if (_e183 < _e234) {
-                                    phi_421_ = _e183;
+                                let _e222 = phi_407_;
+                                let _e224 = block_nodes.member[_e222];
+                                let _e237 = (_e180 + 3u);
+                                if (_e186 < _e237) {
+                                    phi_429_ = _e186;
                                 } else {
-                                    phi_421_ = _e234;
+                                    phi_429_ = _e237;
                                 }
-                                let _e237 = phi_421_;
-                                let _e239 = block_nodes.member[_e237];
-                                if (_e185.member.x < _e203.member.x) {
-                                    phi_442_ = _e185.member.x;
+                                let _e240 = phi_429_;
+                                let _e242 = block_nodes.member[_e240];
+                                if (_e188.member.x < _e206.member.x) {
+                                    phi_450_ = _e188.member.x;
                                 } else {
-                                    phi_442_ = _e203.member.x;
+                                    phi_450_ = _e206.member.x;
                                 }
-                                let _e254 = phi_442_;
-                                if (_e185.member.y < _e203.member.y) {
-                                    phi_447_ = _e185.member.y;
+                                let _e257 = phi_450_;
+                                if (_e188.member.y < _e206.member.y) {
+                                    phi_455_ = _e188.member.y;
                                 } else {
-                                    phi_447_ = _e203.member.y;
+                                    phi_455_ = _e206.member.y;
                                 }
-                                let _e257 = phi_447_;
-                                if (_e185.member_1.x < _e203.member_1.x) {
-                                    phi_452_ = _e185.member_1.x;
+                                let _e260 = phi_455_;
+                                if (_e188.member_1.x < _e206.member_1.x) {
+                                    phi_460_ = _e188.member_1.x;
                                 } else {
-                                    phi_452_ = _e203.member_1.x;
+                                    phi_460_ = _e206.member_1.x;
                                 }
-                                let _e260 = phi_452_;
-                                if (_e185.member_1.y > _e203.member_1.y) {
-                                    phi_457_ = _e185.member_1.y;
+                                let _e263 = phi_460_;
+                                if (_e188.member_1.y > _e206.member_1.y) {
+                                    phi_465_ = _e188.member_1.y;
                                 } else {
-                                    phi_457_ = _e203.member_1.y;
+                                    phi_465_ = _e206.member_1.y;
                                 }
-                                let _e263 = phi_457_;
-                                if (_e185.member_2.x > _e203.member_2.x) {
-                                    phi_462_ = _e185.member_2.x;
+                                let _e266 = phi_465_;
+                                if (_e188.member_2.x > _e206.member_2.x) {
+                                    phi_470_ = _e188.member_2.x;
                                 } else {
-                                    phi_462_ = _e203.member_2.x;
+                                    phi_470_ = _e206.member_2.x;
                                 }
-                                let _e266 = phi_462_;
-                                if (_e185.member_2.y > _e203.member_2.y) {
-                                    phi_467_ = _e185.member_2.y;
+                                let _e269 = phi_470_;
+                                if (_e188.member_2.y > _e206.member_2.y) {
+                                    phi_475_ = _e188.member_2.y;
                                 } else {
-                                    phi_467_ = _e203.member_2.y;
+                                    phi_475_ = _e206.member_2.y;
                                 }
-                                let _e269 = phi_467_;
-                                if (_e221.member.x < _e239.member.x) {
-                                    phi_472_ = _e221.member.x;
+                                let _e272 = phi_475_;
+                                if (_e224.member.x < _e242.member.x) {
+                                    phi_480_ = _e224.member.x;
                                 } else {
-                                    phi_472_ = _e239.member.x;
+                                    phi_480_ = _e242.member.x;
                                 }
-                                let _e272 = phi_472_;
-                                if (_e221.member.y < _e239.member.y) {
-                                    phi_477_ = _e221.member.y;
+                                let _e275 = phi_480_;
+                                if (_e224.member.y < _e242.member.y) {
+                                    phi_485_ = _e224.member.y;
                                 } else {
-                                    phi_477_ = _e239.member.y;
+                                    phi_485_ = _e242.member.y;
                                 }
-                                let _e275 = phi_477_;
-                                if (_e221.member_1.x < _e239.member_1.x) {
-                                    phi_482_ = _e221.member_1.x;
+                                let _e278 = phi_485_;
+                                if (_e224.member_1.x < _e242.member_1.x) {
+                                    phi_490_ = _e224.member_1.x;
                                 } else {
-                                    phi_482_ = _e239.member_1.x;
+                                    phi_490_ = _e242.member_1.x;
                                 }
-                                let _e278 = phi_482_;
-                                if (_e221.member_1.y > _e239.member_1.y) {
-                                    phi_487_ = _e221.member_1.y;
+                                let _e281 = phi_490_;
+                                if (_e224.member_1.y > _e242.member_1.y) {
+                                    phi_495_ = _e224.member_1.y;
                                 } else {
-                                    phi_487_ = _e239.member_1.y;
+                                    phi_495_ = _e242.member_1.y;
                                 }
-                                let _e281 = phi_487_;
-                                if (_e221.member_2.x > _e239.member_2.x) {
-                                    phi_492_ = _e221.member_2.x;
+                                let _e284 = phi_495_;
+                                if (_e224.member_2.x > _e242.member_2.x) {
+                                    phi_500_ = _e224.member_2.x;
                                 } else {
-                                    phi_492_ = _e239.member_2.x;
+                                    phi_500_ = _e242.member_2.x;
                                 }
-                                let _e284 = phi_492_;
-                                if (_e221.member_2.y > _e239.member_2.y) {
-                                    phi_497_ = _e221.member_2.y;
+                                let _e287 = phi_500_;
+                                if (_e224.member_2.y > _e242.member_2.y) {
+                                    phi_505_ = _e224.member_2.y;
                                 } else {
-                                    phi_497_ = _e239.member_2.y;
+                                    phi_505_ = _e242.member_2.y;
                                 }
-                                let _e287 = phi_497_;
-                                if (_e254 < _e272) {
-                                    phi_502_ = _e254;
-                                } else {
-                                    phi_502_ = _e272;
-                                }
-                                let _e290 = phi_502_;
+                                let _e290 = phi_505_;
                                 if (_e257 < _e275) {
-                                    phi_507_ = _e257;
+                                    phi_510_ = _e257;
                                 } else {
-                                    phi_507_ = _e275;
+                                    phi_510_ = _e275;
                                 }
-                                let _e293 = phi_507_;
+                                let _e293 = phi_510_;
                                 if (_e260 < _e278) {
-                                    phi_512_ = _e260;
+                                    phi_515_ = _e260;
                                 } else {
-                                    phi_512_ = _e278;
+                                    phi_515_ = _e278;
                                 }
-                                let _e296 = phi_512_;
-                                if (_e263 > _e281) {
-                                    phi_517_ = _e263;
+                                let _e296 = phi_515_;
+                                if (_e263 < _e281) {
+                                    phi_520_ = _e263;
                                 } else {
-                                    phi_517_ = _e281;
+                                    phi_520_ = _e281;
                                 }
-                                let _e299 = phi_517_;
+                                let _e299 = phi_520_;
                                 if (_e266 > _e284) {
-                                    phi_522_ = _e266;
+                                    phi_525_ = _e266;
                                 } else {
-                                    phi_522_ = _e284;
+                                    phi_525_ = _e284;
                                 }
-                                let _e302 = phi_522_;
+                                let _e302 = phi_525_;
                                 if (_e269 > _e287) {
-                                    phi_527_ = _e269;
+                                    phi_530_ = _e269;
                                 } else {
-                                    phi_527_ = _e287;
+                                    phi_530_ = _e287;
                                 }
-                                let _e305 = phi_527_;
-                                if (_e152.member[0] < _e290) {
-                                    phi_533_ = _e152.member[0];
+                                let _e305 = phi_530_;
+                                if (_e272 > _e290) {
+                                    phi_535_ = _e272;
                                 } else {
-                                    phi_533_ = _e290;
+                                    phi_535_ = _e290;
                                 }
-                                let _e310 = phi_533_;
-                                if (_e152.member[1] < _e293) {
-                                    phi_539_ = _e152.member[1];
+                                let _e308 = phi_535_;
+                                if (_e155.member[0] < _e293) {
+                                    phi_541_ = _e155.member[0];
                                 } else {
-                                    phi_539_ = _e293;
+                                    phi_541_ = _e293;
                                 }
-                                let _e315 = phi_539_;
-                                if (_e152.member[2] < _e296) {
-                                    phi_545_ = _e152.member[2];
+                                let _e313 = phi_541_;
+                                if (_e155.member[1] < _e296) {
+                                    phi_547_ = _e155.member[1];
                                 } else {
-                                    phi_545_ = _e296;
+                                    phi_547_ = _e296;
                                 }
-                                let _e320 = phi_545_;
-                                if (_e152.member_1[0] > _e299) {
-                                    phi_552_ = _e152.member_1[0];
+                                let _e318 = phi_547_;
+                                if (_e155.member[2] < _e299) {
+                                    phi_553_ = _e155.member[2];
                                 } else {
-                                    phi_552_ = _e299;
+                                    phi_553_ = _e299;
                                 }
-                                let _e326 = phi_552_;
-                                if (_e152.member_1[1] > _e302) {
-                                    phi_558_ = _e152.member_1[1];
+                                let _e323 = phi_553_;
+                                if (_e155.member_1[0] > _e302) {
+                                    phi_560_ = _e155.member_1[0];
                                 } else {
-                                    phi_558_ = _e302;
+                                    phi_560_ = _e302;
                                 }
-                                let _e331 = phi_558_;
-                                if (_e152.member_1[2] > _e305) {
-                                    phi_564_ = _e152.member_1[2];
+                                let _e329 = phi_560_;
+                                if (_e155.member_1[1] > _e305) {
+                                    phi_566_ = _e155.member_1[1];
                                 } else {
-                                    phi_564_ = _e305;
+                                    phi_566_ = _e305;
                                 }
-                                let _e336 = phi_564_;
-                                phi_295_ = type_29(array<f32, 3>(_e310, _e315, _e320), array<f32, 3>(_e326, _e331, _e336));
+                                let _e334 = phi_566_;
+                                if (_e155.member_1[2] > _e308) {
+                                    phi_572_ = _e155.member_1[2];
+                                } else {
+                                    phi_572_ = _e308;
+                                }
+                                let _e339 = phi_572_;
+                                phi_303_ = type_29(array<f32, 3>(_e313, _e318, _e323), array<f32, 3>(_e329, _e334, _e339));
                             } else {
-                                phi_295_ = type_29();
+                                phi_303_ = type_29();
                             }
-                            let _e340 = phi_295_;
+                            let _e343 = phi_303_;
                             continue;
                             continuing {
-                                phi_291_ = _e164;
-                                phi_294_ = _e340;
-                                break if !(_e170);
+                                phi_299_ = _e167;
+                                phi_302_ = _e343;
+                                break if !(_e173);
                             }
                         }
-                        let _e342 = (_e102 - _e138);
-                        let _e343 = (_e342 / 4u);
-                        if ((_e342 % 4u) > 0u) {
-                            phi_583_ = (_e343 + 1u);
+                        let _e345 = (_e105 - _e141);
+                        let _e346 = (_e345 / 4u);
+                        if ((_e345 % 4u) > 0u) {
+                            phi_591_ = (_e346 + 1u);
                         } else {
-                            phi_583_ = _e343;
+                            phi_591_ = _e346;
                         }
-                        let _e348 = phi_583_;
-                        phi_586_ = type_9(0u, _e348);
-                        let _e1133 = local_4;
-                        phi_589_ = _e1133;
+                        let _e351 = phi_591_;
+                        phi_594_ = type_9(0u, _e351);
+                        let _e1136 = local_4;
+                        phi_597_ = _e1136;
                         loop {
-                            let _e351 = phi_586_;
-                            let _e353 = phi_589_;
-                            local_5 = _e353;
-                            if (_e351.member < _e351.member_1) {
-                                phi_587_ = type_9((_e351.member + 1u), _e351.member_1);
-                                phi_612_ = type_9(1u, _e351.member);
+                            let _e354 = phi_594_;
+                            let _e356 = phi_597_;
+                            local_5 = _e356;
+                            if (_e354.member < _e354.member_1) {
+                                phi_595_ = type_9((_e354.member + 1u), _e354.member_1);
+                                phi_620_ = type_9(1u, _e354.member);
                             } else {
-                                phi_587_ = _e351;
-                                phi_612_ = type_9(0u, type_9().member_1);
+                                phi_595_ = _e354;
+                                phi_620_ = type_9(0u, type_9().member_1);
                             }
-                            let _e365 = phi_587_;
-                            let _e367 = phi_612_;
-                            let _e371 = (bitcast<i32>(_e367.member) != 0i);
-                            if _e371 {
-                                let _e377 = params.member.member_2.member[_e118.member_1][1u];
-                                let _e378 = (_e377 + (_e138 + (4u * _e367.member_1)));
-                                let _e382 = params.member.member_2.member[_e118.member_1][1u];
-                                let _e384 = ((_e382 + _e102) - 1u);
-                                let _e386 = block_nodes.member[_e378];
-                                let _e399 = (_e378 + 1u);
-                                if (_e384 < _e399) {
-                                    phi_672_ = _e384;
+                            let _e368 = phi_595_;
+                            let _e370 = phi_620_;
+                            let _e374 = (bitcast<i32>(_e370.member) != 0i);
+                            if _e374 {
+                                let _e380 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e381 = (_e380 + (_e141 + (4u * _e370.member_1)));
+                                let _e385 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e387 = ((_e385 + _e105) - 1u);
+                                let _e389 = block_nodes.member[_e381];
+                                let _e402 = (_e381 + 1u);
+                                if (_e387 < _e402) {
+                                    phi_680_ = _e387;
                                 } else {
-                                    phi_672_ = _e399;
+                                    phi_680_ = _e402;
                                 }
-                                let _e402 = phi_672_;
-                                let _e404 = block_nodes.member[_e402];
-                                let _e417 = (_e378 + 2u);
-                                if (_e384 < _e417) {
-                                    phi_694_ = _e384;
+                                let _e405 = phi_680_;
+                                let _e407 = block_nodes.member[_e405];
+                                let _e420 = (_e381 + 2u);
+                                if (_e387 < _e420) {
+                                    phi_702_ = _e387;
                                 } else {
-                                    phi_694_ = _e417;
+                                    phi_702_ = _e420;
                                 }
-                                let _e420 = phi_694_;
-                                let _e422 = block_nodes.member[_e420];
-                                let _e435 = (_e378 + 3u);
-                                if (_e384 < _e435) {
-                                    phi_716_ = _e384;
+                                let _e423 = phi_702_;
+                                let _e425 = block_nodes.member[_e423];
+                                let _e438 = (_e381 + 3u);
+                                if (_e387 < _e438) {
+                                    phi_724_ = _e387;
                                 } else {
-                                    phi_716_ = _e435;
+                                    phi_724_ = _e438;
                                 }
-                                let _e438 = phi_716_;
-                                let _e440 = block_nodes.member[_e438];
-                                if (_e386.member.x < _e404.member.x) {
-                                    phi_737_ = _e386.member.x;
+                                let _e441 = phi_724_;
+                                let _e443 = block_nodes.member[_e441];
+                                if (_e389.member.x < _e407.member.x) {
+                                    phi_745_ = _e389.member.x;
                                 } else {
-                                    phi_737_ = _e404.member.x;
+                                    phi_745_ = _e407.member.x;
                                 }
-                                let _e455 = phi_737_;
-                                if (_e386.member.y < _e404.member.y) {
-                                    phi_742_ = _e386.member.y;
+                                let _e458 = phi_745_;
+                                if (_e389.member.y < _e407.member.y) {
+                                    phi_750_ = _e389.member.y;
                                 } else {
-                                    phi_742_ = _e404.member.y;
+                                    phi_750_ = _e407.member.y;
                                 }
-                                let _e458 = phi_742_;
-                                if (_e386.member_1.x < _e404.member_1.x) {
-                                    phi_747_ = _e386.member_1.x;
+                                let _e461 = phi_750_;
+                                if (_e389.member_1.x < _e407.member_1.x) {
+                                    phi_755_ = _e389.member_1.x;
                                 } else {
-                                    phi_747_ = _e404.member_1.x;
+                                    phi_755_ = _e407.member_1.x;
                                 }
-                                let _e461 = phi_747_;
-                                if (_e386.member_1.y > _e404.member_1.y) {
-                                    phi_752_ = _e386.member_1.y;
+                                let _e464 = phi_755_;
+                                if (_e389.member_1.y > _e407.member_1.y) {
+                                    phi_760_ = _e389.member_1.y;
                                 } else {
-                                    phi_752_ = _e404.member_1.y;
+                                    phi_760_ = _e407.member_1.y;
                                 }
-                                let _e464 = phi_752_;
-                                if (_e386.member_2.x > _e404.member_2.x) {
-                                    phi_757_ = _e386.member_2.x;
+                                let _e467 = phi_760_;
+                                if (_e389.member_2.x > _e407.member_2.x) {
+                                    phi_765_ = _e389.member_2.x;
                                 } else {
-                                    phi_757_ = _e404.member_2.x;
+                                    phi_765_ = _e407.member_2.x;
                                 }
-                                let _e467 = phi_757_;
-                                if (_e386.member_2.y > _e404.member_2.y) {
-                                    phi_762_ = _e386.member_2.y;
+                                let _e470 = phi_765_;
+                                if (_e389.member_2.y > _e407.member_2.y) {
+                                    phi_770_ = _e389.member_2.y;
                                 } else {
-                                    phi_762_ = _e404.member_2.y;
+                                    phi_770_ = _e407.member_2.y;
                                 }
-                                let _e470 = phi_762_;
-                                if (_e422.member.x < _e440.member.x) {
-                                    phi_767_ = _e422.member.x;
+                                let _e473 = phi_770_;
+                                if (_e425.member.x < _e443.member.x) {
+                                    phi_775_ = _e425.member.x;
                                 } else {
-                                    phi_767_ = _e440.member.x;
+                                    phi_775_ = _e443.member.x;
                                 }
-                                let _e473 = phi_767_;
-                                if (_e422.member.y < _e440.member.y) {
-                                    phi_772_ = _e422.member.y;
+                                let _e476 = phi_775_;
+                                if (_e425.member.y < _e443.member.y) {
+                                    phi_780_ = _e425.member.y;
                                 } else {
-                                    phi_772_ = _e440.member.y;
+                                    phi_780_ = _e443.member.y;
                                 }
-                                let _e476 = phi_772_;
-                                if (_e422.member_1.x < _e440.member_1.x) {
-                                    phi_777_ = _e422.member_1.x;
+                                let _e479 = phi_780_;
+                                if (_e425.member_1.x < _e443.member_1.x) {
+                                    phi_785_ = _e425.member_1.x;
                                 } else {
-                                    phi_777_ = _e440.member_1.x;
+                                    phi_785_ = _e443.member_1.x;
                                 }
-                                let _e479 = phi_777_;
-                                if (_e422.member_1.y > _e440.member_1.y) {
-                                    phi_782_ = _e422.member_1.y;
+                                let _e482 = phi_785_;
+                                if (_e425.member_1.y > _e443.member_1.y) {
+                                    phi_790_ = _e425.member_1.y;
                                 } else {
-                                    phi_782_ = _e440.member_1.y;
+                                    phi_790_ = _e443.member_1.y;
                                 }
-                                let _e482 = phi_782_;
-                                if (_e422.member_2.x > _e440.member_2.x) {
-                                    phi_787_ = _e422.member_2.x;
+                                let _e485 = phi_790_;
+                                if (_e425.member_2.x > _e443.member_2.x) {
+                                    phi_795_ = _e425.member_2.x;
                                 } else {
-                                    phi_787_ = _e440.member_2.x;
+                                    phi_795_ = _e443.member_2.x;
                                 }
-                                let _e485 = phi_787_;
-                                if (_e422.member_2.y > _e440.member_2.y) {
-                                    phi_792_ = _e422.member_2.y;
+                                let _e488 = phi_795_;
+                                if (_e425.member_2.y > _e443.member_2.y) {
+                                    phi_800_ = _e425.member_2.y;
                                 } else {
-                                    phi_792_ = _e440.member_2.y;
+                                    phi_800_ = _e443.member_2.y;
                                 }
-                                let _e488 = phi_792_;
-                                if (_e455 < _e473) {
-                                    phi_797_ = _e455;
-                                } else {
-                                    phi_797_ = _e473;
-                                }
-                                let _e491 = phi_797_;
+                                let _e491 = phi_800_;
                                 if (_e458 < _e476) {
-                                    phi_802_ = _e458;
+                                    phi_805_ = _e458;
                                 } else {
-                                    phi_802_ = _e476;
+                                    phi_805_ = _e476;
                                 }
-                                let _e494 = phi_802_;
+                                let _e494 = phi_805_;
                                 if (_e461 < _e479) {
-                                    phi_807_ = _e461;
+                                    phi_810_ = _e461;
                                 } else {
-                                    phi_807_ = _e479;
+                                    phi_810_ = _e479;
                                 }
-                                let _e497 = phi_807_;
-                                if (_e464 > _e482) {
-                                    phi_812_ = _e464;
+                                let _e497 = phi_810_;
+                                if (_e464 < _e482) {
+                                    phi_815_ = _e464;
                                 } else {
-                                    phi_812_ = _e482;
+                                    phi_815_ = _e482;
                                 }
-                                let _e500 = phi_812_;
+                                let _e500 = phi_815_;
                                 if (_e467 > _e485) {
-                                    phi_817_ = _e467;
+                                    phi_820_ = _e467;
                                 } else {
-                                    phi_817_ = _e485;
+                                    phi_820_ = _e485;
                                 }
-                                let _e503 = phi_817_;
+                                let _e503 = phi_820_;
                                 if (_e470 > _e488) {
-                                    phi_822_ = _e470;
+                                    phi_825_ = _e470;
                                 } else {
-                                    phi_822_ = _e488;
+                                    phi_825_ = _e488;
                                 }
-                                let _e506 = phi_822_;
-                                if (_e353.member[0] < _e491) {
-                                    phi_828_ = _e353.member[0];
+                                let _e506 = phi_825_;
+                                if (_e473 > _e491) {
+                                    phi_830_ = _e473;
                                 } else {
-                                    phi_828_ = _e491;
+                                    phi_830_ = _e491;
                                 }
-                                let _e511 = phi_828_;
-                                if (_e353.member[1] < _e494) {
-                                    phi_834_ = _e353.member[1];
+                                let _e509 = phi_830_;
+                                if (_e356.member[0] < _e494) {
+                                    phi_836_ = _e356.member[0];
                                 } else {
-                                    phi_834_ = _e494;
+                                    phi_836_ = _e494;
                                 }
-                                let _e516 = phi_834_;
-                                if (_e353.member[2] < _e497) {
-                                    phi_840_ = _e353.member[2];
+                                let _e514 = phi_836_;
+                                if (_e356.member[1] < _e497) {
+                                    phi_842_ = _e356.member[1];
                                 } else {
-                                    phi_840_ = _e497;
+                                    phi_842_ = _e497;
                                 }
-                                let _e521 = phi_840_;
-                                if (_e353.member_1[0] > _e500) {
-                                    phi_847_ = _e353.member_1[0];
+                                let _e519 = phi_842_;
+                                if (_e356.member[2] < _e500) {
+                                    phi_848_ = _e356.member[2];
                                 } else {
-                                    phi_847_ = _e500;
+                                    phi_848_ = _e500;
                                 }
-                                let _e527 = phi_847_;
-                                if (_e353.member_1[1] > _e503) {
-                                    phi_853_ = _e353.member_1[1];
+                                let _e524 = phi_848_;
+                                if (_e356.member_1[0] > _e503) {
+                                    phi_855_ = _e356.member_1[0];
                                 } else {
-                                    phi_853_ = _e503;
+                                    phi_855_ = _e503;
                                 }
-                                let _e532 = phi_853_;
-                                if (_e353.member_1[2] > _e506) {
-                                    phi_859_ = _e353.member_1[2];
+                                let _e530 = phi_855_;
+                                if (_e356.member_1[1] > _e506) {
+                                    phi_861_ = _e356.member_1[1];
                                 } else {
-                                    phi_859_ = _e506;
+                                    phi_861_ = _e506;
                                 }
-                                let _e537 = phi_859_;
-                                phi_590_ = type_29(array<f32, 3>(_e511, _e516, _e521), array<f32, 3>(_e527, _e532, _e537));
+                                let _e535 = phi_861_;
+                                if (_e356.member_1[2] > _e509) {
+                                    phi_867_ = _e356.member_1[2];
+                                } else {
+                                    phi_867_ = _e509;
+                                }
+                                let _e540 = phi_867_;
+                                phi_598_ = type_29(array<f32, 3>(_e514, _e519, _e524), array<f32, 3>(_e530, _e535, _e540));
                             } else {
-                                phi_590_ = type_29();
+                                phi_598_ = type_29();
                             }
-                            let _e541 = phi_590_;
+                            let _e544 = phi_598_;
                             continue;
                             continuing {
-                                phi_586_ = _e365;
-                                phi_589_ = _e541;
-                                break if !(_e371);
+                                phi_594_ = _e368;
+                                phi_597_ = _e544;
+                                break if !(_e374);
                             }
                         }
-                        if _e136 {
-                            phi_866_ = (_e128 / 32u);
+                        if _e139 {
+                            phi_874_ = (_e131 / 32u);
                         } else {
-                            phi_866_ = 0u;
+                            phi_874_ = 0u;
                         }
-                        let _e545 = phi_866_;
-                        if _e136 {
-                            phi_871_ = (_e130 / 32u);
+                        let _e548 = phi_874_;
+                        if _e139 {
+                            phi_879_ = (_e133 / 32u);
                         } else {
-                            phi_871_ = 0u;
+                            phi_879_ = 0u;
                         }
-                        let _e548 = phi_871_;
-                        let _e1168 = local_5;
-                        phi_211_ = _e1168;
-                        phi_213_ = _e548;
-                        phi_215_ = _e545;
+                        let _e551 = phi_879_;
+                        let _e1171 = local_5;
+                        phi_219_ = _e1171;
+                        phi_221_ = _e551;
+                        phi_223_ = _e548;
                     } else {
-                        phi_211_ = type_29();
-                        phi_213_ = u32();
-                        phi_215_ = u32();
+                        phi_219_ = type_29();
+                        phi_221_ = u32();
+                        phi_223_ = u32();
                     }
-                    let _e550 = phi_211_;
-                    let _e552 = phi_213_;
-                    let _e554 = phi_215_;
+                    let _e553 = phi_219_;
+                    let _e555 = phi_221_;
+                    let _e557 = phi_223_;
                     continue;
                     continuing {
-                        phi_207_ = _e116;
-                        phi_210_ = _e550;
-                        phi_212_ = _e552;
-                        phi_214_ = _e554;
-                        break if !(_e122);
+                        phi_215_ = _e119;
+                        phi_218_ = _e553;
+                        phi_220_ = _e555;
+                        phi_222_ = _e557;
+                        break if !(_e125);
                     }
                 }
-                phi_877_ = type_9(0u, 8u);
-                phi_880_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                phi_882_ = (_e86.w + 1u);
-                phi_884_ = (_e94 + 1u);
+                phi_885_ = type_9(0u, 8u);
+                phi_888_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_890_ = (_e89.w + 1u);
+                phi_892_ = (_e97 + 1u);
                 loop {
-                    let _e560 = phi_877_;
-                    let _e562 = phi_880_;
-                    let _e564 = phi_882_;
-                    let _e566 = phi_884_;
-                    local_2 = _e562;
-                    local_3 = _e562;
-                    if (_e560.member < _e560.member_1) {
-                        phi_878_ = type_9((_e560.member + 1u), _e560.member_1);
-                        phi_907_ = type_9(1u, _e560.member);
+                    let _e563 = phi_885_;
+                    let _e565 = phi_888_;
+                    let _e567 = phi_890_;
+                    let _e569 = phi_892_;
+                    local_2 = _e565;
+                    local_3 = _e565;
+                    if (_e563.member < _e563.member_1) {
+                        phi_886_ = type_9((_e563.member + 1u), _e563.member_1);
+                        phi_915_ = type_9(1u, _e563.member);
                     } else {
-                        phi_878_ = _e560;
-                        phi_907_ = type_9(0u, type_9().member_1);
+                        phi_886_ = _e563;
+                        phi_915_ = type_9(0u, type_9().member_1);
                     }
-                    let _e578 = phi_878_;
-                    let _e580 = phi_907_;
-                    let _e584 = (bitcast<i32>(_e580.member) != 0i);
-                    if _e584 {
-                        let _e585 = (_e566 % 32u);
-                        if (_e585 == 0u) {
-                            phi_926_ = _e566;
+                    let _e581 = phi_886_;
+                    let _e583 = phi_915_;
+                    let _e587 = (bitcast<i32>(_e583.member) != 0i);
+                    if _e587 {
+                        let _e588 = (_e569 % 32u);
+                        if (_e588 == 0u) {
+                            phi_934_ = _e569;
                         } else {
-                            phi_926_ = (_e566 + (32u - _e585));
+                            phi_934_ = (_e569 + (32u - _e588));
                         }
-                        let _e590 = phi_926_;
-                        let _e592 = ((_e564 / 32u) * 32u);
-                        if (_e590 < _e592) {
-                            let _e595 = params.member.member_2.member_2;
-                            phi_936_ = (_e580.member_1 < _e595);
+                        let _e593 = phi_934_;
+                        let _e595 = ((_e567 / 32u) * 32u);
+                        if (_e593 < _e595) {
+                            let _e598 = params.member.member_2.member_2;
+                            phi_944_ = (_e583.member_1 < _e598);
                         } else {
-                            phi_936_ = false;
+                            phi_944_ = false;
                         }
-                        let _e598 = phi_936_;
-                        if _e598 {
-                            phi_940_ = _e592;
-                            phi_941_ = _e590;
+                        let _e601 = phi_944_;
+                        if _e601 {
+                            phi_948_ = _e595;
+                            phi_949_ = _e593;
                         } else {
-                            phi_940_ = _e564;
-                            phi_941_ = _e564;
+                            phi_948_ = _e567;
+                            phi_949_ = _e567;
                         }
-                        let _e600 = phi_940_;
-                        let _e602 = phi_941_;
-                        let _e603 = (_e602 - _e566);
-                        let _e604 = (_e603 / 4u);
-                        if ((_e603 % 4u) > 0u) {
-                            phi_958_ = (_e604 + 1u);
+                        let _e603 = phi_948_;
+                        let _e605 = phi_949_;
+                        let _e606 = (_e605 - _e569);
+                        let _e607 = (_e606 / 4u);
+                        if ((_e606 % 4u) > 0u) {
+                            phi_966_ = (_e607 + 1u);
                         } else {
-                            phi_958_ = _e604;
+                            phi_966_ = _e607;
                         }
-                        let _e609 = phi_958_;
-                        phi_961_ = type_9(0u, _e609);
-                        phi_964_ = _e562;
+                        let _e612 = phi_966_;
+                        phi_969_ = type_9(0u, _e612);
+                        phi_972_ = _e565;
                         loop {
-                            let _e612 = phi_961_;
-                            let _e614 = phi_964_;
-                            local_6 = _e614;
-                            if (_e612.member < _e612.member_1) {
-                                phi_962_ = type_9((_e612.member + 1u), _e612.member_1);
-                                phi_987_ = type_9(1u, _e612.member);
+                            let _e615 = phi_969_;
+                            let _e617 = phi_972_;
+                            local_6 = _e617;
+                            if (_e615.member < _e615.member_1) {
+                                phi_970_ = type_9((_e615.member + 1u), _e615.member_1);
+                                phi_995_ = type_9(1u, _e615.member);
                             } else {
-                                phi_962_ = _e612;
-                                phi_987_ = type_9(0u, type_9().member_1);
+                                phi_970_ = _e615;
+                                phi_995_ = type_9(0u, type_9().member_1);
                             }
-                            let _e626 = phi_962_;
-                            let _e628 = phi_987_;
-                            let _e632 = (bitcast<i32>(_e628.member) != 0i);
-                            if _e632 {
-                                let _e638 = params.member.member_2.member[_e580.member_1][1u];
-                                let _e639 = (_e638 + (_e566 + (4u * _e628.member_1)));
-                                let _e643 = params.member.member_2.member[_e580.member_1][1u];
-                                let _e645 = ((_e643 + _e602) - 1u);
-                                let _e647 = block_nodes.member[_e639];
-                                let _e660 = (_e639 + 1u);
-                                if (_e645 < _e660) {
-                                    phi_1047_ = _e645;
+                            let _e629 = phi_970_;
+                            let _e631 = phi_995_;
+                            let _e635 = (bitcast<i32>(_e631.member) != 0i);
+                            if _e635 {
+                                let _e641 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e642 = (_e641 + (_e569 + (4u * _e631.member_1)));
+                                let _e646 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e648 = ((_e646 + _e605) - 1u);
+                                let _e650 = block_nodes.member[_e642];
+                                let _e663 = (_e642 + 1u);
+                                if (_e648 < _e663) {
+                                    phi_1055_ = _e648;
                                 } else {
-                                    phi_1047_ = _e660;
+                                    phi_1055_ = _e663;
                                 }
-                                let _e663 = phi_1047_;
-                                let _e665 = block_nodes.member[_e663];
-                                let _e678 = (_e639 + 2u);
-                                if (_e645 < _e678) {
-                                    phi_1069_ = _e645;
+                                let _e666 = phi_1055_;
+                                let _e668 = block_nodes.member[_e666];
+                                let _e681 = (_e642 + 2u);
+                                if (_e648 < _e681) {
+                                    phi_1077_ = _e648;
                                 } else {
-                                    phi_1069_ = _e678;
+                                    phi_1077_ = _e681;
                                 }
-                                let _e681 = phi_1069_;
-                                let _e683 = block_nodes.member[_e681];
-                                let _e696 = (_e639 + 3u);
-                                if (_e645 < _e696) {
-                                    phi_1091_ = _e645;
+                                let _e684 = phi_1077_;
+                                let _e686 = block_nodes.member[_e684];
+                                let _e699 = (_e642 + 3u);
+                                if (_e648 < _e699) {
+                                    phi_1099_ = _e648;
                                 } else {
-                                    phi_1091_ = _e696;
+                                    phi_1099_ = _e699;
                                 }
-                                let _e699 = phi_1091_;
-                                let _e701 = block_nodes.member[_e699];
-                                if (_e647.member.x < _e665.member.x) {
-                                    phi_1112_ = _e647.member.x;
+                                let _e702 = phi_1099_;
+                                let _e704 = block_nodes.member[_e702];
+                                if (_e650.member.x < _e668.member.x) {
+                                    phi_1120_ = _e650.member.x;
                                 } else {
-                                    phi_1112_ = _e665.member.x;
+                                    phi_1120_ = _e668.member.x;
                                 }
-                                let _e716 = phi_1112_;
-                                if (_e647.member.y < _e665.member.y) {
-                                    phi_1117_ = _e647.member.y;
+                                let _e719 = phi_1120_;
+                                if (_e650.member.y < _e668.member.y) {
+                                    phi_1125_ = _e650.member.y;
                                 } else {
-                                    phi_1117_ = _e665.member.y;
+                                    phi_1125_ = _e668.member.y;
                                 }
-                                let _e719 = phi_1117_;
-                                if (_e647.member_1.x < _e665.member_1.x) {
-                                    phi_1122_ = _e647.member_1.x;
+                                let _e722 = phi_1125_;
+                                if (_e650.member_1.x < _e668.member_1.x) {
+                                    phi_1130_ = _e650.member_1.x;
                                 } else {
-                                    phi_1122_ = _e665.member_1.x;
+                                    phi_1130_ = _e668.member_1.x;
                                 }
-                                let _e722 = phi_1122_;
-                                if (_e647.member_1.y > _e665.member_1.y) {
-                                    phi_1127_ = _e647.member_1.y;
+                                let _e725 = phi_1130_;
+                                if (_e650.member_1.y > _e668.member_1.y) {
+                                    phi_1135_ = _e650.member_1.y;
                                 } else {
-                                    phi_1127_ = _e665.member_1.y;
+                                    phi_1135_ = _e668.member_1.y;
                                 }
-                                let _e725 = phi_1127_;
-                                if (_e647.member_2.x > _e665.member_2.x) {
-                                    phi_1132_ = _e647.member_2.x;
+                                let _e728 = phi_1135_;
+                                if (_e650.member_2.x > _e668.member_2.x) {
+                                    phi_1140_ = _e650.member_2.x;
                                 } else {
-                                    phi_1132_ = _e665.member_2.x;
+                                    phi_1140_ = _e668.member_2.x;
                                 }
-                                let _e728 = phi_1132_;
-                                if (_e647.member_2.y > _e665.member_2.y) {
-                                    phi_1137_ = _e647.member_2.y;
+                                let _e731 = phi_1140_;
+                                if (_e650.member_2.y > _e668.member_2.y) {
+                                    phi_1145_ = _e650.member_2.y;
                                 } else {
-                                    phi_1137_ = _e665.member_2.y;
+                                    phi_1145_ = _e668.member_2.y;
                                 }
-                                let _e731 = phi_1137_;
-                                if (_e683.member.x < _e701.member.x) {
-                                    phi_1142_ = _e683.member.x;
+                                let _e734 = phi_1145_;
+                                if (_e686.member.x < _e704.member.x) {
+                                    phi_1150_ = _e686.member.x;
                                 } else {
-                                    phi_1142_ = _e701.member.x;
+                                    phi_1150_ = _e704.member.x;
                                 }
-                                let _e734 = phi_1142_;
-                                if (_e683.member.y < _e701.member.y) {
-                                    phi_1147_ = _e683.member.y;
+                                let _e737 = phi_1150_;
+                                if (_e686.member.y < _e704.member.y) {
+                                    phi_1155_ = _e686.member.y;
                                 } else {
-                                    phi_1147_ = _e701.member.y;
+                                    phi_1155_ = _e704.member.y;
                                 }
-                                let _e737 = phi_1147_;
-                                if (_e683.member_1.x < _e701.member_1.x) {
-                                    phi_1152_ = _e683.member_1.x;
+                                let _e740 = phi_1155_;
+                                if (_e686.member_1.x < _e704.member_1.x) {
+                                    phi_1160_ = _e686.member_1.x;
                                 } else {
-                                    phi_1152_ = _e701.member_1.x;
+                                    phi_1160_ = _e704.member_1.x;
                                 }
-                                let _e740 = phi_1152_;
-                                if (_e683.member_1.y > _e701.member_1.y) {
-                                    phi_1157_ = _e683.member_1.y;
+                                let _e743 = phi_1160_;
+                                if (_e686.member_1.y > _e704.member_1.y) {
+                                    phi_1165_ = _e686.member_1.y;
                                 } else {
-                                    phi_1157_ = _e701.member_1.y;
+                                    phi_1165_ = _e704.member_1.y;
                                 }
-                                let _e743 = phi_1157_;
-                                if (_e683.member_2.x > _e701.member_2.x) {
-                                    phi_1162_ = _e683.member_2.x;
+                                let _e746 = phi_1165_;
+                                if (_e686.member_2.x > _e704.member_2.x) {
+                                    phi_1170_ = _e686.member_2.x;
                                 } else {
-                                    phi_1162_ = _e701.member_2.x;
+                                    phi_1170_ = _e704.member_2.x;
                                 }
-                                let _e746 = phi_1162_;
-                                if (_e683.member_2.y > _e701.member_2.y) {
-                                    phi_1167_ = _e683.member_2.y;
+                                let _e749 = phi_1170_;
+                                if (_e686.member_2.y > _e704.member_2.y) {
+                                    phi_1175_ = _e686.member_2.y;
                                 } else {
-                                    phi_1167_ = _e701.member_2.y;
+                                    phi_1175_ = _e704.member_2.y;
                                 }
-                                let _e749 = phi_1167_;
-                                if (_e716 < _e734) {
-                                    phi_1172_ = _e716;
-                                } else {
-                                    phi_1172_ = _e734;
-                                }
-                                let _e752 = phi_1172_;
+                                let _e752 = phi_1175_;
                                 if (_e719 < _e737) {
-                                    phi_1177_ = _e719;
+                                    phi_1180_ = _e719;
                                 } else {
-                                    phi_1177_ = _e737;
+                                    phi_1180_ = _e737;
                                 }
-                                let _e755 = phi_1177_;
+                                let _e755 = phi_1180_;
                                 if (_e722 < _e740) {
-                                    phi_1182_ = _e722;
+                                    phi_1185_ = _e722;
                                 } else {
-                                    phi_1182_ = _e740;
+                                    phi_1185_ = _e740;
                                 }
-                                let _e758 = phi_1182_;
-                                if (_e725 > _e743) {
-                                    phi_1187_ = _e725;
+                                let _e758 = phi_1185_;
+                                if (_e725 < _e743) {
+                                    phi_1190_ = _e725;
                                 } else {
-                                    phi_1187_ = _e743;
+                                    phi_1190_ = _e743;
                                 }
-                                let _e761 = phi_1187_;
+                                let _e761 = phi_1190_;
                                 if (_e728 > _e746) {
-                                    phi_1192_ = _e728;
+                                    phi_1195_ = _e728;
                                 } else {
-                                    phi_1192_ = _e746;
+                                    phi_1195_ = _e746;
                                 }
-                                let _e764 = phi_1192_;
+                                let _e764 = phi_1195_;
                                 if (_e731 > _e749) {
-                                    phi_1197_ = _e731;
+                                    phi_1200_ = _e731;
                                 } else {
-                                    phi_1197_ = _e749;
+                                    phi_1200_ = _e749;
                                 }
-                                let _e767 = phi_1197_;
-                                if (_e614.member[0] < _e752) {
-                                    phi_1203_ = _e614.member[0];
+                                let _e767 = phi_1200_;
+                                if (_e734 > _e752) {
+                                    phi_1205_ = _e734;
                                 } else {
-                                    phi_1203_ = _e752;
+                                    phi_1205_ = _e752;
                                 }
-                                let _e772 = phi_1203_;
-                                if (_e614.member[1] < _e755) {
-                                    phi_1209_ = _e614.member[1];
+                                let _e770 = phi_1205_;
+                                if (_e617.member[0] < _e755) {
+                                    phi_1211_ = _e617.member[0];
                                 } else {
-                                    phi_1209_ = _e755;
+                                    phi_1211_ = _e755;
                                 }
-                                let _e777 = phi_1209_;
-                                if (_e614.member[2] < _e758) {
-                                    phi_1215_ = _e614.member[2];
+                                let _e775 = phi_1211_;
+                                if (_e617.member[1] < _e758) {
+                                    phi_1217_ = _e617.member[1];
                                 } else {
-                                    phi_1215_ = _e758;
+                                    phi_1217_ = _e758;
                                 }
-                                let _e782 = phi_1215_;
-                                if (_e614.member_1[0] > _e761) {
-                                    phi_1222_ = _e614.member_1[0];
+                                let _e780 = phi_1217_;
+                                if (_e617.member[2] < _e761) {
+                                    phi_1223_ = _e617.member[2];
                                 } else {
-                                    phi_1222_ = _e761;
+                                    phi_1223_ = _e761;
                                 }
-                                let _e788 = phi_1222_;
-                                if (_e614.member_1[1] > _e764) {
-                                    phi_1228_ = _e614.member_1[1];
+                                let _e785 = phi_1223_;
+                                if (_e617.member_1[0] > _e764) {
+                                    phi_1230_ = _e617.member_1[0];
                                 } else {
-                                    phi_1228_ = _e764;
+                                    phi_1230_ = _e764;
                                 }
-                                let _e793 = phi_1228_;
-                                if (_e614.member_1[2] > _e767) {
-                                    phi_1234_ = _e614.member_1[2];
+                                let _e791 = phi_1230_;
+                                if (_e617.member_1[1] > _e767) {
+                                    phi_1236_ = _e617.member_1[1];
                                 } else {
-                                    phi_1234_ = _e767;
+                                    phi_1236_ = _e767;
                                 }
-                                let _e798 = phi_1234_;
-                                phi_965_ = type_29(array<f32, 3>(_e772, _e777, _e782), array<f32, 3>(_e788, _e793, _e798));
+                                let _e796 = phi_1236_;
+                                if (_e617.member_1[2] > _e770) {
+                                    phi_1242_ = _e617.member_1[2];
+                                } else {
+                                    phi_1242_ = _e770;
+                                }
+                                let _e801 = phi_1242_;
+                                phi_973_ = type_29(array<f32, 3>(_e775, _e780, _e785), array<f32, 3>(_e791, _e796, _e801));
                             } else {
-                                phi_965_ = type_29();
+                                phi_973_ = type_29();
                             }
-                            let _e802 = phi_965_;
+                            let _e805 = phi_973_;
                             continue;
                             continuing {
-                                phi_961_ = _e626;
-                                phi_964_ = _e802;
-                                break if !(_e632);
+                                phi_969_ = _e629;
+                                phi_972_ = _e805;
+                                break if !(_e635);
                             }
                         }
-                        let _e804 = (_e564 - _e600);
-                        let _e805 = (_e804 / 4u);
-                        if ((_e804 % 4u) > 0u) {
-                            phi_1253_ = (_e805 + 1u);
+                        let _e807 = (_e567 - _e603);
+                        let _e808 = (_e807 / 4u);
+                        if ((_e807 % 4u) > 0u) {
+                            phi_1261_ = (_e808 + 1u);
                         } else {
-                            phi_1253_ = _e805;
+                            phi_1261_ = _e808;
                         }
-                        let _e810 = phi_1253_;
-                        phi_1256_ = type_9(0u, _e810);
-                        let _e1218 = local_6;
-                        phi_1259_ = _e1218;
+                        let _e813 = phi_1261_;
+                        phi_1264_ = type_9(0u, _e813);
+                        let _e1221 = local_6;
+                        phi_1267_ = _e1221;
                         loop {
-                            let _e813 = phi_1256_;
-                            let _e815 = phi_1259_;
-                            local_7 = _e815;
-                            if (_e813.member < _e813.member_1) {
-                                phi_1257_ = type_9((_e813.member + 1u), _e813.member_1);
-                                phi_1282_ = type_9(1u, _e813.member);
+                            let _e816 = phi_1264_;
+                            let _e818 = phi_1267_;
+                            local_7 = _e818;
+                            if (_e816.member < _e816.member_1) {
+                                phi_1265_ = type_9((_e816.member + 1u), _e816.member_1);
+                                phi_1290_ = type_9(1u, _e816.member);
                             } else {
-                                phi_1257_ = _e813;
-                                phi_1282_ = type_9(0u, type_9().member_1);
+                                phi_1265_ = _e816;
+                                phi_1290_ = type_9(0u, type_9().member_1);
                             }
-                            let _e827 = phi_1257_;
-                            let _e829 = phi_1282_;
-                            let _e833 = (bitcast<i32>(_e829.member) != 0i);
-                            if _e833 {
-                                let _e839 = params.member.member_2.member[_e580.member_1][1u];
-                                let _e840 = (_e839 + (_e600 + (4u * _e829.member_1)));
-                                let _e844 = params.member.member_2.member[_e580.member_1][1u];
-                                let _e846 = ((_e844 + _e564) - 1u);
-                                let _e848 = block_nodes.member[_e840];
-                                let _e861 = (_e840 + 1u);
-                                if (_e846 < _e861) {
-                                    phi_1342_ = _e846;
+                            let _e830 = phi_1265_;
+                            let _e832 = phi_1290_;
+                            let _e836 = (bitcast<i32>(_e832.member) != 0i);
+                            if _e836 {
+                                let _e842 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e843 = (_e842 + (_e603 + (4u * _e832.member_1)));
+                                let _e847 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e849 = ((_e847 + _e567) - 1u);
+                                let _e851 = block_nodes.member[_e843];
+                                let _e864 = (_e843 + 1u);
+                                if (_e849 < _e864) {
+                                    phi_1350_ = _e849;
                                 } else {
-                                    phi_1342_ = _e861;
+                                    phi_1350_ = _e864;
                                 }
-                                let _e864 = phi_1342_;
-                                let _e866 = block_nodes.member[_e864];
-                                let _e879 = (_e840 + 2u);
-                                if (_e846 < _e879) {
-                                    phi_1364_ = _e846;
+                                let _e867 = phi_1350_;
+                                let _e869 = block_nodes.member[_e867];
+                                let _e882 = (_e843 + 2u);
+                                if (_e849 < _e882) {
+                                    phi_1372_ = _e849;
                                 } else {
-                                    phi_1364_ = _e879;
+                                    phi_1372_ = _e882;
                                 }
-                                let _e882 = phi_1364_;
-                                let _e884 = block_nodes.member[_e882];
-                                let _e897 = (_e840 + 3u);
-                                if (_e846 < _e897) {
-                                    phi_1386_ = _e846;
+                                let _e885 = phi_1372_;
+                                let _e887 = block_nodes.member[_e885];
+                                let _e900 = (_e843 + 3u);
+                                if (_e849 < _e900) {
+                                    phi_1394_ = _e849;
                                 } else {
-                                    phi_1386_ = _e897;
+                                    phi_1394_ = _e900;
                                 }
-                                let _e900 = phi_1386_;
-                                let _e902 = block_nodes.member[_e900];
-                                if (_e848.member.x < _e866.member.x) {
-                                    phi_1407_ = _e848.member.x;
+                                let _e903 = phi_1394_;
+                                let _e905 = block_nodes.member[_e903];
+                                if (_e851.member.x < _e869.member.x) {
+                                    phi_1415_ = _e851.member.x;
                                 } else {
-                                    phi_1407_ = _e866.member.x;
+                                    phi_1415_ = _e869.member.x;
                                 }
-                                let _e917 = phi_1407_;
-                                if (_e848.member.y < _e866.member.y) {
-                                    phi_1412_ = _e848.member.y;
+                                let _e920 = phi_1415_;
+                                if (_e851.member.y < _e869.member.y) {
+                                    phi_1420_ = _e851.member.y;
                                 } else {
-                                    phi_1412_ = _e866.member.y;
+                                    phi_1420_ = _e869.member.y;
                                 }
-                                let _e920 = phi_1412_;
-                                if (_e848.member_1.x < _e866.member_1.x) {
-                                    phi_1417_ = _e848.member_1.x;
+                                let _e923 = phi_1420_;
+                                if (_e851.member_1.x < _e869.member_1.x) {
+                                    phi_1425_ = _e851.member_1.x;
                                 } else {
-                                    phi_1417_ = _e866.member_1.x;
+                                    phi_1425_ = _e869.member_1.x;
                                 }
-                                let _e923 = phi_1417_;
-                                if (_e848.member_1.y > _e866.member_1.y) {
-                                    phi_1422_ = _e848.member_1.y;
+                                let _e926 = phi_1425_;
+                                if (_e851.member_1.y > _e869.member_1.y) {
+                                    phi_1430_ = _e851.member_1.y;
                                 } else {
-                                    phi_1422_ = _e866.member_1.y;
+                                    phi_1430_ = _e869.member_1.y;
                                 }
-                                let _e926 = phi_1422_;
-                                if (_e848.member_2.x > _e866.member_2.x) {
-                                    phi_1427_ = _e848.member_2.x;
+                                let _e929 = phi_1430_;
+                                if (_e851.member_2.x > _e869.member_2.x) {
+                                    phi_1435_ = _e851.member_2.x;
                                 } else {
-                                    phi_1427_ = _e866.member_2.x;
+                                    phi_1435_ = _e869.member_2.x;
                                 }
-                                let _e929 = phi_1427_;
-                                if (_e848.member_2.y > _e866.member_2.y) {
-                                    phi_1432_ = _e848.member_2.y;
+                                let _e932 = phi_1435_;
+                                if (_e851.member_2.y > _e869.member_2.y) {
+                                    phi_1440_ = _e851.member_2.y;
                                 } else {
-                                    phi_1432_ = _e866.member_2.y;
+                                    phi_1440_ = _e869.member_2.y;
                                 }
-                                let _e932 = phi_1432_;
-                                if (_e884.member.x < _e902.member.x) {
-                                    phi_1437_ = _e884.member.x;
+                                let _e935 = phi_1440_;
+                                if (_e887.member.x < _e905.member.x) {
+                                    phi_1445_ = _e887.member.x;
                                 } else {
-                                    phi_1437_ = _e902.member.x;
+                                    phi_1445_ = _e905.member.x;
                                 }
-                                let _e935 = phi_1437_;
-                                if (_e884.member.y < _e902.member.y) {
-                                    phi_1442_ = _e884.member.y;
+                                let _e938 = phi_1445_;
+                                if (_e887.member.y < _e905.member.y) {
+                                    phi_1450_ = _e887.member.y;
                                 } else {
-                                    phi_1442_ = _e902.member.y;
+                                    phi_1450_ = _e905.member.y;
                                 }
-                                let _e938 = phi_1442_;
-                                if (_e884.member_1.x < _e902.member_1.x) {
-                                    phi_1447_ = _e884.member_1.x;
+                                let _e941 = phi_1450_;
+                                if (_e887.member_1.x < _e905.member_1.x) {
+                                    phi_1455_ = _e887.member_1.x;
                                 } else {
-                                    phi_1447_ = _e902.member_1.x;
+                                    phi_1455_ = _e905.member_1.x;
                                 }
-                                let _e941 = phi_1447_;
-                                if (_e884.member_1.y > _e902.member_1.y) {
-                                    phi_1452_ = _e884.member_1.y;
+                                let _e944 = phi_1455_;
+                                if (_e887.member_1.y > _e905.member_1.y) {
+                                    phi_1460_ = _e887.member_1.y;
                                 } else {
-                                    phi_1452_ = _e902.member_1.y;
+                                    phi_1460_ = _e905.member_1.y;
                                 }
-                                let _e944 = phi_1452_;
-                                if (_e884.member_2.x > _e902.member_2.x) {
-                                    phi_1457_ = _e884.member_2.x;
+                                let _e947 = phi_1460_;
+                                if (_e887.member_2.x > _e905.member_2.x) {
+                                    phi_1465_ = _e887.member_2.x;
                                 } else {
-                                    phi_1457_ = _e902.member_2.x;
+                                    phi_1465_ = _e905.member_2.x;
                                 }
-                                let _e947 = phi_1457_;
-                                if (_e884.member_2.y > _e902.member_2.y) {
-                                    phi_1462_ = _e884.member_2.y;
+                                let _e950 = phi_1465_;
+                                if (_e887.member_2.y > _e905.member_2.y) {
+                                    phi_1470_ = _e887.member_2.y;
                                 } else {
-                                    phi_1462_ = _e902.member_2.y;
+                                    phi_1470_ = _e905.member_2.y;
                                 }
-                                let _e950 = phi_1462_;
-                                if (_e917 < _e935) {
-                                    phi_1467_ = _e917;
-                                } else {
-                                    phi_1467_ = _e935;
-                                }
-                                let _e953 = phi_1467_;
+                                let _e953 = phi_1470_;
                                 if (_e920 < _e938) {
-                                    phi_1472_ = _e920;
+                                    phi_1475_ = _e920;
                                 } else {
-                                    phi_1472_ = _e938;
+                                    phi_1475_ = _e938;
                                 }
-                                let _e956 = phi_1472_;
+                                let _e956 = phi_1475_;
                                 if (_e923 < _e941) {
-                                    phi_1477_ = _e923;
+                                    phi_1480_ = _e923;
                                 } else {
-                                    phi_1477_ = _e941;
+                                    phi_1480_ = _e941;
                                 }
-                                let _e959 = phi_1477_;
-                                if (_e926 > _e944) {
-                                    phi_1482_ = _e926;
+                                let _e959 = phi_1480_;
+                                if (_e926 < _e944) {
+                                    phi_1485_ = _e926;
                                 } else {
-                                    phi_1482_ = _e944;
+                                    phi_1485_ = _e944;
                                 }
-                                let _e962 = phi_1482_;
+                                let _e962 = phi_1485_;
                                 if (_e929 > _e947) {
-                                    phi_1487_ = _e929;
+                                    phi_1490_ = _e929;
                                 } else {
-                                    phi_1487_ = _e947;
+                                    phi_1490_ = _e947;
                                 }
-                                let _e965 = phi_1487_;
+                                let _e965 = phi_1490_;
                                 if (_e932 > _e950) {
-                                    phi_1492_ = _e932;
+                                    phi_1495_ = _e932;
                                 } else {
-                                    phi_1492_ = _e950;
+                                    phi_1495_ = _e950;
                                 }
-                                let _e968 = phi_1492_;
-                                if (_e815.member[0] < _e953) {
-                                    phi_1498_ = _e815.member[0];
+                                let _e968 = phi_1495_;
+                                if (_e935 > _e953) {
+                                    phi_1500_ = _e935;
                                 } else {
-                                    phi_1498_ = _e953;
+                                    phi_1500_ = _e953;
                                 }
-                                let _e973 = phi_1498_;
-                                if (_e815.member[1] < _e956) {
-                                    phi_1504_ = _e815.member[1];
+                                let _e971 = phi_1500_;
+                                if (_e818.member[0] < _e956) {
+                                    phi_1506_ = _e818.member[0];
                                 } else {
-                                    phi_1504_ = _e956;
+                                    phi_1506_ = _e956;
                                 }
-                                let _e978 = phi_1504_;
-                                if (_e815.member[2] < _e959) {
-                                    phi_1510_ = _e815.member[2];
+                                let _e976 = phi_1506_;
+                                if (_e818.member[1] < _e959) {
+                                    phi_1512_ = _e818.member[1];
                                 } else {
-                                    phi_1510_ = _e959;
+                                    phi_1512_ = _e959;
                                 }
-                                let _e983 = phi_1510_;
-                                if (_e815.member_1[0] > _e962) {
-                                    phi_1517_ = _e815.member_1[0];
+                                let _e981 = phi_1512_;
+                                if (_e818.member[2] < _e962) {
+                                    phi_1518_ = _e818.member[2];
                                 } else {
-                                    phi_1517_ = _e962;
+                                    phi_1518_ = _e962;
                                 }
-                                let _e989 = phi_1517_;
-                                if (_e815.member_1[1] > _e965) {
-                                    phi_1523_ = _e815.member_1[1];
+                                let _e986 = phi_1518_;
+                                if (_e818.member_1[0] > _e965) {
+                                    phi_1525_ = _e818.member_1[0];
                                 } else {
-                                    phi_1523_ = _e965;
+                                    phi_1525_ = _e965;
                                 }
-                                let _e994 = phi_1523_;
-                                if (_e815.member_1[2] > _e968) {
-                                    phi_1529_ = _e815.member_1[2];
+                                let _e992 = phi_1525_;
+                                if (_e818.member_1[1] > _e968) {
+                                    phi_1531_ = _e818.member_1[1];
                                 } else {
-                                    phi_1529_ = _e968;
+                                    phi_1531_ = _e968;
                                 }
-                                let _e999 = phi_1529_;
-                                phi_1260_ = type_29(array<f32, 3>(_e973, _e978, _e983), array<f32, 3>(_e989, _e994, _e999));
+                                let _e997 = phi_1531_;
+                                if (_e818.member_1[2] > _e971) {
+                                    phi_1537_ = _e818.member_1[2];
+                                } else {
+                                    phi_1537_ = _e971;
+                                }
+                                let _e1002 = phi_1537_;
+                                phi_1268_ = type_29(array<f32, 3>(_e976, _e981, _e986), array<f32, 3>(_e992, _e997, _e1002));
                             } else {
-                                phi_1260_ = type_29();
+                                phi_1268_ = type_29();
                             }
-                            let _e1003 = phi_1260_;
+                            let _e1006 = phi_1268_;
                             continue;
                             continuing {
-                                phi_1256_ = _e827;
-                                phi_1259_ = _e1003;
-                                break if !(_e833);
+                                phi_1264_ = _e830;
+                                phi_1267_ = _e1006;
+                                break if !(_e836);
                             }
                         }
-                        if _e598 {
-                            phi_1536_ = (_e590 / 32u);
+                        if _e601 {
+                            phi_1544_ = (_e593 / 32u);
                         } else {
-                            phi_1536_ = 0u;
+                            phi_1544_ = 0u;
                         }
-                        let _e1007 = phi_1536_;
-                        if _e598 {
-                            phi_1541_ = (_e592 / 32u);
+                        let _e1010 = phi_1544_;
+                        if _e601 {
+                            phi_1549_ = (_e595 / 32u);
                         } else {
-                            phi_1541_ = 0u;
+                            phi_1549_ = 0u;
                         }
-                        let _e1010 = phi_1541_;
-                        let _e1253 = local_7;
-                        phi_881_ = _e1253;
-                        phi_883_ = _e1010;
-                        phi_885_ = _e1007;
+                        let _e1013 = phi_1549_;
+                        let _e1256 = local_7;
+                        phi_889_ = _e1256;
+                        phi_891_ = _e1013;
+                        phi_893_ = _e1010;
                     } else {
-                        phi_881_ = type_29();
-                        phi_883_ = u32();
-                        phi_885_ = u32();
+                        phi_889_ = type_29();
+                        phi_891_ = u32();
+                        phi_893_ = u32();
                     }
-                    let _e1012 = phi_881_;
-                    let _e1014 = phi_883_;
-                    let _e1016 = phi_885_;
+                    let _e1015 = phi_889_;
+                    let _e1017 = phi_891_;
+                    let _e1019 = phi_893_;
                     continue;
                     continuing {
-                        phi_877_ = _e578;
-                        phi_880_ = _e1012;
-                        phi_882_ = _e1014;
-                        phi_884_ = _e1016;
-                        break if !(_e584);
+                        phi_885_ = _e581;
+                        phi_888_ = _e1015;
+                        phi_890_ = _e1017;
+                        phi_892_ = _e1019;
+                        break if !(_e587);
                     }
                 }
-                let _e1022 = local;
-                if (_e86.x >= _e38) {
-                    phi_1552_ = ((_e86.x - _e38) | 2147483648u);
+                let _e1025 = local;
+                if (_e89.x >= _e41) {
+                    phi_1560_ = ((_e89.x - _e41) | 2147483648u);
                 } else {
-                    phi_1552_ = _e86.x;
+                    phi_1560_ = _e89.x;
                 }
-                let _e1028 = phi_1552_;
-                let _e1030 = local_1;
-                if (_e86.y >= _e38) {
-                    phi_1560_ = ((_e86.y - _e38) | 2147483648u);
+                let _e1031 = phi_1560_;
+                let _e1033 = local_1;
+                if (_e89.y >= _e41) {
+                    phi_1568_ = ((_e89.y - _e41) | 2147483648u);
                 } else {
-                    phi_1560_ = _e86.y;
+                    phi_1568_ = _e89.y;
                 }
-                let _e1036 = phi_1560_;
-                let _e1038 = local_2;
-                let _e1041 = local_3;
-                if ((_e94 - _e86.z) < (_e86.w - _e94)) {
-                    phi_1566_ = 2147483648u;
+                let _e1039 = phi_1568_;
+                let _e1041 = local_2;
+                let _e1044 = local_3;
+                if ((_e97 - _e89.z) < (_e89.w - _e97)) {
+                    phi_1574_ = 2147483648u;
                 } else {
-                    phi_1566_ = 0u;
+                    phi_1574_ = 0u;
                 }
-                let _e1044 = phi_1566_;
-                nodes.member[_e84] = type_25(vec4<u32>(bitcast<u32>(_e1022.member[0]), bitcast<u32>(_e1022.member[1]), bitcast<u32>(_e1022.member[2]), _e1028), vec4<u32>(bitcast<u32>(_e1030.member_1[0]), bitcast<u32>(_e1030.member_1[1]), bitcast<u32>(_e1030.member_1[2]), _e1036), vec4<u32>(bitcast<u32>(_e1038.member[0]), bitcast<u32>(_e1038.member[1]), bitcast<u32>(_e1038.member[2]), _e94), vec4<u32>(bitcast<u32>(_e1041.member_1[0]), bitcast<u32>(_e1041.member_1[1]), bitcast<u32>(_e1041.member_1[2]), (_e86.w | _e1044)));
-                phi_1599_ = true;
+                let _e1047 = phi_1574_;
+                nodes.member[_e87] = type_25(vec4<u32>(bitcast<u32>(_e1025.member[0]), bitcast<u32>(_e1025.member[1]), bitcast<u32>(_e1025.member[2]), _e1031), vec4<u32>(bitcast<u32>(_e1033.member_1[0]), bitcast<u32>(_e1033.member_1[1]), bitcast<u32>(_e1033.member_1[2]), _e1039), vec4<u32>(bitcast<u32>(_e1041.member[0]), bitcast<u32>(_e1041.member[1]), bitcast<u32>(_e1041.member[2]), _e97), vec4<u32>(bitcast<u32>(_e1044.member_1[0]), bitcast<u32>(_e1044.member_1[1]), bitcast<u32>(_e1044.member_1[2]), (_e89.w | _e1047)));
+                phi_1607_ = true;
             }
-            let _e1077 = phi_1599_;
-            phi_1600_ = _e1077;
+            let _e1080 = phi_1607_;
+            phi_1608_ = _e1080;
         } else {
-            phi_1600_ = false;
+            phi_1608_ = false;
         }
-        let _e1079 = phi_1600_;
+        let _e1082 = phi_1608_;
         continue;
         continuing {
-            phi_127_ = _e65;
-            break if !(_e1079);
+            phi_135_ = _e68;
+            break if !(_e1082);
         }
     }
     return;

@@ -51,43 +51,39 @@ struct type_23 {
     member: array<type_21>,
 }
 
-struct type_24 {
-    member: u32,
-}
-
-struct type_25 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_24,
-}
-
 struct type_26 {
-    member: type_25,
-}
-
-struct type_29 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_31 {
+struct type_28 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
+struct type_29 {
+    member: u32,
+}
+
+struct type_30 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_29,
+}
+
+struct type_31 {
+    member: type_30,
+}
+
 struct type_34 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_23;
-@group(0) @binding(0) 
-var<storage> params: type_26;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_29;
+var<storage> keys: type_26;
 @group(0) @binding(5) 
 var<storage> paths: type_17;
 @group(0) @binding(6) 
@@ -95,6 +91,10 @@ var<storage> input: type_11;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_34;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_31;
+@group(0) @binding(1) 
+var<storage> boxes: type_23;
 @group(0) @binding(2) 
 var<storage> elements: type_19;
 
@@ -255,9 +255,9 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_31;
-    var local_1: type_31;
-    var local_2: type_31;
+    var local: type_28;
+    var local_1: type_28;
+    var local_2: type_28;
     var phi_309_: u32;
     var phi_319_: u32;
     var phi_326_: u32;
@@ -997,7 +997,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e504 = paths.member[_e144[1]];
                     let _e510 = paths.member[_e146[0]];
                     let _e512 = paths.member[_e146[1]];
-                    local_2 = type_31(array<array<f32, 3>, 2>(array<f32, 3>((_e510.member[0] - _e502.member[0]), (_e510.member[1] - _e502.member[1]), (_e510.member[2] - _e502.member[2])), array<f32, 3>((_e510.member_1[0] - _e502.member_1[0]), (_e510.member_1[1] - _e502.member_1[1]), (_e510.member_1[2] - _e502.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e504.member[0] - _e502.member[0]), (_e504.member[1] - _e502.member[1]), (_e504.member[2] - _e502.member[2])), array<f32, 3>((_e504.member_1[0] - _e502.member_1[0]), (_e504.member_1[1] - _e502.member_1[1]), (_e504.member_1[2] - _e502.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e510.member[0] - _e512.member[0]), (_e510.member[1] - _e512.member[1]), (_e510.member[2] - _e512.member[2])), array<f32, 3>((_e510.member_1[0] - _e512.member_1[0]), (_e510.member_1[1] - _e512.member_1[1]), (_e510.member_1[2] - _e512.member_1[2]))), (_e498 + _e498));
+                    local_2 = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e510.member[0] - _e502.member[0]), (_e510.member[1] - _e502.member[1]), (_e510.member[2] - _e502.member[2])), array<f32, 3>((_e510.member_1[0] - _e502.member_1[0]), (_e510.member_1[1] - _e502.member_1[1]), (_e510.member_1[2] - _e502.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e504.member[0] - _e502.member[0]), (_e504.member[1] - _e502.member[1]), (_e504.member[2] - _e502.member[2])), array<f32, 3>((_e504.member_1[0] - _e502.member_1[0]), (_e504.member_1[1] - _e502.member_1[1]), (_e504.member_1[2] - _e502.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e510.member[0] - _e512.member[0]), (_e510.member[1] - _e512.member[1]), (_e510.member[2] - _e512.member[2])), array<f32, 3>((_e510.member_1[0] - _e512.member_1[0]), (_e510.member_1[1] - _e512.member_1[1]), (_e510.member_1[2] - _e512.member_1[2]))), (_e498 + _e498));
                     let _e572 = local_2.member_1[0u];
                     let _e578 = local_2.member_2[0u];
                     let _e584 = ((_e572[1] * _e578[2]) - (_e572[2] * _e578[1]));
@@ -1880,8 +1880,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e1583 = local_2.member_1[1u];
                         let _e1586 = local_2.member_2[1u];
                         let _e1588 = local_2.member_3;
-                        local = type_31(array<array<f32, 3>, 2>(_e1569, array<f32, 3>(_e1528, _e1529, _e1530)), array<array<f32, 3>, 2>(_e1572, array<f32, 3>(_e1546, _e1547, _e1548)), array<array<f32, 3>, 2>(_e1575, array<f32, 3>(_e1564, _e1565, _e1566)), _e1577);
-                        local_1 = type_31(array<array<f32, 3>, 2>(array<f32, 3>(_e1528, _e1529, _e1530), _e1580), array<array<f32, 3>, 2>(array<f32, 3>(_e1546, _e1547, _e1548), _e1583), array<array<f32, 3>, 2>(array<f32, 3>(_e1564, _e1565, _e1566), _e1586), _e1588);
+                        local = type_28(array<array<f32, 3>, 2>(_e1569, array<f32, 3>(_e1528, _e1529, _e1530)), array<array<f32, 3>, 2>(_e1572, array<f32, 3>(_e1546, _e1547, _e1548)), array<array<f32, 3>, 2>(_e1575, array<f32, 3>(_e1564, _e1565, _e1566)), _e1577);
+                        local_1 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e1528, _e1529, _e1530), _e1580), array<array<f32, 3>, 2>(array<f32, 3>(_e1546, _e1547, _e1548), _e1583), array<array<f32, 3>, 2>(array<f32, 3>(_e1564, _e1565, _e1566), _e1586), _e1588);
                         let _e1605 = local.member_1[0u];
                         let _e1611 = local.member_2[0u];
                         let _e1617 = ((_e1605[1] * _e1611[2]) - (_e1605[2] * _e1611[1]));

@@ -47,29 +47,29 @@ struct type_21 {
     member: array<type_19>,
 }
 
-struct type_22 {
-    member: u32,
-}
-
-struct type_23 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_22,
-}
-
 struct type_24 {
-    member: type_23,
-}
-
-struct type_27 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_29 {
+struct type_26 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
+}
+
+struct type_27 {
+    member: u32,
+}
+
+struct type_28 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_27,
+}
+
+struct type_29 {
+    member: type_28,
 }
 
 struct type_31 {
@@ -80,14 +80,10 @@ struct type_34 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_21;
-@group(0) @binding(0) 
-var<storage> params: type_24;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_27;
+var<storage> keys: type_24;
 @group(0) @binding(5) 
 var<storage> paths: type_17;
 @group(0) @binding(6) 
@@ -95,6 +91,10 @@ var<storage> input: type_11;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_34;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_29;
+@group(0) @binding(1) 
+var<storage> boxes: type_21;
 @group(0) @binding(2) 
 var<storage> elements: type_31;
 
@@ -255,9 +255,9 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_29;
-    var local_1: type_29;
-    var local_2: type_29;
+    var local: type_26;
+    var local_1: type_26;
+    var local_2: type_26;
     var phi_310_: u32;
     var phi_320_: u32;
     var phi_327_: u32;
@@ -1059,7 +1059,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e522 = paths.member[_e144[0]];
                     let _e528 = paths.member[_e144[1]];
                     let _e530 = paths.member[_e144[2]];
-                    local_2 = type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e520.member[0] - _e522.member[0]), (_e520.member[1] - _e522.member[1]), (_e520.member[2] - _e522.member[2])), array<f32, 3>((_e520.member_1[0] - _e522.member_1[0]), (_e520.member_1[1] - _e522.member_1[1]), (_e520.member_1[2] - _e522.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e528.member[0] - _e522.member[0]), (_e528.member[1] - _e522.member[1]), (_e528.member[2] - _e522.member[2])), array<f32, 3>((_e528.member_1[0] - _e522.member_1[0]), (_e528.member_1[1] - _e522.member_1[1]), (_e528.member_1[2] - _e522.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e530.member[0] - _e522.member[0]), (_e530.member[1] - _e522.member[1]), (_e530.member[2] - _e522.member[2])), array<f32, 3>((_e530.member_1[0] - _e522.member_1[0]), (_e530.member_1[1] - _e522.member_1[1]), (_e530.member_1[2] - _e522.member_1[2]))), (_e513 + _e513));
+                    local_2 = type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e520.member[0] - _e522.member[0]), (_e520.member[1] - _e522.member[1]), (_e520.member[2] - _e522.member[2])), array<f32, 3>((_e520.member_1[0] - _e522.member_1[0]), (_e520.member_1[1] - _e522.member_1[1]), (_e520.member_1[2] - _e522.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e528.member[0] - _e522.member[0]), (_e528.member[1] - _e522.member[1]), (_e528.member[2] - _e522.member[2])), array<f32, 3>((_e528.member_1[0] - _e522.member_1[0]), (_e528.member_1[1] - _e522.member_1[1]), (_e528.member_1[2] - _e522.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e530.member[0] - _e522.member[0]), (_e530.member[1] - _e522.member[1]), (_e530.member[2] - _e522.member[2])), array<f32, 3>((_e530.member_1[0] - _e522.member_1[0]), (_e530.member_1[1] - _e522.member_1[1]), (_e530.member_1[2] - _e522.member_1[2]))), (_e513 + _e513));
                     let _e590 = local_2.member_1[0u];
                     let _e596 = local_2.member_2[0u];
                     let _e602 = ((_e590[1] * _e596[2]) - (_e590[2] * _e596[1]));
@@ -2067,8 +2067,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e1719 = local_2.member_1[1u];
                         let _e1722 = local_2.member_2[1u];
                         let _e1724 = local_2.member_3;
-                        local = type_29(array<array<f32, 3>, 2>(_e1705, array<f32, 3>(_e1664, _e1665, _e1666)), array<array<f32, 3>, 2>(_e1708, array<f32, 3>(_e1682, _e1683, _e1684)), array<array<f32, 3>, 2>(_e1711, array<f32, 3>(_e1700, _e1701, _e1702)), _e1713);
-                        local_1 = type_29(array<array<f32, 3>, 2>(array<f32, 3>(_e1664, _e1665, _e1666), _e1716), array<array<f32, 3>, 2>(array<f32, 3>(_e1682, _e1683, _e1684), _e1719), array<array<f32, 3>, 2>(array<f32, 3>(_e1700, _e1701, _e1702), _e1722), _e1724);
+                        local = type_26(array<array<f32, 3>, 2>(_e1705, array<f32, 3>(_e1664, _e1665, _e1666)), array<array<f32, 3>, 2>(_e1708, array<f32, 3>(_e1682, _e1683, _e1684)), array<array<f32, 3>, 2>(_e1711, array<f32, 3>(_e1700, _e1701, _e1702)), _e1713);
+                        local_1 = type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e1664, _e1665, _e1666), _e1716), array<array<f32, 3>, 2>(array<f32, 3>(_e1682, _e1683, _e1684), _e1719), array<array<f32, 3>, 2>(array<f32, 3>(_e1700, _e1701, _e1702), _e1722), _e1724);
                         let _e1741 = local.member_1[0u];
                         let _e1747 = local.member_2[0u];
                         let _e1753 = ((_e1741[1] * _e1747[2]) - (_e1741[2] * _e1747[1]));

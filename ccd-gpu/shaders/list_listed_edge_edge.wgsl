@@ -42,41 +42,41 @@ struct type_19 {
     member: array<type_17>,
 }
 
-struct type_20 {
+struct type_22 {
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_23 {
     member: u32,
 }
 
-struct type_21 {
+struct type_24 {
     member: type_7,
     member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
+    member_2: type_23,
 }
 
 struct type_25 {
-    member: array<array<array<u32, 2>, 6>>,
+    member: type_24,
 }
 
 struct type_28 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_19;
-@group(0) @binding(0) 
-var<storage> params: type_22;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_25;
+var<storage> keys: type_22;
 @group(0) @binding(5) 
 var<storage> input: type_11;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_28;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_25;
+@group(0) @binding(1) 
+var<storage> boxes: type_19;
 @group(0) @binding(2) 
 var<storage> elements: type_15;
 

@@ -38,22 +38,22 @@ struct type_17 {
     member: array<type_15>,
 }
 
-struct type_18 {
+struct type_20 {
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_21 {
     member: u32,
 }
 
-struct type_19 {
+struct type_22 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
-}
-
-struct type_20 {
-    member: type_19,
+    member_2: type_21,
 }
 
 struct type_23 {
-    member: array<array<array<u32, 2>, 6>>,
+    member: type_22,
 }
 
 struct type_25 {
@@ -64,19 +64,19 @@ struct type_28 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_17;
-@group(0) @binding(0) 
-var<storage> params: type_20;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_23;
+var<storage> keys: type_20;
 @group(0) @binding(5) 
 var<storage> input: type_11;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_28;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_23;
+@group(0) @binding(1) 
+var<storage> boxes: type_17;
 @group(0) @binding(2) 
 var<storage> elements: type_25;
 

@@ -91,57 +91,57 @@ var<workgroup> boxes: array<type_27, 512>;
 var<workgroup> counters: array<atomic<u32>, 2>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_151_: type_27;
-    var phi_190_: type_8;
-    var phi_199_: bool;
-    var phi_209_: u32;
-    var phi_225_: u32;
-    var phi_226_: u32;
-    var phi_227_: u32;
-    var phi_228_: u32;
-    var phi_229_: u32;
-    var phi_230_: u32;
-    var phi_231_: u32;
-    var phi_232_: u32;
-    var phi_235_: type_9;
-    var phi_238_: type_27;
-    var phi_240_: type_27;
-    var phi_242_: type_27;
-    var phi_236_: type_9;
-    var phi_265_: type_9;
-    var phi_318_: f32;
-    var phi_325_: f32;
-    var phi_332_: f32;
+    var phi_159_: type_27;
+    var phi_198_: type_8;
+    var phi_207_: bool;
+    var phi_217_: u32;
+    var phi_233_: u32;
+    var phi_234_: u32;
+    var phi_235_: u32;
+    var phi_236_: u32;
+    var phi_237_: u32;
+    var phi_238_: u32;
+    var phi_239_: u32;
+    var phi_240_: u32;
+    var phi_243_: type_9;
+    var phi_246_: type_27;
+    var phi_248_: type_27;
+    var phi_250_: type_27;
+    var phi_244_: type_9;
+    var phi_273_: type_9;
+    var phi_326_: f32;
+    var phi_333_: f32;
     var phi_340_: f32;
-    var phi_347_: f32;
-    var phi_354_: f32;
-    var phi_357_: type_27;
-    var phi_399_: f32;
-    var phi_406_: f32;
-    var phi_413_: f32;
+    var phi_348_: f32;
+    var phi_355_: f32;
+    var phi_362_: f32;
+    var phi_365_: type_27;
+    var phi_407_: f32;
+    var phi_414_: f32;
     var phi_421_: f32;
-    var phi_428_: f32;
-    var phi_435_: f32;
-    var phi_438_: type_27;
-    var phi_444_: u32;
-    var phi_465_: f32;
-    var phi_472_: f32;
-    var phi_479_: f32;
+    var phi_429_: f32;
+    var phi_436_: f32;
+    var phi_443_: f32;
+    var phi_446_: type_27;
+    var phi_452_: u32;
+    var phi_473_: f32;
+    var phi_480_: f32;
     var phi_487_: f32;
-    var phi_494_: f32;
-    var phi_501_: f32;
-    var phi_239_: type_27;
-    var phi_241_: type_27;
-    var phi_243_: type_27;
+    var phi_495_: f32;
+    var phi_502_: f32;
+    var phi_509_: f32;
+    var phi_247_: type_27;
+    var phi_249_: type_27;
+    var phi_251_: type_27;
     var local: type_27;
-    var phi_538_: u32;
+    var phi_546_: u32;
     var local_1: type_27;
-    var phi_547_: u32;
+    var phi_555_: u32;
     var local_2: type_27;
     var local_3: type_27;
-    var phi_554_: u32;
-    var phi_595_: u32;
-    var phi_596_: u32;
+    var phi_562_: u32;
+    var phi_603_: u32;
+    var phi_604_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -154,308 +154,309 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e25 = lane_2;
     let _e36 = (((_e23.y * _e24.x) + _e23.x) * 256u);
     let _e37 = (_e36 + _e25);
-    let _e41 = params.member.member.member[1u];
-    if (_e37 < _e41) {
-        let _e47 = params.member.member_2.member[0u][1u];
-        let _e50 = block_nodes.member[(_e47 + _e37)];
-        phi_151_ = type_27(array<f32, 3>(_e50.member.x, _e50.member.y, _e50.member_1.x), array<f32, 3>(_e50.member_1.y, _e50.member_2.x, _e50.member_2.y));
+    let _e40 = params.member.member_2.member_1;
+    let _e44 = params.member.member.member[_e40];
+    if (_e37 < _e44) {
+        let _e50 = params.member.member_2.member[0u][_e40];
+        let _e53 = block_nodes.member[(_e50 + _e37)];
+        phi_159_ = type_27(array<f32, 3>(_e53.member.x, _e53.member.y, _e53.member_1.x), array<f32, 3>(_e53.member_1.y, _e53.member_2.x, _e53.member_2.y));
     } else {
-        phi_151_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_159_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e67 = phi_151_;
-    boxes[_e25] = type_27(array<f32, 3>(_e67.member[0], _e67.member[1], _e67.member[2]), array<f32, 3>(_e67.member_1[0], _e67.member_1[1], _e67.member_1[2]));
+    let _e70 = phi_159_;
+    boxes[_e25] = type_27(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2]));
     if (_e25 == 0u) {
         atomicStore((&counters[0u]), 0u);
     }
-    let _e83 = ((_e37 + 1u) < _e41);
-    if _e83 {
-        let _e86 = branches.member[_e37];
-        phi_190_ = type_8(_e86.x, _e86.y, _e86.z, _e86.w);
+    let _e86 = ((_e37 + 1u) < _e44);
+    if _e86 {
+        let _e89 = branches.member[_e37];
+        phi_198_ = type_8(_e89.x, _e89.y, _e89.z, _e89.w);
     } else {
-        phi_190_ = type_8(0u, 0u, _e36, _e36);
+        phi_198_ = type_8(0u, 0u, _e36, _e36);
     }
-    let _e93 = phi_190_;
-    if (_e93.member_2 >= _e36) {
-        phi_199_ = (_e93.member_3 < (_e36 + 256u));
+    let _e96 = phi_198_;
+    if (_e96.member_2 >= _e36) {
+        phi_207_ = (_e96.member_3 < (_e36 + 256u));
     } else {
-        phi_199_ = false;
+        phi_207_ = false;
     }
-    let _e100 = phi_199_;
-    let _e101 = (_e41 - 1u);
-    if (_e93.member >= _e101) {
-        phi_209_ = (_e93.member - _e101);
+    let _e103 = phi_207_;
+    let _e104 = (_e44 - 1u);
+    if (_e96.member >= _e104) {
+        phi_217_ = (_e96.member - _e104);
     } else {
-        phi_209_ = _e93.member;
+        phi_217_ = _e96.member;
     }
-    let _e108 = phi_209_;
-    if _e83 {
-        if _e100 {
-            phi_225_ = (_e93.member_3 - _e108);
-            phi_226_ = ((_e108 + 1u) - _e36);
-            phi_227_ = ((_e108 + 1u) - _e93.member_2);
-            phi_228_ = (_e93.member_2 - _e36);
+    let _e111 = phi_217_;
+    if _e86 {
+        if _e103 {
+            phi_233_ = (_e96.member_3 - _e111);
+            phi_234_ = ((_e111 + 1u) - _e36);
+            phi_235_ = ((_e111 + 1u) - _e96.member_2);
+            phi_236_ = (_e96.member_2 - _e36);
         } else {
-            phi_225_ = 0u;
-            phi_226_ = 0u;
-            phi_227_ = 0u;
-            phi_228_ = 0u;
+            phi_233_ = 0u;
+            phi_234_ = 0u;
+            phi_235_ = 0u;
+            phi_236_ = 0u;
         }
-        let _e119 = phi_225_;
-        let _e121 = phi_226_;
-        let _e123 = phi_227_;
-        let _e125 = phi_228_;
-        phi_229_ = _e119;
-        phi_230_ = _e121;
-        phi_231_ = _e123;
-        phi_232_ = _e125;
+        let _e122 = phi_233_;
+        let _e124 = phi_234_;
+        let _e126 = phi_235_;
+        let _e128 = phi_236_;
+        phi_237_ = _e122;
+        phi_238_ = _e124;
+        phi_239_ = _e126;
+        phi_240_ = _e128;
     } else {
-        phi_229_ = 0u;
-        phi_230_ = 0u;
-        phi_231_ = 0u;
-        phi_232_ = 0u;
+        phi_237_ = 0u;
+        phi_238_ = 0u;
+        phi_239_ = 0u;
+        phi_240_ = 0u;
     }
-    let _e127 = phi_229_;
-    let _e129 = phi_230_;
-    let _e131 = phi_231_;
-    let _e133 = phi_232_;
+    let _e130 = phi_237_;
+    let _e132 = phi_238_;
+    let _e134 = phi_239_;
+    let _e136 = phi_240_;
     workgroupBarrier();
-    phi_235_ = type_9(0u, 9u);
-    phi_238_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    phi_240_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    phi_242_ = _e67;
+    phi_243_ = type_9(0u, 9u);
+    phi_246_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_248_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_250_ = _e70;
     loop {
-        let _e135 = phi_235_;
-        let _e137 = phi_238_;
-        let _e139 = phi_240_;
-        let _e141 = phi_242_;
-        local = _e139;
-        local_1 = _e139;
-        local_2 = _e137;
-        local_3 = _e137;
-        if (_e135.member < _e135.member_1) {
-            phi_236_ = type_9((_e135.member + 1u), _e135.member_1);
-            phi_265_ = type_9(1u, _e135.member);
+        let _e138 = phi_243_;
+        let _e140 = phi_246_;
+        let _e142 = phi_248_;
+        let _e144 = phi_250_;
+        local = _e142;
+        local_1 = _e142;
+        local_2 = _e140;
+        local_3 = _e140;
+        if (_e138.member < _e138.member_1) {
+            phi_244_ = type_9((_e138.member + 1u), _e138.member_1);
+            phi_273_ = type_9(1u, _e138.member);
         } else {
-            phi_236_ = _e135;
-            phi_265_ = type_9(0u, type_9().member_1);
+            phi_244_ = _e138;
+            phi_273_ = type_9(0u, type_9().member_1);
         }
-        let _e153 = phi_236_;
-        let _e155 = phi_265_;
-        let _e159 = (bitcast<i32>(_e155.member) != 0i);
-        if _e159 {
-            let _e161 = ((_e155.member_1 & 1u) * 256u);
-            let _e164 = (1u << bitcast<u32>((_e155.member_1 & 31u)));
-            if ((_e131 >> bitcast<u32>((_e155.member_1 & 31u))) == 1u) {
-                let _e169 = (_e161 + _e133);
-                let _e171 = boxes[_e169];
-                let _e183 = boxes[((_e169 + _e131) - _e164)];
-                if (_e171.member[0] < _e183.member[0]) {
-                    phi_318_ = _e171.member[0];
+        let _e156 = phi_244_;
+        let _e158 = phi_273_;
+        let _e162 = (bitcast<i32>(_e158.member) != 0i);
+        if _e162 {
+            let _e164 = ((_e158.member_1 & 1u) * 256u);
+            let _e167 = (1u << bitcast<u32>((_e158.member_1 & 31u)));
+            if ((_e134 >> bitcast<u32>((_e158.member_1 & 31u))) == 1u) {
+                let _e172 = (_e164 + _e136);
+                let _e174 = boxes[_e172];
+                let _e186 = boxes[((_e172 + _e134) - _e167)];
+                if (_e174.member[0] < _e186.member[0]) {
+                    phi_326_ = _e174.member[0];
                 } else {
-                    phi_318_ = _e183.member[0];
+                    phi_326_ = _e186.member[0];
                 }
-                let _e194 = phi_318_;
-                if (_e171.member[1] < _e183.member[1]) {
-                    phi_325_ = _e171.member[1];
+                let _e197 = phi_326_;
+                if (_e174.member[1] < _e186.member[1]) {
+                    phi_333_ = _e174.member[1];
                 } else {
-                    phi_325_ = _e183.member[1];
+                    phi_333_ = _e186.member[1];
                 }
-                let _e197 = phi_325_;
-                if (_e171.member[2] < _e183.member[2]) {
-                    phi_332_ = _e171.member[2];
+                let _e200 = phi_333_;
+                if (_e174.member[2] < _e186.member[2]) {
+                    phi_340_ = _e174.member[2];
                 } else {
-                    phi_332_ = _e183.member[2];
+                    phi_340_ = _e186.member[2];
                 }
-                let _e200 = phi_332_;
-                if (_e171.member_1[0] > _e183.member_1[0]) {
-                    phi_340_ = _e171.member_1[0];
+                let _e203 = phi_340_;
+                if (_e174.member_1[0] > _e186.member_1[0]) {
+                    phi_348_ = _e174.member_1[0];
                 } else {
-                    phi_340_ = _e183.member_1[0];
+                    phi_348_ = _e186.member_1[0];
                 }
-                let _e204 = phi_340_;
-                if (_e171.member_1[1] > _e183.member_1[1]) {
-                    phi_347_ = _e171.member_1[1];
+                let _e207 = phi_348_;
+                if (_e174.member_1[1] > _e186.member_1[1]) {
+                    phi_355_ = _e174.member_1[1];
                 } else {
-                    phi_347_ = _e183.member_1[1];
+                    phi_355_ = _e186.member_1[1];
                 }
-                let _e207 = phi_347_;
-                if (_e171.member_1[2] > _e183.member_1[2]) {
-                    phi_354_ = _e171.member_1[2];
+                let _e210 = phi_355_;
+                if (_e174.member_1[2] > _e186.member_1[2]) {
+                    phi_362_ = _e174.member_1[2];
                 } else {
-                    phi_354_ = _e183.member_1[2];
+                    phi_362_ = _e186.member_1[2];
                 }
-                let _e210 = phi_354_;
-                phi_357_ = type_27(array<f32, 3>(_e194, _e197, _e200), array<f32, 3>(_e204, _e207, _e210));
+                let _e213 = phi_362_;
+                phi_365_ = type_27(array<f32, 3>(_e197, _e200, _e203), array<f32, 3>(_e207, _e210, _e213));
             } else {
-                phi_357_ = _e139;
+                phi_365_ = _e142;
             }
-            let _e214 = phi_357_;
-            if ((_e127 >> bitcast<u32>((_e155.member_1 & 31u))) == 1u) {
-                let _e219 = (_e161 + _e129);
-                let _e221 = boxes[_e219];
-                let _e233 = boxes[((_e219 + _e127) - _e164)];
-                if (_e221.member[0] < _e233.member[0]) {
-                    phi_399_ = _e221.member[0];
+            let _e217 = phi_365_;
+            if ((_e130 >> bitcast<u32>((_e158.member_1 & 31u))) == 1u) {
+                let _e222 = (_e164 + _e132);
+                let _e224 = boxes[_e222];
+                let _e236 = boxes[((_e222 + _e130) - _e167)];
+                if (_e224.member[0] < _e236.member[0]) {
+                    phi_407_ = _e224.member[0];
                 } else {
-                    phi_399_ = _e233.member[0];
+                    phi_407_ = _e236.member[0];
                 }
-                let _e244 = phi_399_;
-                if (_e221.member[1] < _e233.member[1]) {
-                    phi_406_ = _e221.member[1];
+                let _e247 = phi_407_;
+                if (_e224.member[1] < _e236.member[1]) {
+                    phi_414_ = _e224.member[1];
                 } else {
-                    phi_406_ = _e233.member[1];
+                    phi_414_ = _e236.member[1];
                 }
-                let _e247 = phi_406_;
-                if (_e221.member[2] < _e233.member[2]) {
-                    phi_413_ = _e221.member[2];
+                let _e250 = phi_414_;
+                if (_e224.member[2] < _e236.member[2]) {
+                    phi_421_ = _e224.member[2];
                 } else {
-                    phi_413_ = _e233.member[2];
+                    phi_421_ = _e236.member[2];
                 }
-                let _e250 = phi_413_;
-                if (_e221.member_1[0] > _e233.member_1[0]) {
-                    phi_421_ = _e221.member_1[0];
+                let _e253 = phi_421_;
+                if (_e224.member_1[0] > _e236.member_1[0]) {
+                    phi_429_ = _e224.member_1[0];
                 } else {
-                    phi_421_ = _e233.member_1[0];
+                    phi_429_ = _e236.member_1[0];
                 }
-                let _e254 = phi_421_;
-                if (_e221.member_1[1] > _e233.member_1[1]) {
-                    phi_428_ = _e221.member_1[1];
+                let _e257 = phi_429_;
+                if (_e224.member_1[1] > _e236.member_1[1]) {
+                    phi_436_ = _e224.member_1[1];
                 } else {
-                    phi_428_ = _e233.member_1[1];
+                    phi_436_ = _e236.member_1[1];
                 }
-                let _e257 = phi_428_;
-                if (_e221.member_1[2] > _e233.member_1[2]) {
-                    phi_435_ = _e221.member_1[2];
+                let _e260 = phi_436_;
+                if (_e224.member_1[2] > _e236.member_1[2]) {
+                    phi_443_ = _e224.member_1[2];
                 } else {
-                    phi_435_ = _e233.member_1[2];
+                    phi_443_ = _e236.member_1[2];
                 }
-                let _e260 = phi_435_;
-                phi_438_ = type_27(array<f32, 3>(_e244, _e247, _e250), array<f32, 3>(_e254, _e257, _e260));
+                let _e263 = phi_443_;
+                phi_446_ = type_27(array<f32, 3>(_e247, _e250, _e253), array<f32, 3>(_e257, _e260, _e263));
             } else {
-                phi_438_ = _e137;
+                phi_446_ = _e140;
             }
-            let _e264 = phi_438_;
-            let _e265 = (_e25 + _e164);
-            if (255u < _e265) {
-                phi_444_ = 255u;
+            let _e267 = phi_446_;
+            let _e268 = (_e25 + _e167);
+            if (255u < _e268) {
+                phi_452_ = 255u;
             } else {
-                phi_444_ = _e265;
+                phi_452_ = _e268;
             }
-            let _e268 = phi_444_;
-            let _e271 = boxes[(_e161 + _e268)];
-            if (_e141.member[0] < _e271.member[0]) {
-                phi_465_ = _e141.member[0];
+            let _e271 = phi_452_;
+            let _e274 = boxes[(_e164 + _e271)];
+            if (_e144.member[0] < _e274.member[0]) {
+                phi_473_ = _e144.member[0];
             } else {
-                phi_465_ = _e271.member[0];
+                phi_473_ = _e274.member[0];
             }
-            let _e284 = phi_465_;
-            if (_e141.member[1] < _e271.member[1]) {
-                phi_472_ = _e141.member[1];
+            let _e287 = phi_473_;
+            if (_e144.member[1] < _e274.member[1]) {
+                phi_480_ = _e144.member[1];
             } else {
-                phi_472_ = _e271.member[1];
+                phi_480_ = _e274.member[1];
             }
-            let _e289 = phi_472_;
-            if (_e141.member[2] < _e271.member[2]) {
-                phi_479_ = _e141.member[2];
+            let _e292 = phi_480_;
+            if (_e144.member[2] < _e274.member[2]) {
+                phi_487_ = _e144.member[2];
             } else {
-                phi_479_ = _e271.member[2];
+                phi_487_ = _e274.member[2];
             }
-            let _e294 = phi_479_;
-            if (_e141.member_1[0] > _e271.member_1[0]) {
-                phi_487_ = _e141.member_1[0];
+            let _e297 = phi_487_;
+            if (_e144.member_1[0] > _e274.member_1[0]) {
+                phi_495_ = _e144.member_1[0];
             } else {
-                phi_487_ = _e271.member_1[0];
+                phi_495_ = _e274.member_1[0];
             }
-            let _e300 = phi_487_;
-            if (_e141.member_1[1] > _e271.member_1[1]) {
-                phi_494_ = _e141.member_1[1];
+            let _e303 = phi_495_;
+            if (_e144.member_1[1] > _e274.member_1[1]) {
+                phi_502_ = _e144.member_1[1];
             } else {
-                phi_494_ = _e271.member_1[1];
+                phi_502_ = _e274.member_1[1];
             }
-            let _e305 = phi_494_;
-            if (_e141.member_1[2] > _e271.member_1[2]) {
-                phi_501_ = _e141.member_1[2];
+            let _e308 = phi_502_;
+            if (_e144.member_1[2] > _e274.member_1[2]) {
+                phi_509_ = _e144.member_1[2];
             } else {
-                phi_501_ = _e271.member_1[2];
+                phi_509_ = _e274.member_1[2];
             }
-            let _e310 = phi_501_;
-            boxes[((256u - _e161) + _e25)] = type_27(array<f32, 3>(_e284, _e289, _e294), array<f32, 3>(_e300, _e305, _e310));
+            let _e313 = phi_509_;
+            boxes[((256u - _e164) + _e25)] = type_27(array<f32, 3>(_e287, _e292, _e297), array<f32, 3>(_e303, _e308, _e313));
             workgroupBarrier();
-            phi_239_ = _e264;
-            phi_241_ = _e214;
-            phi_243_ = type_27(array<f32, 3>(_e284, _e289, _e294), array<f32, 3>(_e300, _e305, _e310));
+            phi_247_ = _e267;
+            phi_249_ = _e217;
+            phi_251_ = type_27(array<f32, 3>(_e287, _e292, _e297), array<f32, 3>(_e303, _e308, _e313));
         } else {
-            phi_239_ = type_27();
-            phi_241_ = type_27();
-            phi_243_ = type_27();
+            phi_247_ = type_27();
+            phi_249_ = type_27();
+            phi_251_ = type_27();
         }
-        let _e320 = phi_239_;
-        let _e322 = phi_241_;
-        let _e324 = phi_243_;
+        let _e323 = phi_247_;
+        let _e325 = phi_249_;
+        let _e327 = phi_251_;
         continue;
         continuing {
-            phi_235_ = _e153;
-            phi_238_ = _e320;
-            phi_240_ = _e322;
-            phi_242_ = _e324;
-            break if !(_e159);
+            phi_243_ = _e156;
+            phi_246_ = _e323;
+            phi_248_ = _e325;
+            phi_250_ = _e327;
+            break if !(_e162);
         }
     }
-    if _e83 {
-        if _e100 {
-            let _e326 = (_e41 - 1u);
-            let _e333 = local;
-            if (_e93.member >= _e326) {
-                phi_538_ = ((_e93.member - _e326) | 2147483648u);
+    if _e86 {
+        if _e103 {
+            let _e329 = (_e44 - 1u);
+            let _e336 = local;
+            if (_e96.member >= _e329) {
+                phi_546_ = ((_e96.member - _e329) | 2147483648u);
             } else {
-                phi_538_ = _e93.member;
+                phi_546_ = _e96.member;
             }
-            let _e340 = phi_538_;
-            let _e342 = local_1;
-            if (_e93.member_1 >= _e326) {
-                phi_547_ = ((_e93.member_1 - _e326) | 2147483648u);
+            let _e343 = phi_546_;
+            let _e345 = local_1;
+            if (_e96.member_1 >= _e329) {
+                phi_555_ = ((_e96.member_1 - _e329) | 2147483648u);
             } else {
-                phi_547_ = _e93.member_1;
+                phi_555_ = _e96.member_1;
             }
-            let _e349 = phi_547_;
-            let _e351 = local_2;
-            let _e354 = local_3;
-            if ((_e108 - _e93.member_2) < (_e93.member_3 - _e108)) {
-                phi_554_ = 2147483648u;
+            let _e352 = phi_555_;
+            let _e354 = local_2;
+            let _e357 = local_3;
+            if ((_e111 - _e96.member_2) < (_e96.member_3 - _e111)) {
+                phi_562_ = 2147483648u;
             } else {
-                phi_554_ = 0u;
+                phi_562_ = 0u;
             }
-            let _e358 = phi_554_;
-            nodes.member[_e37] = type_23(vec4<u32>(bitcast<u32>(_e333.member[0]), bitcast<u32>(_e333.member[1]), bitcast<u32>(_e333.member[2]), _e340), vec4<u32>(bitcast<u32>(_e342.member_1[0]), bitcast<u32>(_e342.member_1[1]), bitcast<u32>(_e342.member_1[2]), _e349), vec4<u32>(bitcast<u32>(_e351.member[0]), bitcast<u32>(_e351.member[1]), bitcast<u32>(_e351.member[2]), _e108), vec4<u32>(bitcast<u32>(_e354.member_1[0]), bitcast<u32>(_e354.member_1[1]), bitcast<u32>(_e354.member_1[2]), (_e93.member_3 | _e358)));
+            let _e361 = phi_562_;
+            nodes.member[_e37] = type_23(vec4<u32>(bitcast<u32>(_e336.member[0]), bitcast<u32>(_e336.member[1]), bitcast<u32>(_e336.member[2]), _e343), vec4<u32>(bitcast<u32>(_e345.member_1[0]), bitcast<u32>(_e345.member_1[1]), bitcast<u32>(_e345.member_1[2]), _e352), vec4<u32>(bitcast<u32>(_e354.member[0]), bitcast<u32>(_e354.member[1]), bitcast<u32>(_e354.member[2]), _e111), vec4<u32>(bitcast<u32>(_e357.member_1[0]), bitcast<u32>(_e357.member_1[1]), bitcast<u32>(_e357.member_1[2]), (_e96.member_3 | _e361)));
         }
     }
-    if _e83 {
-        if _e100 {
-            phi_595_ = 0u;
+    if _e86 {
+        if _e103 {
+            phi_603_ = 0u;
         } else {
-            let _e391 = atomicAdd((&counters[0u]), 1u);
-            phi_595_ = _e391;
+            let _e394 = atomicAdd((&counters[0u]), 1u);
+            phi_603_ = _e394;
         }
-        let _e393 = phi_595_;
-        phi_596_ = _e393;
+        let _e396 = phi_603_;
+        phi_604_ = _e396;
     } else {
-        phi_596_ = 0u;
+        phi_604_ = 0u;
     }
-    let _e395 = phi_596_;
+    let _e398 = phi_604_;
     workgroupBarrier();
     if (_e25 == 0u) {
-        let _e398 = atomicLoad((&counters[0u]));
-        if (_e398 > 0u) {
-            let _e401 = atomicAdd((&far.member[0u]), _e398);
-            atomicStore((&counters[1u]), _e401);
+        let _e401 = atomicLoad((&counters[0u]));
+        if (_e401 > 0u) {
+            let _e404 = atomicAdd((&far.member[0u]), _e401);
+            atomicStore((&counters[1u]), _e404);
         }
     }
     workgroupBarrier();
-    if _e83 {
-        if _e100 {
+    if _e86 {
+        if _e103 {
         } else {
-            let _e404 = atomicLoad((&counters[1u]));
-            atomicStore((&far.member[(4u + (_e404 + _e395))]), _e37);
+            let _e407 = atomicLoad((&counters[1u]));
+            atomicStore((&far.member[(4u + (_e407 + _e398))]), _e37);
         }
     }
     return;

@@ -39,26 +39,26 @@ struct type_19 {
     member_1: array<f32, 3>,
 }
 
-struct type_20 {
-    member: u32,
-}
-
 struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
+    member: array<type_19>,
 }
 
-struct type_22 {
-    member: type_21,
-}
-
-struct type_25 {
+struct type_24 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
+}
+
 struct type_27 {
-    member: array<type_19>,
+    member: type_26,
 }
 
 struct type_29 {
@@ -71,15 +71,15 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_27;
 @group(0) @binding(1) 
 var<storage> positions: type_31;
 @group(0) @binding(2) 
 var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_25;
+var<storage, read_write> keys: type_24;
 @group(0) @binding(4) 
-var<storage, read_write> boxes: type_27;
+var<storage, read_write> boxes: type_21;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;

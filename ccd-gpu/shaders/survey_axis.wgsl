@@ -68,10 +68,10 @@ struct type_22 {
     member_2: array<f32, 3>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_18;
 @group(0) @binding(0) 
 var<storage> params: type_21;
+@group(0) @binding(1) 
+var<storage> boxes: type_18;
 @group(0) @binding(2) 
 var<storage, read_write> survey: type_10;
 var<workgroup> shared_: array<type_22, 256>;

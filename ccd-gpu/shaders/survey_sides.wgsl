@@ -57,10 +57,10 @@ struct type_21 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_14;
 @group(0) @binding(0) 
 var<storage> params: type_17;
+@group(0) @binding(1) 
+var<storage> boxes: type_14;
 @group(0) @binding(2) 
 var<storage, read_write> survey: type_21;
 var<workgroup> sides: array<atomic<u32>, 4>;

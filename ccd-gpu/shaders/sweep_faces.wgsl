@@ -25,34 +25,34 @@ struct type_10 {
     member_1: array<f32, 3>,
 }
 
-struct type_11 {
-    member: u32,
-}
-
 struct type_12 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_11,
-}
-
-struct type_13 {
-    member: type_12,
-}
-
-struct type_15 {
-    member: array<array<u32, 3>>,
-}
-
-struct type_17 {
     member: array<type_10>,
 }
 
+struct type_13 {
+    member: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
+struct type_15 {
+    member: type_14,
+}
+
+struct type_17 {
+    member: array<array<u32, 3>>,
+}
+
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_15;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_17;
+var<storage, read_write> boxes: type_12;
 @group(0) @binding(1) 
-var<storage> faces: type_15;
+var<storage> faces: type_17;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: f32;

@@ -39,30 +39,30 @@ struct type_17 {
     member_1: array<f32, 3>,
 }
 
-struct type_18 {
-    member: u32,
-}
-
 struct type_19 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_18,
+    member: array<type_17>,
 }
 
 struct type_20 {
-    member: type_19,
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
 }
 
 struct type_22 {
-    member: array<type_17>,
+    member: type_21,
 }
 
 @group(0) @binding(1) 
 var<storage> paths: type_15;
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_22;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_22;
+var<storage, read_write> boxes: type_19;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_17;

@@ -39,82 +39,79 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct type_17 {
-    member: array<type_8>,
+struct type_18 {
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
-struct type_19 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+struct type_20 {
+    member: array<type_18>,
 }
 
 struct type_21 {
-    member: array<type_19>,
+    member: vec4<u32>,
+    member_1: vec4<u32>,
+    member_2: vec4<u32>,
+    member_3: vec4<u32>,
 }
 
-struct type_22 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: u32,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_24 {
-    member: array<type_22>,
-}
-
-struct type_26 {
+struct type_25 {
     member: array<u32, 31>,
     member_1: u32,
     member_2: u32,
     member_3: bool,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> boxes: type_21;
+var<storage> boxes: type_20;
 @group(0) @binding(2) 
 var<storage> order: type_13;
 @group(0) @binding(3) 
-var<storage> nodes: type_24;
+var<storage> nodes: type_23;
 @group(0) @binding(4) 
-var<storage> branches: type_17;
-@group(0) @binding(5) 
-var<storage, read_write> pairs: type_29;
+var<storage, read_write> pairs: type_28;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_26;
-    var phi_116_: array<u32, 2>;
-    var phi_149_: u32;
-    var phi_236_: bool;
-    var phi_306_: type_9;
-    var phi_307_: type_9;
-    var phi_330_: type_9;
-    var phi_362_: u32;
-    var phi_473_: u32;
-    var phi_474_: bool;
-    var phi_475_: u32;
-    var phi_476_: bool;
-    var phi_480_: u32;
-    var phi_490_: u32;
-    var phi_491_: bool;
-    var phi_492_: u32;
-    var phi_493_: bool;
-    var phi_497_: u32;
+    var local: type_25;
+    var phi_112_: array<u32, 2>;
+    var phi_145_: u32;
+    var phi_244_: array<u32, 2>;
+    var phi_277_: bool;
+    var phi_347_: type_9;
+    var phi_348_: type_9;
+    var phi_371_: type_9;
+    var phi_486_: u32;
+    var phi_487_: bool;
+    var phi_488_: u32;
+    var phi_489_: bool;
+    var phi_493_: u32;
+    var phi_501_: u32;
+    var phi_502_: bool;
+    var phi_503_: u32;
     var phi_504_: bool;
-    var phi_511_: bool;
-    var phi_528_: u32;
+    var phi_508_: u32;
+    var phi_513_: bool;
+    var phi_518_: bool;
+    var phi_530_: u32;
     var phi_546_: u32;
     var phi_548_: bool;
     var phi_549_: bool;
-    var phi_599_: bool;
-    var phi_644_: bool;
-    var phi_674_: bool;
+    var phi_595_: array<u32, 2>;
+    var phi_628_: bool;
+    var phi_671_: array<u32, 2>;
+    var phi_704_: bool;
+    var phi_734_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -122,251 +119,275 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e25 = id_2;
-    let _e26 = n_2;
-    let _e27 = lane_2;
-    let _e40 = ((((_e25.y * _e26.x) + _e25.x) * 128u) + _e27);
+    let _e26 = id_2;
+    let _e27 = n_2;
+    let _e28 = lane_2;
+    let _e40 = ((((_e26.y * _e27.x) + _e26.x) * 128u) + _e28);
     let _e43 = params.member.member_1.member;
     if (_e40 < _e43) {
         let _e47 = params.member.member_2.member;
         if (_e47 == 0u) {
-            phi_116_ = array<u32, 2>(0u, 2u);
+            phi_112_ = array<u32, 2>(0u, 2u);
         } else {
-            phi_116_ = array<u32, 2>(1u, 1u);
+            phi_112_ = array<u32, 2>(1u, 1u);
         }
-        let _e50 = phi_116_;
+        let _e50 = phi_112_;
         let _e56 = params.member.member.member_2[_e50[0]];
         let _e59 = params.member.member_1.member_1;
         let _e61 = ((_e56 + _e59) + _e40);
         let _e64 = params.member.member_2.member_1;
         if (_e64 == 0u) {
-            phi_149_ = _e61;
+            phi_145_ = _e61;
         } else {
             let _e67 = order.member[_e61];
-            phi_149_ = _e67;
+            phi_145_ = _e67;
         }
-        let _e69 = phi_149_;
+        let _e69 = phi_145_;
         let _e71 = boxes.member[_e69];
-        let _e75 = params.member.member.member_2[_e50[0]];
-        let _e76 = (_e69 - _e75);
-        let _e80 = params.member.member.member[_e50[1]];
-        let _e81 = (_e80 - 1u);
-        if (_e81 == 0u) {
-            let _e84 = nodes.member[0u];
-            if ((((((_e84.member[0] <= _e71.member_1[0]) && (_e71.member[0] <= _e84.member_2[0])) && (_e84.member[1] <= _e71.member_1[1])) && (_e71.member[1] <= _e84.member_2[1])) && (_e84.member[2] <= _e71.member_1[2])) && (_e71.member[2] <= _e84.member_2[2])) {
-                if (_e84.member_1 != 4294967295u) {
-                    let _e120 = params.member.member_2.member;
-                    if (_e120 == 0u) {
-                        phi_236_ = true;
-                    } else {
-                        phi_236_ = (_e84.member_1 > _e76);
+        let _e87 = params.member.member.member_2[_e50[0]];
+        let _e88 = (_e69 - _e87);
+        let _e92 = params.member.member.member[_e50[1]];
+        let _e93 = (_e92 - 1u);
+        if (_e93 == 0u) {
+            let _e98 = params.member.member.member_2[_e50[1]];
+            let _e100 = order.member[_e98];
+            let _e102 = boxes.member[_e100];
+            if ((((((_e102.member.x <= _e71.member_1.y) && (_e71.member.x <= _e102.member_1.y)) && (_e102.member.y <= _e71.member_2.x)) && (_e71.member.y <= _e102.member_2.x)) && (_e102.member_1.x <= _e71.member_2.y)) && (_e71.member_1.x <= _e102.member_2.y)) {
+                let _e128 = params.member.member_2.member;
+                if (_e128 == 0u) {
+                    phi_244_ = array<u32, 2>(0u, 2u);
+                } else {
+                    phi_244_ = array<u32, 2>(1u, 1u);
+                }
+                let _e131 = phi_244_;
+                let _e136 = params.member.member.member_2[_e131[1]];
+                let _e138 = order.member[_e136];
+                let _e139 = (_e138 - _e136);
+                let _e142 = params.member.member_2.member;
+                if (_e142 == 0u) {
+                    phi_277_ = true;
+                } else {
+                    phi_277_ = (_e139 > _e88);
+                }
+                let _e146 = phi_277_;
+                if _e146 {
+                    let _e149 = params.member.member_1.member_3;
+                    let _e151 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e151 + 1u) < _e151) {
+                        let _e155 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    let _e124 = phi_236_;
-                    if _e124 {
-                        let _e127 = params.member.member_1.member_3;
-                        let _e129 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e129 + 1u) < _e129) {
-                            let _e133 = atomicAdd((&pairs.member[2u]), 1u);
-                        }
-                        if (_e129 < _e127) {
-                            let _e135 = (2u * _e129);
-                            atomicStore((&pairs.member[(4u + _e135)]), _e76);
-                            atomicStore((&pairs.member[(_e135 + 5u)]), _e84.member_1);
-                        }
+                    if (_e151 < _e149) {
+                        let _e157 = (2u * _e151);
+                        atomicStore((&pairs.member[(4u + _e157)]), _e88);
+                        atomicStore((&pairs.member[(_e157 + 5u)]), _e139);
                     }
                 }
             }
         }
-        local = type_26(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_306_ = type_9(0u, _e81);
+        local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_347_ = type_9(0u, _e93);
         loop {
-            let _e142 = phi_306_;
-            if (_e142.member < _e142.member_1) {
-                phi_307_ = type_9((_e142.member + 1u), _e142.member_1);
-                phi_330_ = type_9(1u, _e142.member);
+            let _e164 = phi_347_;
+            if (_e164.member < _e164.member_1) {
+                phi_348_ = type_9((_e164.member + 1u), _e164.member_1);
+                phi_371_ = type_9(1u, _e164.member);
             } else {
-                phi_307_ = _e142;
-                phi_330_ = type_9(0u, type_9().member_1);
+                phi_348_ = _e164;
+                phi_371_ = type_9(0u, type_9().member_1);
             }
-            let _e154 = phi_307_;
-            let _e156 = phi_330_;
-            if (bitcast<i32>(_e156.member) != 0i) {
-                let _e161 = local.member_3;
-                if _e161 {
-                    let _e163 = local.member_2;
-                    let _e165 = branches.member[_e163];
-                    if (_e165.member >= _e81) {
-                        phi_362_ = (_e165.member - _e81);
-                    } else {
-                        phi_362_ = _e165.member;
-                    }
-                    let _e172 = phi_362_;
-                    let _e175 = nodes.member[_e165.member];
-                    let _e178 = nodes.member[_e165.member_1];
-                    let _e209 = ((((((_e175.member[0] <= _e71.member_1[0]) && (_e71.member[0] <= _e175.member_2[0])) && (_e175.member[1] <= _e71.member_1[1])) && (_e71.member[1] <= _e175.member_2[1])) && (_e175.member[2] <= _e71.member_1[2])) && (_e71.member[2] <= _e175.member_2[2]));
-                    let _e240 = ((((((_e178.member[0] <= _e71.member_1[0]) && (_e71.member[0] <= _e178.member_2[0])) && (_e178.member[1] <= _e71.member_1[1])) && (_e71.member[1] <= _e178.member_2[1])) && (_e178.member[2] <= _e71.member_1[2])) && (_e71.member[2] <= _e178.member_2[2]));
-                    if _e209 {
-                        if (_e175.member_3 == 4294967295u) {
-                            phi_473_ = _e175.member_1;
-                            phi_474_ = false;
+            let _e176 = phi_348_;
+            let _e178 = phi_371_;
+            if (bitcast<i32>(_e178.member) != 0i) {
+                let _e183 = local.member_3;
+                if _e183 {
+                    let _e185 = local.member_2;
+                    let _e187 = nodes.member[_e185];
+                    let _e232 = ((((((bitcast<f32>(_e187.member.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e187.member_1.x))) && (bitcast<f32>(_e187.member.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e187.member_1.y))) && (bitcast<f32>(_e187.member.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e187.member_1.z)));
+                    let _e243 = ((((((bitcast<f32>(_e187.member_2.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e187.member_3.x))) && (bitcast<f32>(_e187.member_2.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e187.member_3.y))) && (bitcast<f32>(_e187.member_2.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e187.member_3.z)));
+                    let _e245 = ((_e187.member.w & 2147483648u) != 0u);
+                    let _e247 = ((_e187.member_1.w & 2147483648u) != 0u);
+                    if _e232 {
+                        if _e245 {
+                            phi_486_ = (_e187.member.w & 2147483647u);
+                            phi_487_ = false;
                         } else {
-                            phi_473_ = u32();
-                            phi_474_ = true;
+                            phi_486_ = u32();
+                            phi_487_ = true;
                         }
-                        let _e245 = phi_473_;
-                        let _e247 = phi_474_;
-                        phi_475_ = _e245;
-                        phi_476_ = _e247;
+                        let _e250 = phi_486_;
+                        let _e252 = phi_487_;
+                        phi_488_ = _e250;
+                        phi_489_ = _e252;
                     } else {
-                        phi_475_ = u32();
-                        phi_476_ = true;
+                        phi_488_ = u32();
+                        phi_489_ = true;
                     }
-                    let _e249 = phi_475_;
-                    let _e251 = phi_476_;
-                    if _e251 {
-                        phi_480_ = 4294967295u;
+                    let _e254 = phi_488_;
+                    let _e256 = phi_489_;
+                    if _e256 {
+                        phi_493_ = 4294967295u;
                     } else {
-                        phi_480_ = _e249;
+                        phi_493_ = _e254;
                     }
-                    let _e253 = phi_480_;
-                    if _e240 {
-                        if (_e178.member_3 == 4294967295u) {
-                            phi_490_ = _e178.member_1;
-                            phi_491_ = false;
+                    let _e258 = phi_493_;
+                    if _e243 {
+                        if _e247 {
+                            phi_501_ = (_e187.member_1.w & 2147483647u);
+                            phi_502_ = false;
                         } else {
-                            phi_490_ = u32();
-                            phi_491_ = true;
+                            phi_501_ = u32();
+                            phi_502_ = true;
                         }
-                        let _e258 = phi_490_;
-                        let _e260 = phi_491_;
-                        phi_492_ = _e258;
-                        phi_493_ = _e260;
+                        let _e261 = phi_501_;
+                        let _e263 = phi_502_;
+                        phi_503_ = _e261;
+                        phi_504_ = _e263;
                     } else {
-                        phi_492_ = u32();
-                        phi_493_ = true;
+                        phi_503_ = u32();
+                        phi_504_ = true;
                     }
-                    let _e262 = phi_492_;
-                    let _e264 = phi_493_;
-                    if _e264 {
-                        phi_497_ = 4294967295u;
+                    let _e265 = phi_503_;
+                    let _e267 = phi_504_;
+                    if _e267 {
+                        phi_508_ = 4294967295u;
                     } else {
-                        phi_497_ = _e262;
+                        phi_508_ = _e265;
                     }
-                    let _e266 = phi_497_;
-                    if _e209 {
-                        phi_504_ = !((_e175.member_3 == 4294967295u));
+                    let _e269 = phi_508_;
+                    if _e232 {
+                        phi_513_ = !(_e245);
                     } else {
-                        phi_504_ = false;
+                        phi_513_ = false;
                     }
-                    let _e271 = phi_504_;
-                    if _e240 {
-                        phi_511_ = !((_e178.member_3 == 4294967295u));
+                    let _e272 = phi_513_;
+                    if _e243 {
+                        phi_518_ = !(_e247);
                     } else {
-                        phi_511_ = false;
+                        phi_518_ = false;
                     }
-                    let _e276 = phi_511_;
-                    if _e271 {
-                        if _e276 {
-                            let _e281 = ((_e172 - _e165.member_2) < (_e165.member_3 - _e172));
-                            if _e281 {
-                                phi_528_ = _e165.member_1;
+                    let _e275 = phi_518_;
+                    if _e272 {
+                        if _e275 {
+                            let _e277 = ((_e187.member_3.w & 2147483648u) != 0u);
+                            if _e277 {
+                                phi_530_ = _e187.member_1.w;
                             } else {
-                                phi_528_ = _e165.member;
+                                phi_530_ = _e187.member.w;
                             }
-                            let _e285 = phi_528_;
-                            let _e287 = local.member_1;
-                            local.member[_e287] = _e285;
-                            let _e292 = local.member_1;
-                            local.member_1 = (_e292 + 1u);
-                            if _e281 {
-                                phi_546_ = _e165.member;
+                            let _e279 = phi_530_;
+                            let _e281 = local.member_1;
+                            local.member[_e281] = _e279;
+                            let _e286 = local.member_1;
+                            local.member_1 = (_e286 + 1u);
+                            if _e277 {
+                                phi_546_ = _e187.member.w;
                             } else {
-                                phi_546_ = _e165.member_1;
+                                phi_546_ = _e187.member_1.w;
                             }
-                            let _e297 = phi_546_;
-                            local.member_2 = _e297;
+                            let _e289 = phi_546_;
+                            local.member_2 = _e289;
                             phi_548_ = false;
                         } else {
                             phi_548_ = true;
                         }
-                        let _e300 = phi_548_;
-                        phi_549_ = _e300;
+                        let _e292 = phi_548_;
+                        phi_549_ = _e292;
                     } else {
                         phi_549_ = true;
                     }
-                    let _e302 = phi_549_;
-                    if _e302 {
-                        if _e271 {
-                            local.member_2 = _e165.member;
+                    let _e294 = phi_549_;
+                    if _e294 {
+                        if _e272 {
+                            local.member_2 = _e187.member.w;
                         } else {
-                            if _e276 {
-                                local.member_2 = _e165.member_1;
+                            if _e275 {
+                                local.member_2 = _e187.member_1.w;
                             } else {
-                                let _e304 = local.member_1;
-                                if (_e304 > 0u) {
-                                    let _e309 = local.member_1;
-                                    local.member_1 = (_e309 - 1u);
-                                    let _e312 = local.member_1;
-                                    let _e315 = local.member[_e312];
-                                    local.member_2 = _e315;
+                                let _e296 = local.member_1;
+                                if (_e296 > 0u) {
+                                    let _e301 = local.member_1;
+                                    local.member_1 = (_e301 - 1u);
+                                    let _e304 = local.member_1;
+                                    let _e307 = local.member[_e304];
+                                    local.member_2 = _e307;
                                 } else {
                                     local.member_3 = false;
                                 }
                             }
                         }
                     }
-                    if (_e253 != 4294967295u) {
-                        let _e324 = params.member.member_2.member;
-                        if (_e324 == 0u) {
-                            phi_599_ = true;
+                    if (_e258 != 4294967295u) {
+                        let _e314 = params.member.member_2.member;
+                        if (_e314 == 0u) {
+                            phi_595_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_599_ = (_e253 > _e76);
+                            phi_595_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e328 = phi_599_;
-                        if _e328 {
-                            let _e331 = params.member.member_1.member_3;
-                            let _e333 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e333 + 1u) < _e333) {
-                                let _e337 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e317 = phi_595_;
+                        let _e322 = params.member.member.member_2[_e317[1]];
+                        let _e325 = order.member[(_e322 + _e258)];
+                        let _e326 = (_e325 - _e322);
+                        let _e329 = params.member.member_2.member;
+                        if (_e329 == 0u) {
+                            phi_628_ = true;
+                        } else {
+                            phi_628_ = (_e326 > _e88);
+                        }
+                        let _e333 = phi_628_;
+                        if _e333 {
+                            let _e336 = params.member.member_1.member_3;
+                            let _e338 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e338 + 1u) < _e338) {
+                                let _e342 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e333 < _e331) {
-                                let _e339 = (2u * _e333);
-                                atomicStore((&pairs.member[(4u + _e339)]), _e76);
-                                atomicStore((&pairs.member[(_e339 + 5u)]), _e253);
+                            if (_e338 < _e336) {
+                                let _e344 = (2u * _e338);
+                                atomicStore((&pairs.member[(4u + _e344)]), _e88);
+                                atomicStore((&pairs.member[(_e344 + 5u)]), _e326);
                             }
                         }
                     }
-                    if (_e266 != 4294967295u) {
-                        let _e347 = params.member.member_2.member;
-                        if (_e347 == 0u) {
-                            phi_644_ = true;
+                    if (_e269 != 4294967295u) {
+                        let _e352 = params.member.member_2.member;
+                        if (_e352 == 0u) {
+                            phi_671_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_644_ = (_e266 > _e76);
+                            phi_671_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e351 = phi_644_;
-                        if _e351 {
-                            let _e354 = params.member.member_1.member_3;
-                            let _e356 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e356 + 1u) < _e356) {
-                                let _e360 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e355 = phi_671_;
+                        let _e360 = params.member.member.member_2[_e355[1]];
+                        let _e363 = order.member[(_e360 + _e269)];
+                        let _e364 = (_e363 - _e360);
+                        let _e367 = params.member.member_2.member;
+                        if (_e367 == 0u) {
+                            phi_704_ = true;
+                        } else {
+                            phi_704_ = (_e364 > _e88);
+                        }
+                        let _e371 = phi_704_;
+                        if _e371 {
+                            let _e374 = params.member.member_1.member_3;
+                            let _e376 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e376 + 1u) < _e376) {
+                                let _e380 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e356 < _e354) {
-                                let _e362 = (2u * _e356);
-                                atomicStore((&pairs.member[(4u + _e362)]), _e76);
-                                atomicStore((&pairs.member[(_e362 + 5u)]), _e266);
+                            if (_e376 < _e374) {
+                                let _e382 = (2u * _e376);
+                                atomicStore((&pairs.member[(4u + _e382)]), _e88);
+                                atomicStore((&pairs.member[(_e382 + 5u)]), _e364);
                             }
                         }
                     }
                 }
-                phi_674_ = _e161;
+                phi_734_ = _e183;
             } else {
-                phi_674_ = false;
+                phi_734_ = false;
             }
-            let _e368 = phi_674_;
+            let _e388 = phi_734_;
             continue;
             continuing {
-                phi_306_ = _e154;
-                break if !(_e368);
+                phi_347_ = _e176;
+                break if !(_e388);
             }
         }
     }

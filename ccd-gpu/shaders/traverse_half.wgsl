@@ -25,84 +25,99 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_13 {
-    member: array<type_8>,
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
-    member: array<f32, 3>,
+    member: array<array<u32, 4>, 8>,
     member_1: u32,
-    member_2: array<f32, 3>,
+    member_2: u32,
     member_3: u32,
+    member_4: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
 }
 
 struct type_17 {
-    member: array<type_15>,
+    member: type_16,
 }
 
-struct type_19 {
+struct type_20 {
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
+}
+
+struct type_22 {
+    member: array<type_20>,
+}
+
+struct type_23 {
+    member: vec4<u32>,
+    member_1: vec4<u32>,
+    member_2: vec4<u32>,
+    member_3: vec4<u32>,
+}
+
+struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_27 {
     member: array<u32, 31>,
     member_1: u32,
     member_2: u32,
     member_3: bool,
 }
 
-struct type_20 {
-    member: u32,
-}
-
-struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
-}
-
-struct type_25 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
-@group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> params: type_17;
 @group(0) @binding(2) 
-var<storage> branches: type_13;
+var<storage> order: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> pairs: type_25;
+var<storage> nodes: type_25;
+@group(0) @binding(4) 
+var<storage, read_write> pairs: type_30;
+@group(0) @binding(1) 
+var<storage> leaves: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_19;
-    var phi_156_: type_9;
-    var phi_157_: type_9;
-    var phi_180_: type_9;
-    var phi_215_: u32;
-    var phi_246_: bool;
-    var phi_276_: bool;
-    var phi_286_: bool;
-    var phi_316_: bool;
-    var phi_326_: u32;
-    var phi_327_: bool;
-    var phi_328_: u32;
-    var phi_329_: bool;
-    var phi_333_: u32;
-    var phi_343_: u32;
-    var phi_344_: bool;
+    var local: type_27;
+    var phi_199_: type_9;
+    var phi_200_: type_9;
+    var phi_223_: type_9;
+    var phi_288_: bool;
+    var phi_303_: bool;
+    var phi_311_: bool;
+    var phi_326_: bool;
+    var phi_338_: u32;
+    var phi_339_: bool;
+    var phi_340_: u32;
+    var phi_341_: bool;
     var phi_345_: u32;
-    var phi_346_: bool;
-    var phi_350_: u32;
-    var phi_357_: bool;
-    var phi_364_: bool;
-    var phi_381_: u32;
-    var phi_399_: u32;
+    var phi_353_: u32;
+    var phi_354_: bool;
+    var phi_355_: u32;
+    var phi_356_: bool;
+    var phi_360_: u32;
+    var phi_365_: bool;
+    var phi_370_: bool;
+    var phi_382_: u32;
+    var phi_398_: u32;
+    var phi_400_: bool;
     var phi_401_: bool;
-    var phi_402_: bool;
-    var phi_451_: type_9;
-    var phi_491_: type_9;
-    var phi_517_: bool;
+    var phi_462_: type_9;
+    var phi_516_: type_9;
+    var phi_542_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -110,224 +125,227 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e21 = id_2;
-    let _e22 = n_2;
-    let _e23 = lane_2;
-    let _e34 = ((((_e21.y * _e22.x) + _e21.x) * 128u) + _e23);
-    let _e37 = params.member.member_1.member;
-    if (_e34 < _e37) {
-        let _e41 = params.member.member_1.member_1;
-        let _e42 = (_e41 + _e34);
-        let _e46 = params.member.member.member[1u];
-        let _e50 = nodes.member[((_e46 - 1u) + _e42)];
-        let _e54 = params.member.member.member[1u];
-        let _e55 = (_e54 - 1u);
-        local = type_19(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_156_ = type_9(0u, _e55);
+    let _e24 = id_2;
+    let _e25 = n_2;
+    let _e26 = lane_2;
+    let _e38 = ((((_e24.y * _e25.x) + _e24.x) * 128u) + _e26);
+    let _e41 = params.member.member_1.member;
+    if (_e38 < _e41) {
+        let _e45 = params.member.member_1.member_1;
+        let _e46 = (_e45 + _e38);
+        let _e51 = params.member.member_2.member[0u][1u];
+        let _e54 = leaves.member[(_e51 + _e46)];
+        let _e70 = params.member.member.member_2[1u];
+        let _e74 = params.member.member.member[1u];
+        let _e77 = order.member[(_e70 + _e46)];
+        let _e78 = (_e77 - _e70);
+        local = type_27(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_199_ = type_9(0u, (_e74 - 1u));
         loop {
-            let _e58 = phi_156_;
-            if (_e58.member < _e58.member_1) {
-                phi_157_ = type_9((_e58.member + 1u), _e58.member_1);
-                phi_180_ = type_9(1u, _e58.member);
+            let _e82 = phi_199_;
+            if (_e82.member < _e82.member_1) {
+                phi_200_ = type_9((_e82.member + 1u), _e82.member_1);
+                phi_223_ = type_9(1u, _e82.member);
             } else {
-                phi_157_ = _e58;
-                phi_180_ = type_9(0u, type_9().member_1);
+                phi_200_ = _e82;
+                phi_223_ = type_9(0u, type_9().member_1);
             }
-            let _e70 = phi_157_;
-            let _e72 = phi_180_;
-            if (bitcast<i32>(_e72.member) != 0i) {
-                let _e77 = local.member_3;
-                if _e77 {
-                    let _e81 = local.member_2;
-                    let _e83 = branches.member[_e81];
-                    if (_e83.member >= _e55) {
-                        phi_215_ = (_e83.member - _e55);
+            let _e94 = phi_200_;
+            let _e96 = phi_223_;
+            if (bitcast<i32>(_e96.member) != 0i) {
+                let _e101 = local.member_3;
+                if _e101 {
+                    let _e103 = local.member_2;
+                    let _e105 = nodes.member[_e103];
+                    let _e142 = (_e46 == 4294967295u);
+                    if _e142 {
+                        phi_288_ = true;
                     } else {
-                        phi_215_ = _e83.member;
+                        phi_288_ = (_e105.member_2.w > _e46);
                     }
-                    let _e90 = phi_215_;
-                    let _e93 = nodes.member[_e83.member];
-                    let _e96 = nodes.member[_e83.member_1];
-                    if (_e42 == 4294967295u) {
-                        phi_246_ = true;
+                    let _e146 = phi_288_;
+                    if _e146 {
+                        phi_303_ = ((((((bitcast<f32>(_e105.member.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_1.x))) && (bitcast<f32>(_e105.member.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_1.y))) && (bitcast<f32>(_e105.member.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_1.z)));
                     } else {
-                        phi_246_ = (_e90 > _e42);
+                        phi_303_ = false;
                     }
-                    let _e100 = phi_246_;
-                    if _e100 {
-                        phi_276_ = ((((((_e93.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e93.member_2[0])) && (_e93.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e93.member_2[1])) && (_e93.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e93.member_2[2]));
+                    let _e159 = phi_303_;
+                    if _e142 {
+                        phi_311_ = true;
                     } else {
-                        phi_276_ = false;
+                        phi_311_ = ((_e105.member_3.w & 2147483647u) > _e46);
                     }
-                    let _e127 = phi_276_;
-                    if (_e42 == 4294967295u) {
-                        phi_286_ = true;
+                    let _e162 = phi_311_;
+                    if _e162 {
+                        phi_326_ = ((((((bitcast<f32>(_e105.member_2.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_3.x))) && (bitcast<f32>(_e105.member_2.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_3.y))) && (bitcast<f32>(_e105.member_2.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_3.z)));
                     } else {
-                        phi_286_ = (_e83.member_3 > _e42);
+                        phi_326_ = false;
                     }
-                    let _e132 = phi_286_;
-                    if _e132 {
-                        phi_316_ = ((((((_e96.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e96.member_2[0])) && (_e96.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e96.member_2[1])) && (_e96.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e96.member_2[2]));
-                    } else {
-                        phi_316_ = false;
-                    }
-                    let _e159 = phi_316_;
-                    if _e127 {
-                        if (_e93.member_3 == 4294967295u) {
-                            phi_326_ = _e93.member_1;
-                            phi_327_ = false;
-                        } else {
-                            phi_326_ = u32();
-                            phi_327_ = true;
-                        }
-                        let _e164 = phi_326_;
-                        let _e166 = phi_327_;
-                        phi_328_ = _e164;
-                        phi_329_ = _e166;
-                    } else {
-                        phi_328_ = u32();
-                        phi_329_ = true;
-                    }
-                    let _e168 = phi_328_;
-                    let _e170 = phi_329_;
-                    if _e170 {
-                        phi_333_ = 4294967295u;
-                    } else {
-                        phi_333_ = _e168;
-                    }
-                    let _e172 = phi_333_;
+                    let _e175 = phi_326_;
+                    let _e177 = ((_e105.member.w & 2147483648u) != 0u);
+                    let _e179 = ((_e105.member_1.w & 2147483648u) != 0u);
                     if _e159 {
-                        if (_e96.member_3 == 4294967295u) {
-                            phi_343_ = _e96.member_1;
-                            phi_344_ = false;
+                        if _e177 {
+                            phi_338_ = (_e105.member.w & 2147483647u);
+                            phi_339_ = false;
                         } else {
-                            phi_343_ = u32();
-                            phi_344_ = true;
+                            phi_338_ = u32();
+                            phi_339_ = true;
                         }
-                        let _e177 = phi_343_;
-                        let _e179 = phi_344_;
-                        phi_345_ = _e177;
-                        phi_346_ = _e179;
+                        let _e182 = phi_338_;
+                        let _e184 = phi_339_;
+                        phi_340_ = _e182;
+                        phi_341_ = _e184;
                     } else {
-                        phi_345_ = u32();
-                        phi_346_ = true;
+                        phi_340_ = u32();
+                        phi_341_ = true;
                     }
-                    let _e181 = phi_345_;
-                    let _e183 = phi_346_;
-                    if _e183 {
-                        phi_350_ = 4294967295u;
+                    let _e186 = phi_340_;
+                    let _e188 = phi_341_;
+                    if _e188 {
+                        phi_345_ = 4294967295u;
                     } else {
-                        phi_350_ = _e181;
+                        phi_345_ = _e186;
                     }
-                    let _e185 = phi_350_;
-                    if _e127 {
-                        phi_357_ = !((_e93.member_3 == 4294967295u));
+                    let _e190 = phi_345_;
+                    if _e175 {
+                        if _e179 {
+                            phi_353_ = (_e105.member_1.w & 2147483647u);
+                            phi_354_ = false;
+                        } else {
+                            phi_353_ = u32();
+                            phi_354_ = true;
+                        }
+                        let _e193 = phi_353_;
+                        let _e195 = phi_354_;
+                        phi_355_ = _e193;
+                        phi_356_ = _e195;
                     } else {
-                        phi_357_ = false;
+                        phi_355_ = u32();
+                        phi_356_ = true;
                     }
-                    let _e190 = phi_357_;
+                    let _e197 = phi_355_;
+                    let _e199 = phi_356_;
+                    if _e199 {
+                        phi_360_ = 4294967295u;
+                    } else {
+                        phi_360_ = _e197;
+                    }
+                    let _e201 = phi_360_;
                     if _e159 {
-                        phi_364_ = !((_e96.member_3 == 4294967295u));
+                        phi_365_ = !(_e177);
                     } else {
-                        phi_364_ = false;
+                        phi_365_ = false;
                     }
-                    let _e195 = phi_364_;
-                    if _e190 {
-                        if _e195 {
-                            let _e200 = ((_e90 - _e83.member_2) < (_e83.member_3 - _e90));
-                            if _e200 {
-                                phi_381_ = _e83.member_1;
+                    let _e204 = phi_365_;
+                    if _e175 {
+                        phi_370_ = !(_e179);
+                    } else {
+                        phi_370_ = false;
+                    }
+                    let _e207 = phi_370_;
+                    if _e204 {
+                        if _e207 {
+                            let _e209 = ((_e105.member_3.w & 2147483648u) != 0u);
+                            if _e209 {
+                                phi_382_ = _e105.member_1.w;
                             } else {
-                                phi_381_ = _e83.member;
+                                phi_382_ = _e105.member.w;
                             }
-                            let _e204 = phi_381_;
-                            let _e206 = local.member_1;
-                            local.member[_e206] = _e204;
-                            let _e211 = local.member_1;
-                            local.member_1 = (_e211 + 1u);
-                            if _e200 {
-                                phi_399_ = _e83.member;
+                            let _e211 = phi_382_;
+                            let _e213 = local.member_1;
+                            local.member[_e213] = _e211;
+                            let _e218 = local.member_1;
+                            local.member_1 = (_e218 + 1u);
+                            if _e209 {
+                                phi_398_ = _e105.member.w;
                             } else {
-                                phi_399_ = _e83.member_1;
+                                phi_398_ = _e105.member_1.w;
                             }
-                            let _e216 = phi_399_;
-                            local.member_2 = _e216;
-                            phi_401_ = false;
+                            let _e221 = phi_398_;
+                            local.member_2 = _e221;
+                            phi_400_ = false;
                         } else {
-                            phi_401_ = true;
+                            phi_400_ = true;
                         }
-                        let _e219 = phi_401_;
-                        phi_402_ = _e219;
+                        let _e224 = phi_400_;
+                        phi_401_ = _e224;
                     } else {
-                        phi_402_ = true;
+                        phi_401_ = true;
                     }
-                    let _e221 = phi_402_;
-                    if _e221 {
-                        if _e190 {
-                            local.member_2 = _e83.member;
+                    let _e226 = phi_401_;
+                    if _e226 {
+                        if _e204 {
+                            local.member_2 = _e105.member.w;
                         } else {
-                            if _e195 {
-                                local.member_2 = _e83.member_1;
+                            if _e207 {
+                                local.member_2 = _e105.member_1.w;
                             } else {
-                                let _e223 = local.member_1;
-                                if (_e223 > 0u) {
-                                    let _e228 = local.member_1;
-                                    local.member_1 = (_e228 - 1u);
-                                    let _e231 = local.member_1;
-                                    let _e234 = local.member[_e231];
-                                    local.member_2 = _e234;
+                                let _e228 = local.member_1;
+                                if (_e228 > 0u) {
+                                    let _e233 = local.member_1;
+                                    local.member_1 = (_e233 - 1u);
+                                    let _e236 = local.member_1;
+                                    let _e239 = local.member[_e236];
+                                    local.member_2 = _e239;
                                 } else {
                                     local.member_3 = false;
                                 }
                             }
                         }
                     }
-                    if (_e172 != 4294967295u) {
-                        let _e244 = params.member.member_1.member_3;
-                        if (_e50.member_1 < _e172) {
-                            phi_451_ = type_9(_e50.member_1, _e172);
+                    if (_e190 != 4294967295u) {
+                        let _e247 = params.member.member.member_2[1u];
+                        let _e250 = order.member[(_e247 + _e190)];
+                        let _e251 = (_e250 - _e247);
+                        let _e254 = params.member.member_1.member_3;
+                        if (_e78 < _e251) {
+                            phi_462_ = type_9(_e78, _e251);
                         } else {
-                            phi_451_ = type_9(_e172, _e50.member_1);
+                            phi_462_ = type_9(_e251, _e78);
                         }
-                        let _e249 = phi_451_;
-                        let _e253 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e253 + 1u) < _e253) {
-                            let _e257 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e259 = phi_462_;
+                        let _e263 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e263 + 1u) < _e263) {
+                            let _e267 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e253 < _e244) {
-                            let _e259 = (2u * _e253);
-                            atomicStore((&pairs.member[(4u + _e259)]), _e249.member);
-                            atomicStore((&pairs.member[(_e259 + 5u)]), _e249.member_1);
+                        if (_e263 < _e254) {
+                            let _e269 = (2u * _e263);
+                            atomicStore((&pairs.member[(4u + _e269)]), _e259.member);
+                            atomicStore((&pairs.member[(_e269 + 5u)]), _e259.member_1);
                         }
                     }
-                    if (_e185 != 4294967295u) {
-                        let _e268 = params.member.member_1.member_3;
-                        if (_e50.member_1 < _e185) {
-                            phi_491_ = type_9(_e50.member_1, _e185);
+                    if (_e201 != 4294967295u) {
+                        let _e278 = params.member.member.member_2[1u];
+                        let _e281 = order.member[(_e278 + _e201)];
+                        let _e282 = (_e281 - _e278);
+                        let _e285 = params.member.member_1.member_3;
+                        if (_e78 < _e282) {
+                            phi_516_ = type_9(_e78, _e282);
                         } else {
-                            phi_491_ = type_9(_e185, _e50.member_1);
+                            phi_516_ = type_9(_e282, _e78);
                         }
-                        let _e273 = phi_491_;
-                        let _e277 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e277 + 1u) < _e277) {
-                            let _e281 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e290 = phi_516_;
+                        let _e294 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e294 + 1u) < _e294) {
+                            let _e298 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e277 < _e268) {
-                            let _e283 = (2u * _e277);
-                            atomicStore((&pairs.member[(4u + _e283)]), _e273.member);
-                            atomicStore((&pairs.member[(_e283 + 5u)]), _e273.member_1);
+                        if (_e294 < _e285) {
+                            let _e300 = (2u * _e294);
+                            atomicStore((&pairs.member[(4u + _e300)]), _e290.member);
+                            atomicStore((&pairs.member[(_e300 + 5u)]), _e290.member_1);
                         }
                     }
                 }
-                phi_517_ = _e77;
+                phi_542_ = _e101;
             } else {
-                phi_517_ = false;
+                phi_542_ = false;
             }
-            let _e289 = phi_517_;
+            let _e306 = phi_542_;
             continue;
             continuing {
-                phi_156_ = _e70;
-                break if !(_e289);
+                phi_199_ = _e94;
+                break if !(_e306);
             }
         }
     }
