@@ -175,8 +175,8 @@ impl PairSource for IntervalSource {
             self.sort.run(recorder, n, 32, 0);
         }
         recorder.stage("build");
-        let Self { boxes, sorted, survey, .. } = self;
-        let ([keys, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
+        let Self { boxes, sorted, .. } = self;
+        let ([_, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
         recorder.each(&OrderBoxes { boxes, order, sorted }, &p, n);
         if self.method == UNIFORM_GRID {
             self.survey_cells(recorder, frame);
