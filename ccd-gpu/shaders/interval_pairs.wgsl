@@ -42,7 +42,7 @@ struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
-    member_3: array<u32, 2>,
+    member_3: array<u32, 3>,
 }
 
 struct type_22 {
@@ -79,90 +79,95 @@ var<storage> work: type_11;
 var<workgroup> boxes: array<type_16, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_145_: u32;
-    var phi_157_: u32;
-    var phi_193_: bool;
-    var phi_194_: bool;
-    var phi_205_: u32;
-    var phi_206_: u32;
-    var phi_225_: u32;
-    var phi_246_: u32;
-    var phi_247_: u32;
-    var phi_250_: type_9;
-    var phi_251_: type_9;
-    var phi_274_: type_9;
-    var phi_328_: array<u32, 2>;
-    var phi_340_: array<u32, 2>;
-    var phi_341_: bool;
-    var phi_342_: array<u32, 2>;
-    var phi_343_: bool;
-    var phi_348_: array<u32, 2>;
-    var phi_384_: array<u32, 2>;
-    var phi_396_: array<u32, 2>;
-    var phi_397_: bool;
-    var phi_398_: array<u32, 2>;
-    var phi_399_: bool;
-    var phi_404_: array<u32, 2>;
-    var phi_485_: u32;
-    var phi_521_: bool;
-    var phi_522_: bool;
-    var phi_527_: u32;
-    var phi_528_: bool;
-    var phi_529_: u32;
-    var phi_530_: bool;
-    var phi_534_: u32;
-    var phi_541_: u32;
-    var phi_555_: array<u32, 2>;
-    var phi_556_: array<u32, 2>;
-    var phi_557_: bool;
-    var phi_558_: array<u32, 2>;
-    var phi_559_: bool;
-    var phi_560_: array<u32, 2>;
-    var phi_561_: bool;
-    var phi_566_: array<u32, 2>;
-    var phi_573_: array<u32, 2>;
-    var phi_455_: f32;
-    var phi_456_: f32;
-    var phi_462_: u32;
-    var phi_472_: u32;
-    var phi_574_: array<u32, 2>;
-    var phi_582_: u32;
-    var phi_585_: array<u32, 3>;
-    var phi_602_: type_16;
-    var phi_605_: type_9;
-    var phi_606_: type_9;
-    var phi_629_: type_9;
-    var phi_664_: type_16;
-    var phi_665_: u32;
-    var phi_686_: type_9;
-    var phi_687_: type_9;
-    var phi_710_: type_9;
-    var phi_843_: type_9;
-    var phi_844_: bool;
-    var phi_845_: type_9;
-    var phi_846_: bool;
-    var phi_855_: type_9;
-    var phi_823_: type_9;
-    var phi_856_: type_9;
-    var phi_891_: u32;
-    var phi_917_: type_9;
-    var phi_918_: type_9;
-    var phi_941_: type_9;
-    var phi_970_: array<u32, 2>;
-    var phi_982_: array<u32, 2>;
-    var phi_983_: bool;
-    var phi_984_: array<u32, 2>;
-    var phi_985_: bool;
-    var phi_990_: array<u32, 2>;
-    var phi_1073_: type_9;
+    var phi_146_: u32;
+    var phi_158_: u32;
+    var phi_196_: bool;
+    var phi_237_: bool;
+    var phi_278_: bool;
+    var phi_279_: bool;
+    var phi_280_: bool;
+    var phi_281_: bool;
+    var phi_285_: bool;
+    var phi_296_: u32;
+    var phi_297_: u32;
+    var phi_316_: u32;
+    var phi_337_: u32;
+    var phi_338_: u32;
+    var phi_341_: type_9;
+    var phi_342_: type_9;
+    var phi_365_: type_9;
+    var phi_419_: array<u32, 2>;
+    var phi_431_: array<u32, 2>;
+    var phi_432_: bool;
+    var phi_433_: array<u32, 2>;
+    var phi_434_: bool;
+    var phi_439_: array<u32, 2>;
+    var phi_475_: array<u32, 2>;
+    var phi_487_: array<u32, 2>;
+    var phi_488_: bool;
+    var phi_489_: array<u32, 2>;
+    var phi_490_: bool;
+    var phi_495_: array<u32, 2>;
+    var phi_576_: u32;
+    var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_618_: u32;
+    var phi_619_: bool;
+    var phi_620_: u32;
+    var phi_621_: bool;
+    var phi_625_: u32;
+    var phi_632_: u32;
+    var phi_646_: array<u32, 2>;
+    var phi_647_: array<u32, 2>;
+    var phi_648_: bool;
+    var phi_649_: array<u32, 2>;
+    var phi_650_: bool;
+    var phi_651_: array<u32, 2>;
+    var phi_652_: bool;
+    var phi_657_: array<u32, 2>;
+    var phi_664_: array<u32, 2>;
+    var phi_546_: f32;
+    var phi_547_: f32;
+    var phi_553_: u32;
+    var phi_563_: u32;
+    var phi_665_: array<u32, 2>;
+    var phi_673_: u32;
+    var phi_676_: array<u32, 3>;
+    var phi_693_: type_16;
+    var phi_696_: type_9;
+    var phi_697_: type_9;
+    var phi_720_: type_9;
+    var phi_755_: type_16;
+    var phi_756_: u32;
+    var phi_777_: type_9;
+    var phi_778_: type_9;
+    var phi_801_: type_9;
+    var phi_934_: type_9;
+    var phi_935_: bool;
+    var phi_936_: type_9;
+    var phi_937_: bool;
+    var phi_946_: type_9;
+    var phi_914_: type_9;
+    var phi_947_: type_9;
+    var phi_982_: u32;
+    var phi_1008_: type_9;
+    var phi_1009_: type_9;
+    var phi_1032_: type_9;
+    var phi_1061_: array<u32, 2>;
+    var phi_1073_: array<u32, 2>;
     var phi_1074_: bool;
-    var phi_1075_: type_9;
+    var phi_1075_: array<u32, 2>;
     var phi_1076_: bool;
-    var phi_1085_: type_9;
-    var phi_1053_: type_9;
-    var phi_1086_: type_9;
-    var phi_1104_: bool;
-    var phi_1105_: bool;
+    var phi_1081_: array<u32, 2>;
+    var phi_1164_: type_9;
+    var phi_1165_: bool;
+    var phi_1166_: type_9;
+    var phi_1167_: bool;
+    var phi_1176_: type_9;
+    var phi_1144_: type_9;
+    var phi_1177_: type_9;
+    var phi_1195_: bool;
+    var phi_1196_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -170,437 +175,470 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e52 = id_2;
-    let _e53 = n_2;
-    let _e54 = lane_2;
-    let _e66 = ((_e52.y * _e53.x) + _e52.x);
-    let _e69 = (_e53.x * _e53.y);
-    let _e72 = params.member.member_1.member_2;
-    let _e74 = work.member[0u];
-    if (_e72 < _e74) {
-        phi_145_ = _e72;
+    let _e55 = id_2;
+    let _e56 = n_2;
+    let _e57 = lane_2;
+    let _e69 = ((_e55.y * _e56.x) + _e55.x);
+    let _e72 = (_e56.x * _e56.y);
+    let _e75 = params.member.member_1.member_2;
+    let _e77 = work.member[0u];
+    if (_e75 < _e77) {
+        phi_146_ = _e75;
     } else {
-        phi_145_ = _e74;
+        phi_146_ = _e77;
     }
-    let _e77 = phi_145_;
-    let _e80 = params.member.member_1.member_1;
-    if (_e77 > _e80) {
-        let _e84 = params.member.member_1.member_1;
-        phi_157_ = (_e77 - _e84);
+    let _e80 = phi_146_;
+    let _e83 = params.member.member_1.member_1;
+    if (_e80 > _e83) {
+        let _e87 = params.member.member_1.member_1;
+        phi_158_ = (_e80 - _e87);
     } else {
-        phi_157_ = 0u;
+        phi_158_ = 0u;
     }
-    let _e87 = phi_157_;
-    let _e89 = survey.member[9u];
-    let _e91 = survey.member[10u];
-    let _e94 = params.member.member_2.member_3;
-    if (_e91 > _e94[1]) {
-        phi_194_ = true;
+    let _e90 = phi_158_;
+    let _e92 = survey.member[10u];
+    if (_e92 > 0u) {
+        phi_196_ = true;
     } else {
-        if (_e91 == _e94[1]) {
-            phi_193_ = (_e89 > _e94[0]);
+        let _e95 = survey.member[9u];
+        let _e99 = params.member.member_2.member_3[0u];
+        phi_196_ = (_e95 > _e99);
+    }
+    let _e102 = phi_196_;
+    if _e102 {
+        phi_280_ = bool();
+        phi_281_ = true;
+    } else {
+        let _e104 = survey.member[15u];
+        if (_e104 > 0u) {
+            phi_237_ = true;
         } else {
-            phi_193_ = false;
+            let _e107 = survey.member[14u];
+            let _e111 = params.member.member_2.member_3[1u];
+            phi_237_ = (_e107 > _e111);
         }
-        let _e102 = phi_193_;
-        phi_194_ = _e102;
-    }
-    let _e104 = phi_194_;
-    if _e104 {
-        phi_206_ = 0u;
-    } else {
-        let _e107 = params.member.member_1.member;
-        if (_e107 < _e87) {
-            phi_205_ = _e107;
+        let _e114 = phi_237_;
+        if _e114 {
+            phi_279_ = bool();
         } else {
-            phi_205_ = _e87;
+            let _e116 = survey.member[20u];
+            if (_e116 > 0u) {
+                phi_278_ = true;
+            } else {
+                let _e119 = survey.member[19u];
+                let _e123 = params.member.member_2.member_3[2u];
+                phi_278_ = (_e119 > _e123);
+            }
+            let _e126 = phi_278_;
+            phi_279_ = _e126;
         }
-        let _e110 = phi_205_;
-        phi_206_ = _e110;
+        let _e128 = phi_279_;
+        phi_280_ = _e128;
+        phi_281_ = _e114;
     }
-    let _e112 = phi_206_;
-    let _e116 = params.member.member.member_2[3u];
+    let _e130 = phi_280_;
+    let _e132 = phi_281_;
+    if _e132 {
+        phi_285_ = true;
+    } else {
+        phi_285_ = _e130;
+    }
+    let _e134 = phi_285_;
+    if _e134 {
+        phi_297_ = 0u;
+    } else {
+        let _e137 = params.member.member_1.member;
+        if (_e137 < _e90) {
+            phi_296_ = _e137;
+        } else {
+            phi_296_ = _e90;
+        }
+        let _e140 = phi_296_;
+        phi_297_ = _e140;
+    }
+    let _e142 = phi_297_;
+    let _e146 = params.member.member.member_2[3u];
     if false {
-        phi_225_ = (_e112 + 1u);
+        phi_316_ = (_e142 + 1u);
     } else {
-        phi_225_ = _e112;
+        phi_316_ = _e142;
     }
-    let _e119 = phi_225_;
-    if (_e119 > _e66) {
-        let _e121 = (_e119 - _e66);
-        if (_e69 == 0u) {
+    let _e149 = phi_316_;
+    if (_e149 > _e69) {
+        let _e151 = (_e149 - _e69);
+        if (_e72 == 0u) {
             return;
         }
-        let _e123 = (_e121 / _e69);
-        if (_e69 == 0u) {
+        let _e153 = (_e151 / _e72);
+        if (_e72 == 0u) {
             return;
         }
-        if ((_e121 % _e69) > 0u) {
-            phi_246_ = (_e123 + 1u);
+        if ((_e151 % _e72) > 0u) {
+            phi_337_ = (_e153 + 1u);
         } else {
-            phi_246_ = _e123;
+            phi_337_ = _e153;
         }
-        let _e129 = phi_246_;
-        phi_247_ = _e129;
+        let _e159 = phi_337_;
+        phi_338_ = _e159;
     } else {
-        phi_247_ = 0u;
+        phi_338_ = 0u;
     }
-    let _e131 = phi_247_;
-    phi_250_ = type_9(0u, _e131);
+    let _e161 = phi_338_;
+    phi_341_ = type_9(0u, _e161);
     loop {
-        let _e134 = phi_250_;
-        if (_e134.member < _e134.member_1) {
-            phi_251_ = type_9((_e134.member + 1u), _e134.member_1);
-            phi_274_ = type_9(1u, _e134.member);
+        let _e164 = phi_341_;
+        if (_e164.member < _e164.member_1) {
+            phi_342_ = type_9((_e164.member + 1u), _e164.member_1);
+            phi_365_ = type_9(1u, _e164.member);
         } else {
-            phi_251_ = _e134;
-            phi_274_ = type_9(0u, type_9().member_1);
+            phi_342_ = _e164;
+            phi_365_ = type_9(0u, type_9().member_1);
         }
-        let _e146 = phi_251_;
-        let _e148 = phi_274_;
-        let _e152 = (bitcast<i32>(_e148.member) != 0i);
-        if _e152 {
-            let _e155 = params.member.member_1.member_1;
-            let _e159 = (2u * ((_e155 + _e66) + (_e148.member_1 * _e69)));
-            let _e162 = work.member[(4u + _e159)];
-            let _e165 = work.member[(_e159 + 5u)];
-            let _e167 = (_e162 >> bitcast<u32>(28i));
-            let _e172 = (_e162 & 16777215u);
-            let _e175 = params.member.member_2.member;
-            let _e178 = params.member.member_2.member_1;
-            if (_e178 == 0u) {
-                phi_328_ = array<u32, 2>(0u, 2u);
+        let _e176 = phi_342_;
+        let _e178 = phi_365_;
+        let _e182 = (bitcast<i32>(_e178.member) != 0i);
+        if _e182 {
+            let _e185 = params.member.member_1.member_1;
+            let _e189 = (2u * ((_e185 + _e69) + (_e178.member_1 * _e72)));
+            let _e192 = work.member[(4u + _e189)];
+            let _e195 = work.member[(_e189 + 5u)];
+            let _e197 = (_e192 >> bitcast<u32>(28i));
+            let _e202 = (_e192 & 16777215u);
+            let _e205 = params.member.member_2.member;
+            let _e208 = params.member.member_2.member_1;
+            if (_e208 == 0u) {
+                phi_419_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_328_ = array<u32, 2>(1u, 1u);
+                phi_419_ = array<u32, 2>(1u, 1u);
             }
-            let _e181 = phi_328_;
-            if (_e175 == 1u) {
-                if (_e167 == 1u) {
-                    phi_340_ = array<u32, 2>(_e181[1], _e181[0]);
-                    phi_341_ = false;
+            let _e211 = phi_419_;
+            if (_e205 == 1u) {
+                if (_e197 == 1u) {
+                    phi_431_ = array<u32, 2>(_e211[1], _e211[0]);
+                    phi_432_ = false;
                 } else {
-                    phi_340_ = array<u32, 2>();
-                    phi_341_ = true;
+                    phi_431_ = array<u32, 2>();
+                    phi_432_ = true;
                 }
-                let _e188 = phi_340_;
-                let _e190 = phi_341_;
-                phi_342_ = _e188;
-                phi_343_ = _e190;
+                let _e218 = phi_431_;
+                let _e220 = phi_432_;
+                phi_433_ = _e218;
+                phi_434_ = _e220;
             } else {
-                phi_342_ = array<u32, 2>();
-                phi_343_ = true;
+                phi_433_ = array<u32, 2>();
+                phi_434_ = true;
             }
-            let _e192 = phi_342_;
-            let _e194 = phi_343_;
-            if _e194 {
-                phi_348_ = _e181;
+            let _e222 = phi_433_;
+            let _e224 = phi_434_;
+            if _e224 {
+                phi_439_ = _e211;
             } else {
-                phi_348_ = _e192;
+                phi_439_ = _e222;
             }
-            let _e196 = phi_348_;
-            let _e199 = ((_e172 * 128u) + _e54);
-            let _e203 = params.member.member.member_2[_e196[0]];
-            let _e204 = (_e203 + _e199);
-            let _e208 = params.member.member.member[_e196[0]];
-            let _e209 = (_e199 < _e208);
-            if _e209 {
-                let _e212 = params.member.member_2.member;
-                let _e215 = params.member.member_2.member_1;
-                if (_e215 == 0u) {
-                    phi_384_ = array<u32, 2>(0u, 2u);
+            let _e226 = phi_439_;
+            let _e229 = ((_e202 * 128u) + _e57);
+            let _e233 = params.member.member.member_2[_e226[0]];
+            let _e234 = (_e233 + _e229);
+            let _e238 = params.member.member.member[_e226[0]];
+            let _e239 = (_e229 < _e238);
+            if _e239 {
+                let _e242 = params.member.member_2.member;
+                let _e245 = params.member.member_2.member_1;
+                if (_e245 == 0u) {
+                    phi_475_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_384_ = array<u32, 2>(1u, 1u);
+                    phi_475_ = array<u32, 2>(1u, 1u);
                 }
-                let _e218 = phi_384_;
-                if (_e212 == 1u) {
-                    if (_e167 == 1u) {
-                        phi_396_ = array<u32, 2>(_e218[1], _e218[0]);
-                        phi_397_ = false;
+                let _e248 = phi_475_;
+                if (_e242 == 1u) {
+                    if (_e197 == 1u) {
+                        phi_487_ = array<u32, 2>(_e248[1], _e248[0]);
+                        phi_488_ = false;
                     } else {
-                        phi_396_ = array<u32, 2>();
-                        phi_397_ = true;
+                        phi_487_ = array<u32, 2>();
+                        phi_488_ = true;
                     }
-                    let _e225 = phi_396_;
-                    let _e227 = phi_397_;
-                    phi_398_ = _e225;
-                    phi_399_ = _e227;
+                    let _e255 = phi_487_;
+                    let _e257 = phi_488_;
+                    phi_489_ = _e255;
+                    phi_490_ = _e257;
                 } else {
-                    phi_398_ = array<u32, 2>();
-                    phi_399_ = true;
+                    phi_489_ = array<u32, 2>();
+                    phi_490_ = true;
                 }
-                let _e229 = phi_398_;
-                let _e231 = phi_399_;
-                if _e231 {
-                    phi_404_ = _e218;
+                let _e259 = phi_489_;
+                let _e261 = phi_490_;
+                if _e261 {
+                    phi_495_ = _e248;
                 } else {
-                    phi_404_ = _e229;
+                    phi_495_ = _e259;
                 }
-                let _e233 = phi_404_;
-                let _e236 = keys.member[_e204];
-                let _e238 = sorted.member[_e204];
-                let _e240 = (_e233[1] << bitcast<u32>(30u));
-                let _e241 = (_e236 & 1073741823u);
-                if (_e212 == 1u) {
-                    let _e328 = survey.member[6u];
-                    if (_e328 == 0u) {
-                        phi_456_ = _e238.member_1[0];
+                let _e263 = phi_495_;
+                let _e266 = keys.member[_e234];
+                let _e268 = sorted.member[_e234];
+                let _e270 = (_e263[1] << bitcast<u32>(30u));
+                let _e271 = (_e266 & 1073741823u);
+                if (_e242 == 1u) {
+                    let _e358 = survey.member[6u];
+                    if (_e358 == 0u) {
+                        phi_547_ = _e268.member_1[0];
                     } else {
-                        if (_e328 == 1u) {
-                            phi_455_ = _e238.member_1[1];
+                        if (_e358 == 1u) {
+                            phi_546_ = _e268.member_1[1];
                         } else {
-                            phi_455_ = _e238.member_1[2];
+                            phi_546_ = _e268.member_1[2];
                         }
-                        let _e336 = phi_455_;
-                        phi_456_ = _e336;
+                        let _e366 = phi_546_;
+                        phi_547_ = _e366;
                     }
-                    let _e340 = phi_456_;
-                    let _e341 = bitcast<u32>(_e340);
-                    if (_e341 == 2147483648u) {
-                        phi_462_ = 0u;
+                    let _e370 = phi_547_;
+                    let _e371 = bitcast<u32>(_e370);
+                    if (_e371 == 2147483648u) {
+                        phi_553_ = 0u;
                     } else {
-                        phi_462_ = _e341;
+                        phi_553_ = _e371;
                     }
-                    let _e344 = phi_462_;
-                    let _e346 = bitcast<u32>(bitcast<f32>(_e344));
-                    if ((_e346 >> bitcast<u32>(31i)) == 1u) {
-                        phi_472_ = ~(_e346);
+                    let _e374 = phi_553_;
+                    let _e376 = bitcast<u32>(bitcast<f32>(_e374));
+                    if ((_e376 >> bitcast<u32>(31i)) == 1u) {
+                        phi_563_ = ~(_e376);
                     } else {
-                        phi_472_ = (_e346 | 2147483648u);
+                        phi_563_ = (_e376 | 2147483648u);
                     }
-                    let _e353 = phi_472_;
-                    phi_574_ = array<u32, 2>(((_e240 | _e241) + _e167), (_e240 | (_e353 >> bitcast<u32>(2i))));
+                    let _e383 = phi_563_;
+                    phi_665_ = array<u32, 2>(((_e270 | _e271) + _e197), (_e270 | (_e383 >> bitcast<u32>(2i))));
                 } else {
-                    if (_e212 == 2u) {
-                        let _e245 = (_e215 == 1u);
-                        if _e245 {
-                            phi_485_ = (4u + _e167);
+                    if (_e242 == 2u) {
+                        let _e275 = (_e245 == 1u);
+                        if _e275 {
+                            phi_576_ = (4u + _e197);
                         } else {
-                            phi_485_ = _e167;
+                            phi_576_ = _e197;
                         }
-                        let _e248 = phi_485_;
-                        let _e249 = (_e241 & 1023u);
-                        let _e256 = (((_e241 >> bitcast<u32>(10u)) & 1023u) + (_e248 % 3u));
-                        let _e258 = ((_e241 >> bitcast<u32>(20u)) + (_e248 / 3u));
-                        if (_e256 < 1u) {
-                            phi_560_ = array<u32, 2>();
-                            phi_561_ = true;
+                        let _e278 = phi_576_;
+                        let _e279 = (_e271 & 1023u);
+                        let _e286 = (((_e271 >> bitcast<u32>(10u)) & 1023u) + (_e278 % 3u));
+                        let _e288 = ((_e271 >> bitcast<u32>(20u)) + (_e278 / 3u));
+                        if (_e286 < 1u) {
+                            phi_651_ = array<u32, 2>();
+                            phi_652_ = true;
                         } else {
-                            if (_e258 < 1u) {
-                                phi_558_ = array<u32, 2>();
-                                phi_559_ = true;
+                            if (_e288 < 1u) {
+                                phi_649_ = array<u32, 2>();
+                                phi_650_ = true;
                             } else {
-                                if (_e256 > 1024u) {
-                                    phi_556_ = array<u32, 2>();
-                                    phi_557_ = true;
+                                if (_e286 > 1024u) {
+                                    phi_647_ = array<u32, 2>();
+                                    phi_648_ = true;
                                 } else {
-                                    let _e262 = (_e258 > 1024u);
-                                    if _e262 {
-                                        phi_555_ = array<u32, 2>();
+                                    let _e292 = (_e288 > 1024u);
+                                    if _e292 {
+                                        phi_646_ = array<u32, 2>();
                                     } else {
-                                        if (_e249 > 0u) {
-                                            if _e245 {
-                                                if (_e248 == 4u) {
-                                                    phi_521_ = false;
+                                        if (_e279 > 0u) {
+                                            if _e275 {
+                                                if (_e278 == 4u) {
+                                                    phi_612_ = false;
                                                 } else {
-                                                    phi_521_ = true;
+                                                    phi_612_ = true;
                                                 }
-                                                let _e266 = phi_521_;
-                                                phi_522_ = _e266;
+                                                let _e296 = phi_612_;
+                                                phi_613_ = _e296;
                                             } else {
-                                                phi_522_ = true;
+                                                phi_613_ = true;
                                             }
-                                            let _e268 = phi_522_;
-                                            if _e268 {
-                                                phi_527_ = (_e249 - 1u);
-                                                phi_528_ = false;
+                                            let _e298 = phi_613_;
+                                            if _e298 {
+                                                phi_618_ = (_e279 - 1u);
+                                                phi_619_ = false;
                                             } else {
-                                                phi_527_ = u32();
-                                                phi_528_ = true;
+                                                phi_618_ = u32();
+                                                phi_619_ = true;
                                             }
-                                            let _e271 = phi_527_;
-                                            let _e273 = phi_528_;
-                                            phi_529_ = _e271;
-                                            phi_530_ = _e273;
+                                            let _e301 = phi_618_;
+                                            let _e303 = phi_619_;
+                                            phi_620_ = _e301;
+                                            phi_621_ = _e303;
                                         } else {
-                                            phi_529_ = u32();
-                                            phi_530_ = true;
+                                            phi_620_ = u32();
+                                            phi_621_ = true;
                                         }
-                                        let _e275 = phi_529_;
-                                        let _e277 = phi_530_;
-                                        if _e277 {
-                                            phi_534_ = _e249;
+                                        let _e305 = phi_620_;
+                                        let _e307 = phi_621_;
+                                        if _e307 {
+                                            phi_625_ = _e279;
                                         } else {
-                                            phi_534_ = _e275;
+                                            phi_625_ = _e305;
                                         }
-                                        let _e279 = phi_534_;
-                                        if ((_e249 + 1u) < 1024u) {
-                                            phi_541_ = (_e249 + 1u);
+                                        let _e309 = phi_625_;
+                                        if ((_e279 + 1u) < 1024u) {
+                                            phi_632_ = (_e279 + 1u);
                                         } else {
-                                            phi_541_ = _e249;
+                                            phi_632_ = _e279;
                                         }
-                                        let _e284 = phi_541_;
-                                        phi_555_ = array<u32, 2>(((((_e258 - 1u) << bitcast<u32>(20u)) | ((_e256 - 1u) << bitcast<u32>(10u))) | _e279), ((((_e258 - 1u) << bitcast<u32>(20u)) | ((_e256 - 1u) << bitcast<u32>(10u))) | _e284));
+                                        let _e314 = phi_632_;
+                                        phi_646_ = array<u32, 2>(((((_e288 - 1u) << bitcast<u32>(20u)) | ((_e286 - 1u) << bitcast<u32>(10u))) | _e309), ((((_e288 - 1u) << bitcast<u32>(20u)) | ((_e286 - 1u) << bitcast<u32>(10u))) | _e314));
                                     }
-                                    let _e303 = phi_555_;
-                                    phi_556_ = _e303;
-                                    phi_557_ = _e262;
+                                    let _e333 = phi_646_;
+                                    phi_647_ = _e333;
+                                    phi_648_ = _e292;
                                 }
-                                let _e305 = phi_556_;
-                                let _e307 = phi_557_;
-                                phi_558_ = _e305;
-                                phi_559_ = _e307;
+                                let _e335 = phi_647_;
+                                let _e337 = phi_648_;
+                                phi_649_ = _e335;
+                                phi_650_ = _e337;
                             }
-                            let _e309 = phi_558_;
-                            let _e311 = phi_559_;
-                            phi_560_ = _e309;
-                            phi_561_ = _e311;
+                            let _e339 = phi_649_;
+                            let _e341 = phi_650_;
+                            phi_651_ = _e339;
+                            phi_652_ = _e341;
                         }
-                        let _e313 = phi_560_;
-                        let _e315 = phi_561_;
-                        if _e315 {
-                            phi_566_ = array<u32, 2>(1u, 0u);
+                        let _e343 = phi_651_;
+                        let _e345 = phi_652_;
+                        if _e345 {
+                            phi_657_ = array<u32, 2>(1u, 0u);
                         } else {
-                            phi_566_ = _e313;
+                            phi_657_ = _e343;
                         }
-                        let _e317 = phi_566_;
-                        phi_573_ = array<u32, 2>((_e240 | _e317[0]), (_e240 | _e317[1]));
+                        let _e347 = phi_657_;
+                        phi_664_ = array<u32, 2>((_e270 | _e347[0]), (_e270 | _e347[1]));
                     } else {
-                        phi_573_ = array<u32, 2>(_e240, _e240);
+                        phi_664_ = array<u32, 2>(_e270, _e270);
                     }
-                    let _e324 = phi_573_;
-                    phi_574_ = _e324;
+                    let _e354 = phi_664_;
+                    phi_665_ = _e354;
                 }
-                let _e359 = phi_574_;
-                if (_e215 == 1u) {
-                    phi_582_ = (_e204 + 1u);
+                let _e389 = phi_665_;
+                if (_e245 == 1u) {
+                    phi_673_ = (_e234 + 1u);
                 } else {
-                    phi_582_ = 0u;
+                    phi_673_ = 0u;
                 }
-                let _e365 = phi_582_;
-                phi_585_ = array<u32, 3>(_e359[0], _e359[1], _e365);
+                let _e395 = phi_673_;
+                phi_676_ = array<u32, 3>(_e389[0], _e389[1], _e395);
             } else {
-                phi_585_ = array<u32, 3>(4294967295u, 0u, 0u);
+                phi_676_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e368 = phi_585_;
-            if _e209 {
-                let _e373 = sorted.member[_e204];
-                phi_602_ = _e373;
+            let _e398 = phi_676_;
+            if _e239 {
+                let _e403 = sorted.member[_e234];
+                phi_693_ = _e403;
             } else {
-                phi_602_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_693_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e375 = phi_602_;
-            phi_605_ = type_9(0u, (((_e162 >> bitcast<u32>(24i)) & 15u) + 1u));
+            let _e405 = phi_693_;
+            phi_696_ = type_9(0u, (((_e192 >> bitcast<u32>(24i)) & 15u) + 1u));
             loop {
-                let _e378 = phi_605_;
-                if (_e378.member < _e378.member_1) {
-                    phi_606_ = type_9((_e378.member + 1u), _e378.member_1);
-                    phi_629_ = type_9(1u, _e378.member);
+                let _e408 = phi_696_;
+                if (_e408.member < _e408.member_1) {
+                    phi_697_ = type_9((_e408.member + 1u), _e408.member_1);
+                    phi_720_ = type_9(1u, _e408.member);
                 } else {
-                    phi_606_ = _e378;
-                    phi_629_ = type_9(0u, type_9().member_1);
+                    phi_697_ = _e408;
+                    phi_720_ = type_9(0u, type_9().member_1);
                 }
-                let _e390 = phi_606_;
-                let _e392 = phi_629_;
-                let _e396 = (bitcast<i32>(_e392.member) != 0i);
-                if _e396 {
-                    let _e398 = (_e165 + (_e392.member_1 * 128u));
-                    let _e399 = (_e398 + _e54);
-                    if (_e399 < _e116) {
-                        let _e402 = keys.member[_e399];
-                        let _e404 = sorted.member[_e399];
-                        phi_664_ = _e404;
-                        phi_665_ = _e402;
+                let _e420 = phi_697_;
+                let _e422 = phi_720_;
+                let _e426 = (bitcast<i32>(_e422.member) != 0i);
+                if _e426 {
+                    let _e428 = (_e195 + (_e422.member_1 * 128u));
+                    let _e429 = (_e428 + _e57);
+                    if (_e429 < _e146) {
+                        let _e432 = keys.member[_e429];
+                        let _e434 = sorted.member[_e429];
+                        phi_755_ = _e434;
+                        phi_756_ = _e432;
                     } else {
-                        phi_664_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_665_ = 4294967295u;
+                        phi_755_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_756_ = 4294967295u;
                     }
-                    let _e406 = phi_664_;
-                    let _e408 = phi_665_;
-                    names[_e54] = _e408;
-                    boxes[_e54] = type_16(array<f32, 3>(_e406.member[0], _e406.member[1], _e406.member[2]), array<f32, 3>(_e406.member_1[0], _e406.member_1[1], _e406.member_1[2]));
-                    if (_e54 == 0u) {
+                    let _e436 = phi_755_;
+                    let _e438 = phi_756_;
+                    names[_e57] = _e438;
+                    boxes[_e57] = type_16(array<f32, 3>(_e436.member[0], _e436.member[1], _e436.member[2]), array<f32, 3>(_e436.member_1[0], _e436.member_1[1], _e436.member_1[2]));
+                    if (_e57 == 0u) {
                         atomicStore((&counters[4u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_686_ = type_9(0u, 128u);
+                    phi_777_ = type_9(0u, 128u);
                     loop {
-                        let _e425 = phi_686_;
-                        if (_e425.member < _e425.member_1) {
-                            phi_687_ = type_9((_e425.member + 1u), _e425.member_1);
-                            phi_710_ = type_9(1u, _e425.member);
+                        let _e455 = phi_777_;
+                        if (_e455.member < _e455.member_1) {
+                            phi_778_ = type_9((_e455.member + 1u), _e455.member_1);
+                            phi_801_ = type_9(1u, _e455.member);
                         } else {
-                            phi_687_ = _e425;
-                            phi_710_ = type_9(0u, type_9().member_1);
+                            phi_778_ = _e455;
+                            phi_801_ = type_9(0u, type_9().member_1);
                         }
-                        let _e437 = phi_687_;
-                        let _e439 = phi_710_;
-                        let _e443 = (bitcast<i32>(_e439.member) != 0i);
-                        if _e443 {
-                            let _e445 = names[_e439.member_1];
-                            if (_e445 >= _e368[0]) {
-                                if (_e445 <= _e368[1]) {
-                                    if ((_e398 + _e439.member_1) >= _e368[2]) {
-                                        let _e451 = boxes[_e439.member_1];
-                                        if ((((((_e375.member[0] <= _e451.member_1[0]) && (_e451.member[0] <= _e375.member_1[0])) && (_e375.member[1] <= _e451.member_1[1])) && (_e451.member[1] <= _e375.member_1[1])) && (_e375.member[2] <= _e451.member_1[2])) && (_e451.member[2] <= _e375.member_1[2])) {
-                                            let _e484 = atomicAdd((&counters[4u]), 1u);
-                                            if (_e484 < 2048u) {
-                                                hits[_e484] = ((_e54 << bitcast<u32>(7i)) | _e439.member_1);
+                        let _e467 = phi_778_;
+                        let _e469 = phi_801_;
+                        let _e473 = (bitcast<i32>(_e469.member) != 0i);
+                        if _e473 {
+                            let _e475 = names[_e469.member_1];
+                            if (_e475 >= _e398[0]) {
+                                if (_e475 <= _e398[1]) {
+                                    if ((_e428 + _e469.member_1) >= _e398[2]) {
+                                        let _e481 = boxes[_e469.member_1];
+                                        if ((((((_e405.member[0] <= _e481.member_1[0]) && (_e481.member[0] <= _e405.member_1[0])) && (_e405.member[1] <= _e481.member_1[1])) && (_e481.member[1] <= _e405.member_1[1])) && (_e405.member[2] <= _e481.member_1[2])) && (_e481.member[2] <= _e405.member_1[2])) {
+                                            let _e514 = atomicAdd((&counters[4u]), 1u);
+                                            if (_e514 < 2048u) {
+                                                hits[_e514] = ((_e57 << bitcast<u32>(7i)) | _e469.member_1);
                                             } else {
-                                                let _e488 = order.member[_e204];
-                                                let _e490 = order.member[(_e398 + _e439.member_1)];
-                                                let _e493 = params.member.member_2.member_1;
-                                                if (_e493 == 1u) {
-                                                    let _e525 = params.member.member.member_2[1u];
-                                                    let _e526 = (_e488 - _e525);
-                                                    let _e530 = params.member.member.member_2[1u];
-                                                    let _e531 = (_e490 - _e530);
-                                                    if (_e526 < _e531) {
-                                                        phi_823_ = type_9(_e526, _e531);
+                                                let _e518 = order.member[_e234];
+                                                let _e520 = order.member[(_e428 + _e469.member_1)];
+                                                let _e523 = params.member.member_2.member_1;
+                                                if (_e523 == 1u) {
+                                                    let _e555 = params.member.member.member_2[1u];
+                                                    let _e556 = (_e518 - _e555);
+                                                    let _e560 = params.member.member.member_2[1u];
+                                                    let _e561 = (_e520 - _e560);
+                                                    if (_e556 < _e561) {
+                                                        phi_914_ = type_9(_e556, _e561);
                                                     } else {
-                                                        phi_823_ = type_9(_e531, _e526);
+                                                        phi_914_ = type_9(_e561, _e556);
                                                     }
-                                                    let _e536 = phi_823_;
-                                                    phi_856_ = _e536;
+                                                    let _e566 = phi_914_;
+                                                    phi_947_ = _e566;
                                                 } else {
-                                                    let _e497 = params.member.member_2.member;
-                                                    if (_e497 == 1u) {
-                                                        if (_e167 == 1u) {
-                                                            let _e503 = params.member.member.member_2[2u];
-                                                            phi_843_ = type_9(_e490, (_e488 - _e503));
-                                                            phi_844_ = false;
+                                                    let _e527 = params.member.member_2.member;
+                                                    if (_e527 == 1u) {
+                                                        if (_e197 == 1u) {
+                                                            let _e533 = params.member.member.member_2[2u];
+                                                            phi_934_ = type_9(_e520, (_e518 - _e533));
+                                                            phi_935_ = false;
                                                         } else {
-                                                            phi_843_ = type_9();
-                                                            phi_844_ = true;
+                                                            phi_934_ = type_9();
+                                                            phi_935_ = true;
                                                         }
-                                                        let _e507 = phi_843_;
-                                                        let _e509 = phi_844_;
-                                                        phi_845_ = _e507;
-                                                        phi_846_ = _e509;
+                                                        let _e537 = phi_934_;
+                                                        let _e539 = phi_935_;
+                                                        phi_936_ = _e537;
+                                                        phi_937_ = _e539;
                                                     } else {
-                                                        phi_845_ = type_9();
-                                                        phi_846_ = true;
+                                                        phi_936_ = type_9();
+                                                        phi_937_ = true;
                                                     }
-                                                    let _e511 = phi_845_;
-                                                    let _e513 = phi_846_;
-                                                    if _e513 {
-                                                        let _e517 = params.member.member.member_2[2u];
-                                                        phi_855_ = type_9(_e488, (_e490 - _e517));
+                                                    let _e541 = phi_936_;
+                                                    let _e543 = phi_937_;
+                                                    if _e543 {
+                                                        let _e547 = params.member.member.member_2[2u];
+                                                        phi_946_ = type_9(_e518, (_e520 - _e547));
                                                     } else {
-                                                        phi_855_ = _e511;
+                                                        phi_946_ = _e541;
                                                     }
-                                                    let _e521 = phi_855_;
-                                                    phi_856_ = _e521;
+                                                    let _e551 = phi_946_;
+                                                    phi_947_ = _e551;
                                                 }
-                                                let _e538 = phi_856_;
-                                                let _e543 = params.member.member_1.member_3;
-                                                let _e545 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e545 + 1u) < _e545) {
-                                                    let _e549 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e568 = phi_947_;
+                                                let _e573 = params.member.member_1.member_3;
+                                                let _e575 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e575 + 1u) < _e575) {
+                                                    let _e579 = atomicAdd((&pairs.member[2u]), 1u);
                                                 }
-                                                if (_e545 < _e543) {
-                                                    let _e551 = (2u * _e545);
-                                                    atomicStore((&pairs.member[(4u + _e551)]), _e538.member);
-                                                    atomicStore((&pairs.member[(_e551 + 5u)]), _e538.member_1);
+                                                if (_e575 < _e573) {
+                                                    let _e581 = (2u * _e575);
+                                                    atomicStore((&pairs.member[(4u + _e581)]), _e568.member);
+                                                    atomicStore((&pairs.member[(_e581 + 5u)]), _e568.member_1);
                                                 }
                                             }
                                         }
@@ -610,160 +648,160 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_686_ = _e437;
-                            break if !(_e443);
+                            phi_777_ = _e467;
+                            break if !(_e473);
                         }
                     }
                     workgroupBarrier();
-                    let _e562 = atomicLoad((&counters[4u]));
-                    if (2048u < _e562) {
-                        phi_891_ = 2048u;
+                    let _e592 = atomicLoad((&counters[4u]));
+                    if (2048u < _e592) {
+                        phi_982_ = 2048u;
                     } else {
-                        phi_891_ = _e562;
+                        phi_982_ = _e592;
                     }
-                    let _e565 = phi_891_;
-                    if (_e54 == 0u) {
-                        if (_e565 > 0u) {
-                            let _e569 = atomicAdd((&pairs.member[0u]), _e565);
-                            if ((_e569 + _e565) < _e569) {
-                                let _e573 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e595 = phi_982_;
+                    if (_e57 == 0u) {
+                        if (_e595 > 0u) {
+                            let _e599 = atomicAdd((&pairs.member[0u]), _e595);
+                            if ((_e599 + _e595) < _e599) {
+                                let _e603 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[5u]), _e569);
+                            atomicStore((&counters[5u]), _e599);
                         }
                     }
                     workgroupBarrier();
-                    let _e576 = atomicLoad((&counters[5u]));
-                    phi_917_ = type_9(0u, 16u);
+                    let _e606 = atomicLoad((&counters[5u]));
+                    phi_1008_ = type_9(0u, 16u);
                     loop {
-                        let _e578 = phi_917_;
-                        if (_e578.member < _e578.member_1) {
-                            phi_918_ = type_9((_e578.member + 1u), _e578.member_1);
-                            phi_941_ = type_9(1u, _e578.member);
+                        let _e608 = phi_1008_;
+                        if (_e608.member < _e608.member_1) {
+                            phi_1009_ = type_9((_e608.member + 1u), _e608.member_1);
+                            phi_1032_ = type_9(1u, _e608.member);
                         } else {
-                            phi_918_ = _e578;
-                            phi_941_ = type_9(0u, type_9().member_1);
+                            phi_1009_ = _e608;
+                            phi_1032_ = type_9(0u, type_9().member_1);
                         }
-                        let _e590 = phi_918_;
-                        let _e592 = phi_941_;
-                        if (bitcast<i32>(_e592.member) != 0i) {
-                            let _e598 = ((_e592.member_1 * 128u) + _e54);
-                            if (_e598 >= _e565) {
-                                phi_1104_ = false;
+                        let _e620 = phi_1009_;
+                        let _e622 = phi_1032_;
+                        if (bitcast<i32>(_e622.member) != 0i) {
+                            let _e628 = ((_e622.member_1 * 128u) + _e57);
+                            if (_e628 >= _e595) {
+                                phi_1195_ = false;
                             } else {
-                                let _e601 = hits[_e598];
-                                let _e606 = params.member.member_2.member;
-                                let _e609 = params.member.member_2.member_1;
-                                if (_e609 == 0u) {
-                                    phi_970_ = array<u32, 2>(0u, 2u);
+                                let _e631 = hits[_e628];
+                                let _e636 = params.member.member_2.member;
+                                let _e639 = params.member.member_2.member_1;
+                                if (_e639 == 0u) {
+                                    phi_1061_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_970_ = array<u32, 2>(1u, 1u);
+                                    phi_1061_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e612 = phi_970_;
-                                if (_e606 == 1u) {
-                                    if (_e167 == 1u) {
-                                        phi_982_ = array<u32, 2>(_e612[1], _e612[0]);
-                                        phi_983_ = false;
+                                let _e642 = phi_1061_;
+                                if (_e636 == 1u) {
+                                    if (_e197 == 1u) {
+                                        phi_1073_ = array<u32, 2>(_e642[1], _e642[0]);
+                                        phi_1074_ = false;
                                     } else {
-                                        phi_982_ = array<u32, 2>();
-                                        phi_983_ = true;
+                                        phi_1073_ = array<u32, 2>();
+                                        phi_1074_ = true;
                                     }
-                                    let _e619 = phi_982_;
-                                    let _e621 = phi_983_;
-                                    phi_984_ = _e619;
-                                    phi_985_ = _e621;
+                                    let _e649 = phi_1073_;
+                                    let _e651 = phi_1074_;
+                                    phi_1075_ = _e649;
+                                    phi_1076_ = _e651;
                                 } else {
-                                    phi_984_ = array<u32, 2>();
-                                    phi_985_ = true;
+                                    phi_1075_ = array<u32, 2>();
+                                    phi_1076_ = true;
                                 }
-                                let _e623 = phi_984_;
-                                let _e625 = phi_985_;
-                                if _e625 {
-                                    phi_990_ = _e612;
+                                let _e653 = phi_1075_;
+                                let _e655 = phi_1076_;
+                                if _e655 {
+                                    phi_1081_ = _e642;
                                 } else {
-                                    phi_990_ = _e623;
+                                    phi_1081_ = _e653;
                                 }
-                                let _e627 = phi_990_;
-                                let _e634 = params.member.member.member_2[_e627[0]];
-                                let _e639 = order.member[(_e634 + ((_e172 * 128u) + (_e601 >> bitcast<u32>(7i))))];
-                                let _e641 = order.member[(_e398 + (_e601 % 128u))];
-                                let _e644 = params.member.member_2.member_1;
-                                if (_e644 == 1u) {
-                                    let _e676 = params.member.member.member_2[1u];
-                                    let _e677 = (_e639 - _e676);
-                                    let _e681 = params.member.member.member_2[1u];
-                                    let _e682 = (_e641 - _e681);
-                                    if (_e677 < _e682) {
-                                        phi_1053_ = type_9(_e677, _e682);
+                                let _e657 = phi_1081_;
+                                let _e664 = params.member.member.member_2[_e657[0]];
+                                let _e669 = order.member[(_e664 + ((_e202 * 128u) + (_e631 >> bitcast<u32>(7i))))];
+                                let _e671 = order.member[(_e428 + (_e631 % 128u))];
+                                let _e674 = params.member.member_2.member_1;
+                                if (_e674 == 1u) {
+                                    let _e706 = params.member.member.member_2[1u];
+                                    let _e707 = (_e669 - _e706);
+                                    let _e711 = params.member.member.member_2[1u];
+                                    let _e712 = (_e671 - _e711);
+                                    if (_e707 < _e712) {
+                                        phi_1144_ = type_9(_e707, _e712);
                                     } else {
-                                        phi_1053_ = type_9(_e682, _e677);
+                                        phi_1144_ = type_9(_e712, _e707);
                                     }
-                                    let _e687 = phi_1053_;
-                                    phi_1086_ = _e687;
+                                    let _e717 = phi_1144_;
+                                    phi_1177_ = _e717;
                                 } else {
-                                    let _e648 = params.member.member_2.member;
-                                    if (_e648 == 1u) {
-                                        if (_e167 == 1u) {
-                                            let _e654 = params.member.member.member_2[2u];
-                                            phi_1073_ = type_9(_e641, (_e639 - _e654));
-                                            phi_1074_ = false;
+                                    let _e678 = params.member.member_2.member;
+                                    if (_e678 == 1u) {
+                                        if (_e197 == 1u) {
+                                            let _e684 = params.member.member.member_2[2u];
+                                            phi_1164_ = type_9(_e671, (_e669 - _e684));
+                                            phi_1165_ = false;
                                         } else {
-                                            phi_1073_ = type_9();
-                                            phi_1074_ = true;
+                                            phi_1164_ = type_9();
+                                            phi_1165_ = true;
                                         }
-                                        let _e658 = phi_1073_;
-                                        let _e660 = phi_1074_;
-                                        phi_1075_ = _e658;
-                                        phi_1076_ = _e660;
+                                        let _e688 = phi_1164_;
+                                        let _e690 = phi_1165_;
+                                        phi_1166_ = _e688;
+                                        phi_1167_ = _e690;
                                     } else {
-                                        phi_1075_ = type_9();
-                                        phi_1076_ = true;
+                                        phi_1166_ = type_9();
+                                        phi_1167_ = true;
                                     }
-                                    let _e662 = phi_1075_;
-                                    let _e664 = phi_1076_;
-                                    if _e664 {
-                                        let _e668 = params.member.member.member_2[2u];
-                                        phi_1085_ = type_9(_e639, (_e641 - _e668));
+                                    let _e692 = phi_1166_;
+                                    let _e694 = phi_1167_;
+                                    if _e694 {
+                                        let _e698 = params.member.member.member_2[2u];
+                                        phi_1176_ = type_9(_e669, (_e671 - _e698));
                                     } else {
-                                        phi_1085_ = _e662;
+                                        phi_1176_ = _e692;
                                     }
-                                    let _e672 = phi_1085_;
-                                    phi_1086_ = _e672;
+                                    let _e702 = phi_1176_;
+                                    phi_1177_ = _e702;
                                 }
-                                let _e689 = phi_1086_;
-                                let _e694 = params.member.member_1.member_3;
-                                let _e695 = (_e576 + _e598);
-                                if (_e695 < _e694) {
-                                    let _e697 = (2u * _e695);
-                                    atomicStore((&pairs.member[(4u + _e697)]), _e689.member);
-                                    atomicStore((&pairs.member[(_e697 + 5u)]), _e689.member_1);
+                                let _e719 = phi_1177_;
+                                let _e724 = params.member.member_1.member_3;
+                                let _e725 = (_e606 + _e628);
+                                if (_e725 < _e724) {
+                                    let _e727 = (2u * _e725);
+                                    atomicStore((&pairs.member[(4u + _e727)]), _e719.member);
+                                    atomicStore((&pairs.member[(_e727 + 5u)]), _e719.member_1);
                                 }
-                                phi_1104_ = true;
+                                phi_1195_ = true;
                             }
-                            let _e703 = phi_1104_;
-                            phi_1105_ = _e703;
+                            let _e733 = phi_1195_;
+                            phi_1196_ = _e733;
                         } else {
-                            phi_1105_ = false;
+                            phi_1196_ = false;
                         }
-                        let _e705 = phi_1105_;
+                        let _e735 = phi_1196_;
                         continue;
                         continuing {
-                            phi_917_ = _e590;
-                            break if !(_e705);
+                            phi_1008_ = _e620;
+                            break if !(_e735);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_605_ = _e390;
-                    break if !(_e396);
+                    phi_696_ = _e420;
+                    break if !(_e426);
                 }
             }
         }
         continue;
         continuing {
-            phi_250_ = _e146;
-            break if !(_e152);
+            phi_341_ = _e176;
+            break if !(_e182);
         }
     }
     return;

@@ -240,7 +240,8 @@ fn check_crowded(device: &Device) {
                 limit: same,
             })),
         ) => {
-            assert!((largest - l).abs() < 1e-6 && (mean - m).abs() < 0.01 * mean, "{m}, {mean}");
+            // The device's mean is that of a sample, in which the one large box need not be.
+            assert!((largest - l).abs() < 1e-6 && (mean - m).abs() < 0.05 * mean, "{m}, {mean}");
             assert!(fullest.abs_diff(f) < fullest / 10 && tests.abs_diff(t) < tests / 10);
             assert_eq!(limit, same);
         }

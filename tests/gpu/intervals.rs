@@ -10,12 +10,12 @@ use ccd::gpu::bind::{
 };
 use ccd::{Aabb, Pair};
 use ccd_core::broad_phase::key_intervals::{
-    self, BRUTE_FORCE, CHUNK, FOUND, FULLNESS, GROUP, POOL, SIDE_UNITS, SURVEY_WORDS,
+    self, BRUTE_FORCE, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SURVEY_WORDS,
     SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows, unpack,
 };
 use ccd_core::broad_phase::morton_key::{order_key, shared_word};
 use ccd_core::broad_phase::sweep_and_prune::Moments;
-use ccd_core::broad_phase::uniform_grid::Sizes;
+use ccd_core::broad_phase::uniform_grid::{self, Sizes};
 use ccd_core::layout::{Dispatch, Intervals, LIST_HEADER, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
@@ -54,8 +54,7 @@ fn check_surveys(device: &Device) {
     for n in [1, 700, 5000] {
         let boxes = long(n);
         let twin = Twin::new([&[], &boxes, &[]], |_, i| [i; 3]);
-        let all = Moments::<f64>::of(0, boxes.len(), &boxes);
-        let want = all.axes()[0] as u32;
+        let want = Moments::<f64>::of(0, n, &boxes).axes()[0] as u32;
         assert_eq!(survey_on_device(device, SWEEP_AND_PRUNE, &twin)[FOUND], want, "axis of {n}");
         assert!(n == 1 || want == 2, "the longest axis is the third");
         let sides = &survey_on_device(device, UNIFORM_GRID, &twin)[FOUND..FOUND + 3];
@@ -74,29 +73,40 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
     all.extend(vec![boxes[0]; 300]);
     let (a, b) = all.split_at(boxes.len() / 3);
     let of = sorted(device, UNIFORM_GRID, [a, b, &[]]);
-    let n = all.len();
-    let kernel = SurveyCells {
-        boxes: bytes(&of.twin.boxes),
-        keys: bytes(&of.keys),
-        survey: bytes(&of.survey),
+    let of_set = 1;
+    let (start, count) = (of.twin.frame.start[of_set], of.twin.frame.count[of_set]);
+    let looked_at = |stride: u32, survey: &[u32]| -> Vec<u32> {
+        let n = count.div_ceil(stride);
+        let kernel =
+            SurveyCells { sorted: bytes(&of.boxes), keys: bytes(&of.keys), survey: bytes(survey) };
+        let dispatch = Dispatch { n, first: stride, ..Dispatch::default() };
+        let p = params(&of.twin, dispatch, UNIFORM_GRID, of_set as u32, 0);
+        read(&run(device, kernel, &p, n.div_ceil(256)).survey)
     };
-    let p = of.twin.plain(Dispatch::default());
-    let found: Vec<u32> = read(&run(device, kernel, &p, (n as u32).div_ceil(256)).survey);
-    let cells: Vec<u64> = of.keys.chunk_by(|a, b| a == b).map(|c| c.len() as u64).collect();
-    let wide = |at: usize| (found[at + 1] as u64) << 32 | found[at] as u64;
-    assert_eq!(wide(FULLNESS), cells.iter().map(|c| c * c).sum::<u64>(), "squares of {n}");
-    assert_eq!(found[FULLNESS + 4] as u64, cells.into_iter().max().unwrap(), "fullest of {n}");
+    let at = FULLNESS + SET_WORDS * of_set;
     let side = |b: &Aabb| Sizes::of(b).half.into_iter().fold(0.0, f32::max);
     let largest = all.iter().map(side).fold(0.0, f32::max);
-    let want: f64 = all.iter().map(|b| (side(b) / largest * SIDE_UNITS) as f64).sum();
-    assert!((wide(FULLNESS + 2) as f64 - want).abs() <= 2.0 * n as f64, "mean side of {n}");
+    for stride in [1, 3] {
+        let found = looked_at(stride, &of.survey);
+        let places = || (start..start + count).step_by(stride as usize).map(|k| k as usize);
+        let cell = |k: usize| uniform_grid::cell_of(of.keys[k] & ((1 << 30) - 1));
+        let near = |i: usize, j: usize| {
+            let (p, q) = (cell(i), cell(j));
+            i != j && (0..3).all(|k| p[k].abs_diff(q[k]) <= 1)
+        };
+        let of_set = || (start..start + count).map(|k| k as usize);
+        let around: usize = places().map(|i| of_set().filter(|&j| near(i, j)).count()).sum();
+        assert_eq!([found[at], found[at + 1]], [around as u32, 0], "around, of {count}");
+        let want: f64 = places().map(|k| (side(&of.boxes[k]) / largest * SIDE_UNITS) as f64).sum();
+        let found_sides = (found[at + 3] as u64) << 32 | found[at + 2] as u64;
+        assert!((found_sides as f64 - want).abs() <= 2.0 * count as f64, "sides of {count}");
+        let fullest = places().map(|i| of_set().filter(|&j| of.keys[i] == of.keys[j]).count());
+        assert_eq!(found[at + 4] as usize, fullest.max().unwrap(), "fullest of {count}");
+    }
     // A sum that exceeds a word.
-    let mut survey = of.survey.clone();
-    survey[FULLNESS] = u32::MAX;
-    let (boxes, keys) = (bytes(&of.twin.boxes), bytes(&of.keys));
-    let kernel = SurveyCells { boxes, keys, survey: bytes(&survey) };
-    let more: Vec<u32> = read(&run(device, kernel, &p, (n as u32).div_ceil(256)).survey);
-    assert_eq!(more[FULLNESS + 1], found[FULLNESS + 1] + 1);
+    let (found, mut survey) = (looked_at(1, &of.survey), of.survey.clone());
+    survey[at] = u32::MAX;
+    assert_eq!(looked_at(1, &survey)[at + 1], 1);
     // No work where cells are too full, and no pairs of what the list held before.
     let asking = of.twin.frame.count[1].div_ceil(GROUP);
     let done = |limit: u32| {
@@ -108,7 +118,7 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
             work: room(1000),
         };
         let mut p = params(&of.twin, dispatch, UNIFORM_GRID, 1, 0);
-        p.own.most = [limit, found[FULLNESS + 1]];
+        p.own.most[of_set] = limit;
         let work = run(device, kernel, &p, asking).work;
         let kernel = IntervalPairs {
             sorted: bytes(&of.boxes),
@@ -121,7 +131,7 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
         let pairs = run(device, kernel, &p, asking).pairs;
         [read::<u32>(&work)[0], read::<u32>(&pairs)[0]]
     };
-    let ([n_pieces, n_pairs], none) = (done(found[FULLNESS]), done(found[FULLNESS] - 1));
+    let ([n_pieces, n_pairs], none) = (done(found[at]), done(found[at] - 1));
     assert!(n_pieces > 0 && n_pieces < 1000 && n_pairs > 0, "{n_pieces}, {n_pairs}");
     assert_eq!(none, [u32::MAX, 0]);
 }
@@ -139,7 +149,7 @@ fn params(twin: &Twin, dispatch: Dispatch, method: u32, kind: u32, row: u32) -> 
     Params {
         frame: twin.frame,
         dispatch,
-        own: Intervals { method, kind, row, most: [u32::MAX; 2] },
+        own: Intervals { method, kind, row, most: [u32::MAX; 3] },
     }
 }
 

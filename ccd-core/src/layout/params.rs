@@ -160,9 +160,8 @@ pub struct Intervals {
     pub kind: u32,
     /// Which intervals.
     pub row: u32,
-    /// Above this sum of the squares of the numbers of boxes a cell nothing is done: two words, the
-    /// low one first.
-    pub most: [u32; 2],
+    /// By set: above this number of boxes in the cells around those of a sample nothing is done.
+    pub most: [u32; 3],
 }
 
 /// What the descent of pairs of nodes is told.
@@ -208,7 +207,7 @@ pub struct ContactSort {
 const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
-const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 20);
+const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
 const _: () = assert!(size_of::<NodeDescent>() == 16);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);

@@ -13,8 +13,8 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::broad_phase::key_intervals::{
-    BRUTE_FORCE, FULLNESS, GROUP, SIDE_UNITS, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asks,
-    rows, sizes,
+    BRUTE_FORCE, FULLNESS, GROUP, SET_WORDS, SIDE_UNITS, SURVEY_WORDS, SWEEP_AND_PRUNE,
+    UNIFORM_GRID, asks, rows, sample, sizes,
 };
 use ccd_core::broad_phase::morton_key;
 use ccd_core::broad_phase::uniform_grid::TESTS_A_BOX;
@@ -98,10 +98,20 @@ impl IntervalSource {
     }
 
     fn params(&self, frame: &Frame, kind: u32, row: u32, dispatch: Dispatch) -> Params<Intervals> {
-        // Nothing is done where cells are fuller than they may be; other methods have none.
-        let most = most_squares(frame.start[3]);
-        let most = [most as u32, (most >> 32) as u32];
-        Params { frame: *frame, dispatch, own: Intervals { method: self.method, kind, row, most } }
+        let own = Intervals { method: self.method, kind, row, most: most(frame) };
+        Params { frame: *frame, dispatch, own }
+    }
+
+    /// How full cells are around a sample of each set that is large enough.
+    fn survey_cells(&self, recorder: &mut Recorder, frame: &Frame) {
+        let Self { sorted, survey, .. } = self;
+        let [keys, _] = self.sort.half(0);
+        for set in (0..3).filter(|&set| may_crowd(frame.count[set])) {
+            let [first, n] = sample(frame.count[set]);
+            let dispatch = Dispatch { n, first, ..Dispatch::default() };
+            let p = self.params(frame, set as u32, 0, dispatch);
+            recorder.each(&SurveyCells { sorted, keys, survey }, &p, n);
+        }
     }
 
     /// The pieces of work of a kind of pairs.
@@ -136,11 +146,14 @@ fn asking(frame: &Frame, method: u32, kind: u32, row: u32) -> u32 {
     frame.count[asks(method, kind, row)[0] as usize].div_ceil(GROUP)
 }
 
-/// The greatest sum of squares of the numbers of boxes a cell for which a grid is not refused: the
-/// tests within cells alone, of which there are at most 27 times as many in all (a product of the
-/// numbers of two cells is at most the mean of their squares).
-fn most_squares(n: u32) -> u64 {
-    TESTS_A_BOX * n as u64
+/// Whether a set has so many boxes that they can take more tests than they may.
+fn may_crowd(n: u32) -> bool {
+    n as u64 > TESTS_A_BOX
+}
+
+/// By set: the greatest number of boxes around those of a sample for which a grid is not refused.
+fn most(frame: &Frame) -> [u32; 3] {
+    frame.count.map(|n| if may_crowd(n) { TESTS_A_BOX as u32 * sample(n)[1] } else { u32::MAX })
 }
 
 impl PairSource for IntervalSource {
@@ -162,11 +175,11 @@ impl PairSource for IntervalSource {
             self.sort.run(recorder, n, 32, 0);
         }
         recorder.stage("build");
-        let Self { boxes, sorted, survey, .. } = self;
-        let ([keys, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
+        let Self { boxes, sorted, .. } = self;
+        let ([_, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
         recorder.each(&OrderBoxes { boxes, order, sorted }, &p, n);
         if self.method == UNIFORM_GRID {
-            recorder.each(&SurveyCells { boxes, keys, survey }, &p, n);
+            self.survey_cells(recorder, frame);
         }
         recorder.stage("work");
         search.kinds.iter().for_each(|&kind| self.work(recorder, frame, kind));
@@ -184,19 +197,27 @@ impl PairSource for IntervalSource {
         if self.method != UNIFORM_GRID {
             return Ok(());
         }
-        let n = frame.start[3];
-        let wide = |at: usize| (words[at + 1] as u64) << 32 | words[at] as u64;
-        let squares = wide(FULLNESS);
-        if squares <= most_squares(n) {
+        let of_set = |set: usize| {
+            let first = FULLNESS + SET_WORDS * set;
+            let wide = |at: usize| (words[at + 1] as u64) << 32 | words[at] as u64;
+            let n = sample(frame.count[set])[1].max(1) as f64;
+            (wide(first) as f64 / n, wide(first + 2) as f64 / n, words[first + 4])
+        };
+        let crowded = (0..3)
+            .filter(|&set| may_crowd(frame.count[set]))
+            .map(of_set)
+            .fold((0.0, 0.0, 0), |all, set| if set.0 > all.0 { set } else { all });
+        let (tests, mean, fullest) = crowded;
+        if tests <= TESTS_A_BOX as f64 {
             return Ok(());
         }
         let half = sizes(words).half.into_iter().fold(0.0, f32::max);
         let largest = 2.0 * half as f64;
         Err(ccd_core::Error::CrowdedCells {
             largest,
-            mean: largest * wide(FULLNESS + 2) as f64 / (SIDE_UNITS as f64 * n as f64),
-            fullest: words[FULLNESS + 4] as u64,
-            tests: squares / n.max(1) as u64,
+            mean: largest * mean / SIDE_UNITS as f64,
+            fullest: fullest as u64,
+            tests: tests as u64,
             limit: TESTS_A_BOX,
         }
         .into())

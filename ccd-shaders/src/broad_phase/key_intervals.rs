@@ -8,12 +8,12 @@ use crate::workgroup::{
 use ccd_core::Aabb;
 use ccd_core::broad_phase::block_bvh::set_of;
 use ccd_core::broad_phase::key_intervals::{
-    self, CHUNK, FOUND, FULLNESS, GROUP, POOL, SIDE_UNITS, SWEEP_AND_PRUNE, asks, interval,
-    lower_bound, pack, sizes, unpack,
+    self, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SWEEP_AND_PRUNE, asks,
+    interval, lower_bound, pack, sizes, unpack,
 };
 use ccd_core::broad_phase::morton_key::order_key;
 use ccd_core::broad_phase::sweep_and_prune::Moments;
-use ccd_core::broad_phase::uniform_grid::Sizes;
+use ccd_core::broad_phase::uniform_grid::{self, Sizes};
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Intervals, Pair, Params};
@@ -98,16 +98,17 @@ pub fn survey_sides(
     }
 }
 
-/// How full the cells of a grid are, from sorted keys: thread `i` counts the boxes of the `i`-th
-/// one's set in its cell, and a workgroup adds what its threads found to the survey.
+/// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order:
+/// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
+/// workgroup adds what its threads found to the survey.
 #[spirv(compute(threads(256)))]
 pub fn survey_cells(
     #[spirv(workgroup_id)] id: UVec3,
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(workgroup)] sums: &mut [u32; 4],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] survey: &mut [u32],
 ) {
@@ -115,26 +116,44 @@ pub fn survey_cells(
         set(sums, lane, 0);
     }
     barrier();
-    let (i, n_keys) = (group(id, n) * THREADS + lane, params.frame.start[3]);
-    if i < n_keys {
-        let key = at(keys, i as usize);
-        // No key is the greatest number. A sum of 256 such numbers fits in a word.
-        let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
-        add_shared(sums, 0, in_cell.min((1 << 24) - 1));
+    let (i, of_set) = (group(id, n) * THREADS + lane, params.own.kind as usize);
+    if i < params.dispatch.n {
+        let k = (params.frame.start[of_set] + i * params.dispatch.first) as usize;
+        let (key, n_keys) = (at(keys, k), params.frame.start[3]);
+        let cell = uniform_grid::cell_of(key & ((1 << 30) - 1));
+        let of_keys = (of_set as u32) << 30;
+        let mut around = 0;
+        for row in 0..uniform_grid::ROWS {
+            let [first, last] = uniform_grid::row(cell, row, false);
+            if first <= last {
+                // No key is the greatest number.
+                around += lower_bound(keys, n_keys, (of_keys | last) + 1)
+                    - lower_bound(keys, n_keys, of_keys | first);
+            }
+        }
+        // Without itself; a sum of 256 such numbers fits in a word.
+        add_shared(sums, 0, (around - 1).min((1 << 24) - 1));
         let all = sizes(survey).half;
-        let own = Sizes::of(&at(boxes, i as usize)).half;
-        let largest = all[0].max(all[1]).max(all[2]);
-        let side = own[0].max(own[1]).max(own[2]);
-        let part = if largest > 0.0 { side / largest * SIDE_UNITS } else { 0.0 };
+        let own = Sizes::of(&at(sorted, k)).half;
+        let largest = greatest(all);
+        let part = if largest > 0.0 { greatest(own) / largest * SIDE_UNITS } else { 0.0 };
         add_shared(sums, 1, part as u32);
+        let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
         raise_shared(sums, 2, in_cell);
     }
     barrier();
+    let first = FULLNESS + SET_WORDS * of_set;
     if lane < 2 {
-        add_wide(survey, FULLNESS + 2 * lane as usize, get(sums, lane));
+        add_wide(survey, first + 2 * lane as usize, get(sums, lane));
     } else if lane == 2 {
-        raise(survey, FULLNESS + 4, get(sums, 2));
+        raise(survey, first + 4, get(sums, 2));
     }
+}
+
+#[inline(always)]
+fn greatest(x: [f32; 3]) -> f32 {
+    let greater = if x[1] > x[0] { x[1] } else { x[0] };
+    if x[2] > greater { x[2] } else { greater }
 }
 
 /// Adds to a number of two words, the low one first.
@@ -217,8 +236,13 @@ fn partners(
 /// Whether cells are fuller than they may be.
 #[inline(always)]
 fn is_crowded(params: &Params<Intervals>, survey: &[u32]) -> bool {
-    let ([low, high], most) = ([at(survey, FULLNESS), at(survey, FULLNESS + 1)], params.own.most);
-    high > most[1] || (high == most[1] && low > most[0])
+    is_full(params, 0, survey) || is_full(params, 1, survey) || is_full(params, 2, survey)
+}
+
+#[inline(always)]
+fn is_full(params: &Params<Intervals>, of_set: usize, survey: &[u32]) -> bool {
+    let first = FULLNESS + SET_WORDS * of_set;
+    at(survey, first + 1) > 0 || at(survey, first) > params.own.most[of_set]
 }
 
 /// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
