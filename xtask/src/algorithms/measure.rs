@@ -22,7 +22,7 @@ pub struct Measured {
 }
 
 /// A method is measured for so long at most, once at least.
-const LONG_ENOUGH: Duration = Duration::from_secs(2);
+const LONG_ENOUGH: Duration = Duration::from_millis(500);
 
 impl Place {
     /// One thread, all threads, and the GPU if there is one.
