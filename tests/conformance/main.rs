@@ -39,18 +39,23 @@ fn main() {
     for (scene, source) in GENERATED.into_iter().chain(real) {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
-            for method in ccd::every(backend) {
-                let choice = &choice.clone().and_then(|c| on_request(c, source, method));
+            let methods = methods(source, backend);
+            let left_out = ccd::every(backend).count() - methods.len();
+            if left_out > 0 {
+                let why = format!("{left_out} more methods: {WHOLE}=1");
+                let name = format!("whole/{scene}/{place}");
+                let ignored = move || Ok(Completion::ignored_with(why));
+                trials.push(Trial::ignorable_test(name, ignored));
+            }
+            for &method in &methods {
                 let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{method}/{place}"));
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_pairs(&loaded, source, choice, method)
                 }));
             }
-            for method in ccd::every(backend).filter(|_| !matches!(source, Source::Boxes(_))) {
-                let choice = &choice
-                    .clone()
-                    .and_then(|c| not_too_slow(c, source))
-                    .and_then(|c| on_request(c, source, method));
+            let moves = !matches!(source, Source::Boxes(_));
+            for &method in methods.iter().filter(|_| moves) {
+                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
                 let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{method}/{place}"));
                 let options = Options { threads: 2, broad_phase: method, ..Options::default() };
                 trials.push(row_of(name, source, choice, move |choice| {
@@ -91,8 +96,6 @@ fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
 enum Missing {
     /// A device, and why.
     Device(String),
-    /// The wish: [`WHOLE`].
-    Request,
     /// Minutes.
     Time,
 }
@@ -109,13 +112,14 @@ const MAX_EDGES_EMULATED: usize = 50_000;
 /// default and the default tree.
 const WHOLE: &str = "CCD_WHOLE";
 
-fn on_request(choice: Choice, source: Source, method: BroadPhaseMethod) -> Result<Choice, Missing> {
-    let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE].contains(&method);
-    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
-    if whole || usual || !matches!(source, Source::Real(_)) {
-        Ok(choice)
+/// The methods of a backend by which a scene is run.
+fn methods(source: Source, backend: &'static str) -> Vec<BroadPhaseMethod> {
+    let all = ccd::every(backend);
+    if matches!(source, Source::Real(_)) && !std::env::var(WHOLE).is_ok_and(|v| v == "1") {
+        let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
+        all.filter(|method| usual.contains(method)).collect()
     } else {
-        Err(Missing::Request)
+        all.collect()
     }
 }
 
@@ -146,9 +150,6 @@ fn row_of(
                 Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}")))
             }
             Err(Missing::Device(why)) => Ok(Completion::ignored_with(why)),
-            Err(Missing::Request) => {
-                Ok(Completion::ignored_with(format!("real scenes by every method: {WHOLE}=1")))
-            }
             Err(Missing::Time) => Ok(Completion::ignored_with("too slow on an emulated GPU")),
         }
     })

@@ -14,7 +14,9 @@ pub struct StandIns {
     starts: Vec<u32>,
     blocks: Vec<[u32; WIDTH]>,
     others: Vec<[Other; WIDTH]>,
-    leaf_of: Vec<u32>,
+    /// Where the leaves of each triangle begin in the next list, then their number.
+    firsts: Vec<u32>,
+    leaves: Vec<u32>,
 }
 
 /// A triangle of a block, and the tests that a leaf makes with it.
@@ -29,31 +31,53 @@ pub struct Other {
 }
 
 impl StandIns {
-    /// Those of a mesh, for leaves in a new order.
+    /// Those of a mesh, for leaves in a new order, in which a triangle may have several leaves.
     pub fn order(&mut self, sets: &OrphanSets, leaves: &LeafBoxes) {
-        let order = leaves.order();
-        self.leaf_of.resize(order.len(), 0);
-        for (leaf, &t) in order.iter().enumerate() {
-            self.leaf_of[t as usize] = leaf as u32;
-        }
+        self.find_leaves(leaves.order());
         self.starts.clear();
         self.blocks.clear();
         self.others.clear();
         self.starts.push(0);
-        for &t in order {
-            for some in sets.stand_ins(t).chunks(WIDTH) {
-                let mut blocks = [NONE; WIDTH];
-                let mut others = [Other::default(); WIDTH];
-                for (i, stand_in) in some.iter().enumerate() {
-                    let leaf = self.leaf_of[stand_in.other as usize];
-                    let (width, id, tests) = (WIDTH as u32, stand_in.other, stand_in.tests);
-                    blocks[i] = leaf / width;
-                    others[i] = Other { lane: leaf % width, id, tests };
+        for &t in leaves.order() {
+            let mut n_in_group = WIDTH;
+            for stand_in in sets.stand_ins(t) {
+                let (id, tests) = (stand_in.other, stand_in.tests);
+                let of_other = self.firsts[id as usize]..self.firsts[id as usize + 1];
+                for at in of_other {
+                    let leaf = self.leaves[at as usize];
+                    if n_in_group == WIDTH {
+                        self.blocks.push([NONE; WIDTH]);
+                        self.others.push([Other::default(); WIDTH]);
+                        n_in_group = 0;
+                    }
+                    let (group, width) = (self.blocks.len() - 1, WIDTH as u32);
+                    self.blocks[group][n_in_group] = leaf / width;
+                    self.others[group][n_in_group] = Other { lane: leaf % width, id, tests };
+                    n_in_group += 1;
                 }
-                self.blocks.push(blocks);
-                self.others.push(others);
             }
             self.starts.push(self.blocks.len() as u32);
+        }
+    }
+
+    /// Lists the leaves of each triangle.
+    fn find_leaves(&mut self, order: &[u32]) {
+        let n = order.iter().map(|&t| t as usize + 1).max().unwrap_or(0);
+        self.firsts.clear();
+        self.firsts.resize(n + 1, 0);
+        for &t in order {
+            self.firsts[t as usize] += 1;
+        }
+        let mut sum = 0;
+        for first in &mut self.firsts {
+            sum += *first;
+            *first = sum;
+        }
+        self.leaves.resize(order.len(), 0);
+        // From the back: what was the end of a triangle's leaves becomes their beginning.
+        for (leaf, &t) in order.iter().enumerate().rev() {
+            self.firsts[t as usize] -= 1;
+            self.leaves[self.firsts[t as usize] as usize] = leaf as u32;
         }
     }
 
