@@ -163,7 +163,8 @@ fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8> {
     let kernel = NearNodes {
         branches: branches.clone(),
         block_nodes: bytes(&twin.nodes),
-        nodes: zeros::<WideNode>(n as usize - 1),
+        // Room for one where there is none: a binding has at least a record.
+        nodes: zeros::<WideNode>((n as usize - 1).max(1)),
         far: zeros::<u32>(LIST_HEADER + n as usize),
     };
     let NearNodes { nodes, far, .. } = run(device, kernel, &p, n.div_ceil(256));

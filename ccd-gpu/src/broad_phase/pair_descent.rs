@@ -88,11 +88,14 @@ impl PairDescent {
             let dispatch = Dispatch { n: 0, first, room_in, room_out };
             Params { frame: *frame, dispatch, own }
         };
-        for (tree, (set, cut)) in trees.into_iter().zip(sets(kind).into_iter().zip(&self.cuts)) {
+        // The order of a cut is that of the threads that were first: another cut through the same
+        // tree has another one, so that pairs within a tree need one cut for both sides.
+        let [a_cut, b_cut] = if kind == 1 { [&self.cuts[0]; 2] } else { self.cuts.each_ref() };
+        let sides = trees.into_iter().zip(sets(kind)).zip([a_cut, b_cut]);
+        for ((tree, set), cut) in sides.take(if kind == 1 { 1 } else { 2 }) {
             let kernel = CutNodes { branches: &tree.branches, cut };
             recorder.dispatch(&kernel, &params(set as u32, 0, odd, even), 1);
         }
-        let [a_cut, b_cut] = &self.cuts;
         let output = even.buffer();
         let kernel = CutPairs { a_nodes, b_nodes, a_cut, b_cut, levels, output };
         recorder.each(&kernel, &params(kind, 0, odd, even), self.nodes * self.nodes);
