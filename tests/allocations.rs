@@ -34,7 +34,7 @@ static ALLOCATOR: Counting = Counting;
 
 /// Allocations of each of 40 steps after 12 to warm up.
 fn count(threads: usize, broad_phase: BroadPhaseMethod, pipeline: Pipeline) -> Vec<usize> {
-    let step = crumpled_sheet(60, 1);
+    let step = crumpled_sheet(30, 1);
     let mut session =
         Session::new(step.mesh, Options { threads, broad_phase, pipeline, ..Options::default() })
             .unwrap();
