@@ -50,8 +50,8 @@ pub const SWEEP_AND_PRUNE: u32 = 1;
 /// A uniform grid.
 pub const UNIFORM_GRID: u32 = 2;
 
-/// Words of a survey: bounds of all boxes as in [`merged`](super::morton_key::merged); the axis of
-/// a sweep, or half of the largest side on each axis, as [`order_key`]; of a grid besides, how full
+/// Words of a survey: bounds of all boxes as in `morton_key::merged`; the axis of
+/// a sweep, or half of the largest side on each axis, as `order_key`; of a grid besides, how full
 /// its cells are: see [`FULLNESS`].
 pub const SURVEY_WORDS: usize = 24;
 /// Where the axis, or the three sides, stand in a survey.
