@@ -46,7 +46,8 @@ pub struct Frame {
     pub start: [u32; 4],
     /// By how much boxes of paths are grown, in the unit of paths.
     pub margin: f32,
-    /// How far a coordinate of a [`Path`](super::Path) may be from the true one, in the unit of paths.
+    /// How far a coordinate of a [`Path`](super::Path) may be from the true one, in the unit of
+    /// paths.
     pub path_error: f32,
     /// Contact means at most this distance, in the unit of paths; rounded up.
     pub min_distance: f32,
