@@ -10,6 +10,7 @@
 #![deny(unsafe_code)]
 
 mod broad_phase;
+mod clock;
 mod session;
 #[allow(unsafe_code, reason = "intrinsics, after asking the processor; a write within capacity")]
 mod simd;

@@ -3,6 +3,7 @@
 
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
+use crate::clock::milliseconds;
 use crate::step::candidates::{Given, Scene};
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
@@ -310,8 +311,4 @@ fn collect(threads: &Threads, workers: &mut [Worker], report: &mut Report) {
     report.undecided =
         report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     report.times.narrow += milliseconds(start);
-}
-
-fn milliseconds(since: Instant) -> f64 {
-    since.elapsed().as_secs_f64() * 1e3
 }

@@ -33,6 +33,7 @@ mod tests;
 pub mod tree;
 mod uniform_grid;
 
+use crate::clock::milliseconds;
 use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::math::aabb::Boxes;
@@ -186,10 +187,6 @@ impl BroadPhase {
             Ok(())
         })
     }
-}
-
-fn milliseconds(since: Instant) -> f64 {
-    since.elapsed().as_secs_f64() * 1e3
 }
 
 /// Whether two boxes overlap as they were given; asked where rounding may have made it so.
