@@ -28,6 +28,11 @@
 //! triangles, or where a hierarchy of triangles is there anyway; features of their own
 //! ([`Features`](crate::model::pipeline::Pipeline::Features)) make smaller boxes.
 
+pub mod expansion;
+#[cfg(feature = "alloc")]
+pub mod free_regions;
+#[cfg(feature = "alloc")]
+pub mod near_tests;
 pub mod normal_cone;
 #[cfg(feature = "alloc")]
 pub mod orphans;
