@@ -4,8 +4,8 @@
 mod params;
 
 pub use params::{
-    Blocks, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params, Plain,
-    Queries, SortPass,
+    Blocks, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
+    Plain, Queries, SortPass,
 };
 
 use crate::math::aabb::Aabb;

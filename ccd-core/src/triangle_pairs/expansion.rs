@@ -194,14 +194,7 @@ fn sides(s: &Triangle, t: &Triangle, start: u32, boxes: &[Aabb<f32>]) -> u32 {
 }
 
 #[inline(always)]
-fn side(
-    of: &Triangle,
-    bit: u32,
-    id: u32,
-    ends: [u32; 2],
-    start: u32,
-    boxes: &[Aabb<f32>],
-) -> Side {
+fn side(of: &Triangle, bit: u32, id: u32, ends: [u32; 2], start: u32, boxes: &[Aabb<f32>]) -> Side {
     let mut aabb = Aabb::EMPTY;
     if of.represents >> bit & 1 == 1 {
         aabb = at(boxes, (start + id) as usize);

@@ -47,9 +47,8 @@ impl NearTests {
             }
         }
         let first = vf.len();
-        let orphan = |pair: &Pair, of: Pair| {
-            wanted(of).then_some(NearTest { pair: *pair, triangles: of })
-        };
+        let orphan =
+            |pair: &Pair, of: Pair| wanted(of).then_some(NearTest { pair: *pair, triangles: of });
         vf.extend(sets.vf().iter().filter_map(|pair| {
             orphan(pair, Pair { a: triangles.of_vertex(pair.a)[0], b: pair.b })
         }));

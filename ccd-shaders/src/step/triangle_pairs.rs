@@ -15,6 +15,7 @@ use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
 const THREADS: u32 = Id::ExpandTriangles.threads();
+const SWEEP_THREADS: u32 = Id::SweepTriangles.threads();
 
 /// Words of `shared` behind the counts: pairs of a vertex and a face, of edges, where they go.
 const VF: u32 = N_COUNTS as u32;
@@ -34,7 +35,7 @@ pub fn sweep_triangles(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] boxes: &[Aabb],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] swept: &mut [Aabb],
 ) {
-    let i = group(id, n) * Id::SweepTriangles.threads() + lane;
+    let i = group(id, n) * SWEEP_THREADS + lane;
     if i < params.dispatch.n {
         let corners = at(triangles, i as usize).corners;
         put(swept, i as usize, swept_box::triangle(corners, boxes));

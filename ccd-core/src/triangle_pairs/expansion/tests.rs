@@ -77,8 +77,7 @@ impl Scene {
             }
         }
         for (i, test) in (0..).zip(&tests) {
-            let one =
-                near(i, test, &self.frame, &own, &self.regions, &self.swept, &self.boxes);
+            let one = near(i, test, &self.frame, &own, &self.regions, &self.swept, &self.boxes);
             take(one);
             if one.hits == 1 {
                 *found.entry(((i >= n_vf) as u32, test.pair)).or_default() += 1;
@@ -118,8 +117,7 @@ fn random(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
     // Names of two bodies are far apart, so no element joins two.
     let half = n / 2;
     let mut point = |second: u32| if second == 1 { half + below(n - half) } else { below(half) };
-    let mut faces: Vec<[u32; 3]> =
-        (0..n).map(|i| core::array::from_fn(|_| point(i % 2))).collect();
+    let mut faces: Vec<[u32; 3]> = (0..n).map(|i| core::array::from_fn(|_| point(i % 2))).collect();
     faces.push(faces[0]);
     let wires: Vec<[u32; 2]> = (0..6).map(|i| core::array::from_fn(|_| point(i % 2))).collect();
     let mesh = Mesh::with_edges(n as usize, &faces, &wires).unwrap();
