@@ -23,6 +23,9 @@
 //!
 //! Edges that no face has, and vertices in nothing, are triangles with a corner twice or thrice.
 //!
+//! Both backends make the same tests and count them alike: on a CPU eight pairs side by side, on a
+//! GPU one a thread ([`expansion`]).
+//!
 //! Cost: a face has half a vertex and one edge and a half on average, so a pair of triangles is
 //! `2 / 2 + 9 / 4` instead of 15 tests. Choose it to compare with literature that works on
 //! triangles, or where a hierarchy of triangles is there anyway; features of their own

@@ -1,7 +1,9 @@
 //! Pairs of triangles to pairs of features: boxes of triangles, pairs that their boxes make, tests
 //! of neighbours; features go to one list a kind, appended by the workgroup.
 
-use crate::workgroup::{add_shared, barrier, count, get, group, length, read_pair, set, write_pair};
+use crate::workgroup::{
+    add_shared, barrier, count, get, group, length, read_pair, set, write_pair,
+};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
