@@ -86,6 +86,34 @@ impl Scene {
         (found, counts)
     }
 
+    /// What is counted, by the definition: of all pairs, of those that share a vertex, and of the
+    /// tests that the others represent and stand in for.
+    fn counted(&self) -> [u32; 3] {
+        let (triangles, mut out) = (&self.triangles, [0; 3]);
+        let sets = OrphanSets::new(&self.mesh, triangles).expect("few neighbours");
+        let n = triangles.len() as u32;
+        for (s, t) in (0..n).flat_map(|t| (0..t).map(move |s| (s, t))) {
+            let overlap = self.swept[s as usize].overlaps(&self.swept[t as usize]);
+            if !overlap || !self.wants(Pair { a: s, b: t }) {
+                continue;
+            }
+            out[0] += 1;
+            if triangles.adjacent(s, t) {
+                out[1] += 1;
+                continue;
+            }
+            let own = |t: u32, k: usize| triangles.represents(t) >> k & 1 == 1;
+            for k in 0..3 {
+                out[2] += (own(s, k) && triangles.is_face(t)) as u32;
+                out[2] += (own(t, k) && triangles.is_face(s)) as u32;
+                out[2] += (0..3).filter(|j| own(s, 3 + k) && own(t, 3 + j)).count() as u32;
+            }
+            let more = sets.stand_ins(s).iter().find(|stand_in| stand_in.other == t);
+            out[2] += more.map_or(0, |stand_in| stand_in.tests.count_ones());
+        }
+        out
+    }
+
     /// Every pair of features of wanted bodies without a common vertex whose boxes overlap.
     fn all(&self) -> Found {
         let (mesh, start) = (&self.mesh, self.frame.start);
@@ -150,6 +178,7 @@ fn every_pair_of_features_comes_once() {
         assert_eq!(with_sets, want, "round {round}, with orphans");
         assert_eq!((before[1], before[2], before[4]), (0, 0, 0));
         assert_eq!((before[0], counts[2]), (counts[0], 0));
+        assert_eq!([counts[0], counts[1], counts[3]], scene.counted(), "round {round}");
         // What is lost in regions is of triangles in one of them.
         let (rest, counts) = scene.expanded(false, Expansion::FLAG_REGIONS);
         for (&(kind, pair), _) in want.iter().filter(|(key, _)| !rest.contains_key(key)) {
