@@ -6,7 +6,7 @@
 //!                                           n_vf -^
 //! ```
 //!
-//! Cost: on a regular mesh some 11 tests a triangle, 16 bytes each.
+//! Cost: on a regular mesh some 10 tests a triangle, 16 bytes each.
 
 use super::Test;
 use super::orphans::OrphanSets;
