@@ -63,7 +63,9 @@ fn main() {
                 }));
             }
             for pipeline in pipelines(source, backend) {
-                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{pipeline:?}"));
+                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
+                let row = pipeline.row().name;
+                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{row}/{place}"));
                 let options = Options { threads: 2, pipeline, ..Options::default() };
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_contacts(&loaded, source, choice, options)

@@ -19,6 +19,7 @@ mod sorts;
 mod support;
 mod tangential;
 mod trees;
+mod triangles;
 mod twin;
 mod units;
 
@@ -86,6 +87,7 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             listed::TESTS,
+            triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
             poison::TESTS,

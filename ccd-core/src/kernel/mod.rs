@@ -168,6 +168,17 @@ macro_rules! kernels {
             FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
                   input: Read, output: Write }
+            /// Boxes of triangles.
+            SweepTriangles = sweep_triangles(256 threads, 0 barriers, f32, Params<Plain>)
+                { triangles: Read, boxes: Read, swept: Write }
+            /// Pairs of triangles to pairs of the features that they represent.
+            ExpandTriangles = expand_triangles(128 threads, 5 barriers, f32, Params<Expansion>)
+                { triangles: Read, regions: Read, boxes: Read, input: Read,
+                  vf: Write, ee: Write, counts: Write }
+            /// Pairs of features whose representatives share a vertex.
+            NearTests = near_tests(128 threads, 5 barriers, f32, Params<Expansion>)
+                { tests: Read, regions: Read, swept: Read, boxes: Read,
+                  vf: Write, ee: Write, counts: Write }
             /// Listed pairs to vertex-face candidates.
             ListListedVertexFace
                 = list_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)

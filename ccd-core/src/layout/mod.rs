@@ -4,8 +4,8 @@
 mod params;
 
 pub use params::{
-    Blocks, ContactSort, Decision, Dispatch, Frame, Intervals, NodeDescent, Params, Plain, Queries,
-    SortPass,
+    Blocks, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
+    Plain, Queries, SortPass,
 };
 
 use crate::math::aabb::Aabb;
@@ -166,6 +166,44 @@ impl Leaf {
     pub const NONE: u32 = u32::MAX;
 }
 
+/// A triangle from which pairs of features are expanded: a face by its id, or one that stands for
+/// what no face has, see [`triangle_pairs`](crate::triangle_pairs).
+///
+/// | field | bytes |
+/// |---|---|
+/// | `corners` | 0..12 |
+/// | `represents` | 12..16 |
+/// | `sides` | 16..28 |
+/// | `body` | 28..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Triangle {
+    /// Its vertices.
+    pub corners: [u32; 3],
+    /// Bits 0 to 2: whether it represents that corner; bits 3 to 5: that side.
+    pub represents: u32,
+    /// Its edges, from corner 0 to 1, 1 to 2, 2 to 0; whatever from a vertex to itself.
+    pub sides: [u32; 3],
+    /// The word of its body; 0 without bodies.
+    pub body: u32,
+}
+
+/// A test of two features whose representatives have a vertex in common: of an orphan, or of two
+/// triangles that stand in.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `pair` | 0..8 |
+/// | `triangles` | 8..16 |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct NearTest {
+    /// The features.
+    pub pair: Pair,
+    /// Those that stand in; of an orphan the representatives.
+    pub triangles: Pair,
+}
+
 /// A contact as a device writes it.
 ///
 /// | field | bytes |
@@ -220,5 +258,6 @@ pub const MAX_LEVELS: usize = 8;
 
 const _: () = assert!(size_of::<WideNode>() == 64);
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
+const _: () = assert!(size_of::<Triangle>() == 32 && size_of::<NearTest>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);
 const _: () = assert!(size_of::<Node>() == 32 && size_of::<Branch>() == 16);

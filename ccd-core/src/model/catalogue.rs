@@ -200,7 +200,7 @@ impl Catalogued for Pipeline {
             name: "triangles",
             about: "Triangles against triangles, expanded to features that each one represents",
             source: Some("Curtis 2008"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

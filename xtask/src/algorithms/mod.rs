@@ -33,7 +33,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
         ("builders", report.builders(&cases)?),
         ("cloth-and-sphere", report.cloth_and_sphere()?),
         ("volumes", report.volumes(&cases)?),
-        ("pipelines", pipelines::table(runs)?),
+        ("pipelines", pipelines::table(&report.places, runs)?),
     ];
     for (name, table) in tables {
         text = replaced(&text, name, &table)?;
