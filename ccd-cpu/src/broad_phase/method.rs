@@ -16,6 +16,7 @@ use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::scheduling::Scheduling;
 
 /// One of the sources of pairs that this backend has.
 #[derive(Debug)]
@@ -28,9 +29,10 @@ pub enum Method {
 
 impl Method {
     /// The source of a choice, if there is one here.
-    pub fn new(choice: BroadPhaseMethod) -> Result<Self, Error> {
+    pub fn new(choice: BroadPhaseMethod, scheduling: Scheduling) -> Result<Self, Error> {
         choice.check()?;
-        if let Some(name) = choice.lacking("cpu") {
+        scheduling.check(choice)?;
+        if let Some(name) = choice.lacking("cpu").or(scheduling.lacking("cpu")) {
             return Err(Error::Method { name, backend: "cpu" });
         }
         let source: Box<dyn RowSource> = match choice {

@@ -40,6 +40,7 @@ use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
+use ccd_core::model::scheduling::Scheduling;
 use ccd_core::{Aabb, Coordinate, Error, Real};
 use leaf_boxes::{LeafBoxes, Set};
 use method::Method;
@@ -85,9 +86,19 @@ struct Side {
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
     pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
+        Self::scheduled(threads, method, Scheduling::default())
+    }
+
+    /// The same with work shared out in a way of its own. Boxes are new in every call, so that a
+    /// front is made, and none is ever begun with.
+    pub fn scheduled(
+        threads: usize,
+        method: BroadPhaseMethod,
+        scheduling: Scheduling,
+    ) -> Result<Self, Error> {
         Ok(Self {
             threads: Threads::new(threads)?,
-            method: Method::new(method)?,
+            method: Method::new(method, scheduling)?,
             a: Side::new(Set { index: 0, searched: false }),
             b: Side::new(Set { index: 1, searched: true }),
             workers: Vec::new(),
