@@ -187,6 +187,7 @@ impl Session {
                 report,
             );
             collect(threads, workers, report);
+            report.front = method.front();
             report.times.total = milliseconds(start);
             Ok(())
         })

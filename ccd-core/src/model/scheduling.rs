@@ -40,9 +40,6 @@ pub enum Scheduler {
     /// shared counter, and finish it [Tang 1986].
     #[default]
     SelfScheduling,
-    /// A task is halved for as long as there is something to halve, and who is idle takes halves
-    /// [Blumofe 1999]: the `join` of rayon.
-    ForkJoin,
     /// All pairs of a level, then all of the next: no worker needs to know of another within a
     /// level, and all wait between two.
     Frontier,
@@ -215,13 +212,6 @@ impl Catalogued for Scheduler {
             name: "self-scheduling",
             about: "Workers take some thousand tasks, one after the other, from a shared counter",
             source: Some("Tang 1986"),
-            backends: CPU,
-        },
-        Row {
-            value: Self::ForkJoin,
-            name: "fork-join",
-            about: "Tasks are halved, and who is idle takes halves: the `join` of rayon",
-            source: Some("Blumofe 1999"),
             backends: CPU,
         },
         Row {
