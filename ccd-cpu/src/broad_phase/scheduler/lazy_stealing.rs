@@ -7,7 +7,8 @@
 //!   1  own stack          2  own deque        3  batches stolen before   4  all other deques
 //!      [ .. # # # # ]        [ ### ### ]         b: ###  d: ### ###         up to so many of each
 //!        |      ^ expands
-//!        +-> above the threshold the oldest, below which there is most, go to the deque
+//!        +-> above the threshold, and while the deque is empty, the oldest go there: below
+//!            them there is most
 //! ```
 //!
 //! The deques and the three levels are those of [`ccd_core::scheduling`]; what was changed to make
@@ -25,6 +26,8 @@ use ccd_core::broad_phase::pair_descent::NodePair;
 const BATCH: usize = 16;
 /// Pairs on a stack from which on the oldest go to the deque.
 const THRESHOLD: usize = 4 * BATCH;
+/// The same while the deque is empty, so that there is something to steal.
+const LEAST: usize = BATCH;
 /// Batches that are stolen from a deque at once.
 const MOST: u32 = 4;
 
@@ -61,8 +64,9 @@ impl Schedule for LazyStealing {
             while fruitless < rounds {
                 if !stack.is_empty() {
                     drain(hand, &mut stack, 1);
-                    while stack.len() > THRESHOLD
-                        && workers.deque(me).push(&words, &stack[..BATCH]).is_ok()
+                    let own = workers.deque(me);
+                    while stack.len() > if own.is_empty(&words) { LEAST } else { THRESHOLD }
+                        && own.push(&words, &stack[..BATCH]).is_ok()
                     {
                         stack.drain(..BATCH);
                     }

@@ -23,6 +23,8 @@ mod lazy_stealing;
 mod self_scheduling;
 mod static_lists;
 mod stealing;
+#[cfg(test)]
+mod tests;
 
 use crate::threads::Own;
 use balanced::Balanced;

@@ -17,7 +17,7 @@ use ccd_core::scheduling::stealing::{Taken, Workers};
 use std::sync::atomic::AtomicU32;
 
 /// Rounds over all deques without success after which a worker retires.
-pub const ROUNDS: usize = 64;
+pub const ROUNDS: usize = 256;
 
 /// The deques of all workers, and a list each for what they have no room for.
 #[derive(Debug)]
