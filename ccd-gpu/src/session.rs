@@ -63,6 +63,7 @@ impl Session {
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         method::check(options.broad_phase)?;
+        method::check_scheduling(options.scheduling)?;
         if let Some(name) = options.pipeline.lacking("gpu") {
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }

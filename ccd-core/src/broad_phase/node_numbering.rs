@@ -159,6 +159,14 @@ mod tests {
         fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
             self.0[i].replace(self.0[i].get() + value)
         }
+        fn load_acquire(&self, i: usize) -> u32 {
+            self.0[i].get()
+        }
+        fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+            let seen = self.0[i].get();
+            self.0[i].set(if seen == old { new } else { seen });
+            seen
+        }
     }
 
     /// Children of internal nodes, the last of which is the root; `n_internal + k` is leaf `k`.

@@ -23,6 +23,11 @@ pub trait Words {
     /// Adds and returns the old value; acquires what others released by this call on the same word,
     /// releases what this thread stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;
+    /// Load of word `i` that acquires what others released before they changed it.
+    fn load_acquire(&self, i: usize) -> u32;
+    /// Stores `new` if the word is `old`, and returns what it was; acquires and releases if it
+    /// stores. Never fails for another reason.
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32;
 }
 
 /// What a kernel does with a buffer.

@@ -1,4 +1,5 @@
-//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline.
+//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline;
+//! those of schedulers and fronts stand beside them, in [`scheduling`](super::scheduling).
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
 use super::pipeline::Pipeline;
@@ -254,6 +255,7 @@ impl core::fmt::Display for BroadPhaseMethod {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::scheduling::{Front, Scheduler};
 
     fn check_rows<T: Catalogued + core::fmt::Debug + Default>() {
         for row in T::ROWS {
@@ -273,6 +275,8 @@ mod tests {
         check_rows::<Traversal>();
         check_rows::<Volume>();
         check_rows::<Pipeline>();
+        check_rows::<Scheduler>();
+        check_rows::<Front>();
     }
 
     #[test]

@@ -142,8 +142,8 @@ impl Report {
             ("half", Traversal::Half),
             ("simultaneous, larger", Traversal::Simultaneous(Descent::Larger)),
             ("simultaneous, both", Traversal::Simultaneous(Descent::Both)),
-            ("cut of 256, larger", Traversal::CUT),
-            ("cut of 256, both", Traversal::Cut { nodes: 256, descent: Descent::Both }),
+            ("cut of 256, larger", Traversal::Cut { nodes: 256, descent: Descent::Larger }),
+            ("cut of 256, both", Traversal::CUT),
         ];
         let mut text = String::new();
         for case in cases {
