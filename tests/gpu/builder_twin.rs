@@ -78,7 +78,7 @@ pub fn ploc_twin(twin: &Twin, set: usize, radius: usize) -> (Built, Vec<u32>) {
         if reached.last().is_none_or(|&before| before > FEW) {
             reached.push(n as u32);
         }
-        let late = round >= 4 * (halvings(cells.len()) - halvings(n) + 1);
+        let late = round >= 6 * (halvings(cells.len()) - halvings(n) + 1);
         let nearest = |i: usize| {
             let around = i.saturating_sub(radius)..(i + radius + 1).min(n);
             let key = |&j: &usize| (surface(&clusters[i].0, &clusters[j].0), i ^ j);

@@ -28,7 +28,7 @@ use wgpu::BufferUsages as U;
 
 /// Words that count the pairs of each level: more than levels there can be, twice those of a tree
 /// of 2^31 boxes, by any builder.
-const MAX_LEVELS: u64 = 256;
+const MAX_LEVELS: u64 = 512;
 
 /// The cuts, and the pairs of nodes of two levels.
 pub struct PairDescent {

@@ -128,6 +128,12 @@ pub fn ploc_count(
     }
 }
 
+/// A sum, 0 if it is not wanted.
+#[inline(always)]
+fn count_of(counts: &[u32], is_wanted: bool, i: usize) -> u32 {
+    if is_wanted { at(counts, COUNTS + i) } else { 0 }
+}
+
 /// Thread `i` joins cluster `i` with its neighbour if it is to take that in, and moves what is left
 /// of both to its place in the next round.
 #[spirv(compute(threads(256)))]
@@ -159,30 +165,26 @@ pub fn ploc_join(
     barrier();
     // What is left of earlier tiles, and of all.
     let n_tiles = tiles(n_clusters);
-    let (mut earlier, mut all) = (0, 0);
+    let n_groups = tiles(n_tiles);
     let of_group = tile / TILE * TILE + lane;
-    if of_group < tile && of_group < n_tiles {
-        earlier += at(counts, COUNTS + tile_word(of_group, n_leaves));
-    }
-    for round in 0..tiles(tiles(n_tiles)) {
+    let is_earlier = of_group < tile && of_group < n_tiles;
+    let of_tiles = count_of(counts, is_earlier, tile_word(of_group, n_leaves));
+    let (mut earlier, mut later) = (0, 0);
+    for round in 0..tiles(n_groups) {
         let k = round * TILE + lane;
-        if k < tiles(n_tiles) {
-            let sum = at(counts, COUNTS + k as usize);
-            all += sum;
-            if k < tile / TILE {
-                earlier += sum;
-            }
-        }
+        let sum = count_of(counts, k < n_groups, k as usize);
+        earlier += if k < tile / TILE { sum } else { 0 };
+        later += if k < tile / TILE { 0 } else { sum };
     }
-    add_shared(sums, 0, earlier);
-    add_shared(sums, 1, all);
-    let (mut own, mut joins_next, mut j) = (Fate::Ends, false, i);
-    if i < n_clusters {
-        own = fate(i, neighbours);
-        joins_next = own == Fate::Joins;
-        j = at(neighbours, i as usize);
-    }
-    let is_left = own != Fate::Ends;
+    // Sums, because naga refuses what a loop leaves as the operand of an atomic.
+    add_shared(sums, 0, earlier + of_tiles);
+    add_shared(sums, 1, earlier + later);
+    let there = i < n_clusters;
+    // A thread without a cluster looks at the first one.
+    let own = if there { i } else { 0 };
+    let j = at(neighbours, own as usize);
+    let fate = fate_beside(own, j, at(neighbours, j as usize));
+    let is_left = there && fate != Fate::Ends;
     if is_left {
         or_shared(masks, lane / 32, 1 << (lane % 32));
     }
@@ -193,7 +195,7 @@ pub fn ploc_join(
             to += get(masks, word).count_ones();
         }
         let mut cluster = cluster_at(clusters, i);
-        if joins_next {
+        if fate == Fate::Joins {
             let other = cluster_at(clusters, j);
             let node = at(names, j as usize) - 1;
             let (children, leaves) = ([cluster.node, other.node], [cluster.leaves, other.leaves]);
