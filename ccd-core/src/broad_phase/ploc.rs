@@ -104,7 +104,7 @@ impl Nearest {
 /// second.
 #[inline(always)]
 pub fn window(i: u32, n: u32, radius: u32) -> [u32; 2] {
-    [if i > radius { i - radius } else { 0 }, (i + radius + 1).min(n)]
+    [i - radius.min(i), (i + radius + 1).min(n)]
 }
 
 /// The nearest neighbour of cluster `i` of `n` among `radius` to either side; `i` itself if there
