@@ -68,43 +68,43 @@ struct type_25 {
 }
 
 struct type_26 {
-    member: u32,
-}
-
-struct type_27 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_26,
-}
-
-struct type_28 {
-    member: type_27,
-}
-
-struct type_29 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
+struct type_27 {
+    member: u32,
+}
+
+struct type_28 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_27,
+}
+
+struct type_29 {
+    member: type_28,
+}
+
 struct type_30 {
+    member: u32,
+    member_1: f32,
+}
+
+struct type_31 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_31 {
+struct type_32 {
     member: f32,
     member_1: f32,
 }
 
-struct type_34 {
-    member: type_25,
-    member_1: f32,
-}
-
 struct type_35 {
-    member: u32,
+    member: type_25,
     member_1: f32,
 }
 
@@ -130,7 +130,7 @@ var<storage> paths: type_19;
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_28;
+var<storage> params: type_29;
 @group(0) @binding(2) 
 var<storage> elements: type_22;
 @group(0) @binding(4) 
@@ -428,17 +428,17 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_30;
-    var local_2: type_29;
-    var local_3: type_29;
-    var local_4: type_29;
-    var local_5: array<type_31, 4>;
+    var local: type_31;
+    var local_1: type_31;
+    var local_2: type_26;
+    var local_3: type_26;
+    var local_4: type_26;
+    var local_5: array<type_32, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: type_30;
-    var local_10: type_30;
+    var local_9: type_31;
+    var local_10: type_31;
     var local_11: array<f32, 3>;
     var local_12: type_25;
     var phi_223_: u32;
@@ -487,13 +487,13 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_684_: u32;
     var phi_695_: f32;
     var phi_696_: f32;
-    var phi_727_: type_34;
+    var phi_727_: type_35;
     var phi_728_: bool;
-    var phi_729_: type_34;
+    var phi_729_: type_35;
     var phi_730_: bool;
-    var phi_731_: type_34;
+    var phi_731_: type_35;
     var phi_732_: bool;
-    var phi_737_: type_34;
+    var phi_737_: type_35;
     var phi_1019_: f32;
     var phi_1026_: f32;
     var phi_1031_: f32;
@@ -807,11 +807,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6634_: f32;
     var phi_6643_: f32;
     var phi_6649_: f32;
-    var phi_6655_: type_30;
+    var phi_6655_: type_31;
     var phi_6656_: bool;
-    var phi_6657_: type_30;
+    var phi_6657_: type_31;
     var phi_6658_: bool;
-    var phi_6666_: type_30;
+    var phi_6666_: type_31;
     var phi_6837_: bool;
     var phi_6838_: bool;
     var phi_6839_: bool;
@@ -959,20 +959,20 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7931_: bool;
     var phi_7932_: bool;
     var phi_7933_: bool;
-    var phi_7938_: type_35;
+    var phi_7938_: type_30;
     var phi_7939_: bool;
     var phi_7940_: bool;
     var phi_7941_: bool;
     var local_20: f32;
-    var phi_7946_: type_35;
+    var phi_7946_: type_30;
     var phi_7947_: bool;
     var phi_7948_: bool;
-    var phi_7953_: type_35;
+    var phi_7953_: type_30;
     var phi_7954_: bool;
     var phi_7955_: bool;
-    var phi_7960_: type_35;
+    var phi_7960_: type_30;
     var phi_7961_: bool;
-    var phi_7965_: type_35;
+    var phi_7965_: type_30;
     var phi_7972_: bool;
     var phi_7973_: f32;
     var phi_7974_: bool;
@@ -997,16 +997,16 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7996_: bool;
     var phi_7997_: bool;
     var local_21: bool;
-    var phi_8002_: type_35;
+    var phi_8002_: type_30;
     var phi_8003_: bool;
     var phi_8004_: bool;
     var local_22: f32;
-    var phi_8009_: type_35;
+    var phi_8009_: type_30;
     var phi_8010_: bool;
     var local_23: type_37;
-    var phi_8016_: type_35;
+    var phi_8016_: type_30;
     var phi_8017_: bool;
-    var phi_8021_: type_35;
+    var phi_8021_: type_30;
     var phi_1561_: f32;
     var phi_1568_: f32;
     var phi_1573_: f32;
@@ -1073,11 +1073,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2221_: f32;
     var phi_2230_: f32;
     var phi_2236_: f32;
-    var phi_2242_: type_30;
+    var phi_2242_: type_31;
     var phi_2243_: bool;
-    var phi_2244_: type_30;
+    var phi_2244_: type_31;
     var phi_2245_: bool;
-    var phi_2253_: type_30;
+    var phi_2253_: type_31;
     var phi_2424_: bool;
     var phi_2425_: bool;
     var phi_2426_: bool;
@@ -1225,20 +1225,20 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3518_: bool;
     var phi_3519_: bool;
     var phi_3520_: bool;
-    var phi_3525_: type_35;
+    var phi_3525_: type_30;
     var phi_3526_: bool;
     var phi_3527_: bool;
     var phi_3528_: bool;
     var local_26: f32;
-    var phi_3533_: type_35;
+    var phi_3533_: type_30;
     var phi_3534_: bool;
     var phi_3535_: bool;
-    var phi_3540_: type_35;
+    var phi_3540_: type_30;
     var phi_3541_: bool;
     var phi_3542_: bool;
-    var phi_3547_: type_35;
+    var phi_3547_: type_30;
     var phi_3548_: bool;
-    var phi_3552_: type_35;
+    var phi_3552_: type_30;
     var phi_3566_: type_9;
     var phi_3567_: type_9;
     var phi_3590_: type_9;
@@ -1290,16 +1290,16 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4068_: bool;
     var phi_4069_: bool;
     var local_28: bool;
-    var phi_4074_: type_35;
+    var phi_4074_: type_30;
     var phi_4075_: bool;
-    var phi_4080_: type_35;
+    var phi_4080_: type_30;
     var phi_4081_: bool;
-    var phi_4083_: type_35;
-    var phi_4084_: type_35;
+    var phi_4083_: type_30;
+    var phi_4084_: type_30;
     var phi_4085_: bool;
-    var phi_4089_: type_35;
-    var phi_8025_: type_35;
-    var phi_8026_: type_35;
+    var phi_4089_: type_30;
+    var phi_8025_: type_30;
+    var phi_8026_: type_30;
     var phi_8039_: type_38;
     var phi_8046_: bool;
     var phi_8070_: u32;
@@ -1641,7 +1641,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e392 = phi_660_;
                 if _e392 {
-                    phi_731_ = type_34();
+                    phi_731_ = type_35();
                     phi_732_ = true;
                 } else {
                     if (_e387 >= 0.000000000000000000000000000000000000011754944f) {
@@ -1667,10 +1667,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_696_ = _e404;
                             }
                             let _e410 = phi_696_;
-                            phi_727_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
+                            phi_727_ = type_35(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
                             phi_728_ = false;
                         } else {
-                            phi_727_ = type_34();
+                            phi_727_ = type_35();
                             phi_728_ = true;
                         }
                         let _e442 = phi_727_;
@@ -1678,7 +1678,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_729_ = _e442;
                         phi_730_ = _e444;
                     } else {
-                        phi_729_ = type_34();
+                        phi_729_ = type_35();
                         phi_730_ = true;
                     }
                     let _e446 = phi_729_;
@@ -1689,7 +1689,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e450 = phi_731_;
                 let _e452 = phi_732_;
                 if _e452 {
-                    phi_737_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
+                    phi_737_ = type_35(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
                 } else {
                     phi_737_ = _e450;
                 }
@@ -2051,7 +2051,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e928 = phi_1408_;
                 if ((_e928 - (_e900 + ((_e455.member_1 * (((_e883 + (_e814 * (0.000000059604645f * 8f))) + ((_e888 * 6f) * (_e758 + _e812))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e758) * (1f + _e812))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_8026_ = type_35(0u, type_35().member_1);
+                    phi_8026_ = type_30(0u, type_30().member_1);
                 } else {
                     if (_e455.member_1 > 0f) {
                         let _e3533 = local_12.member[0u];
@@ -2274,7 +2274,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3743 = phi_1795_;
                         let _e3745 = local_12.member_3;
                         let _e3752 = local_12.member_3;
-                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                         phi_1834_ = type_9(0u, 96u);
                         phi_1837_ = 0f;
                         phi_1839_ = 0f;
@@ -2470,10 +2470,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_2236_ = _e4003;
                                         }
                                         let _e4045 = phi_2236_;
-                                        phi_2242_ = type_30(array<f32, 4>(_e3967, _e3972, _e3977, _e3982), array<f32, 4>(_e3988, _e3993, _e3998, _e4003), array<f32, 4>((_e3962 + ((_e4008 + _e4012) * _e3957)), (_e3962 + ((_e4019 + _e4023) * _e3957)), (_e3962 + ((_e4030 + _e4034) * _e3957)), (_e3962 + ((_e4041 + _e4045) * _e3957))));
+                                        phi_2242_ = type_31(array<f32, 4>(_e3967, _e3972, _e3977, _e3982), array<f32, 4>(_e3988, _e3993, _e3998, _e4003), array<f32, 4>((_e3962 + ((_e4008 + _e4012) * _e3957)), (_e3962 + ((_e4019 + _e4023) * _e3957)), (_e3962 + ((_e4030 + _e4034) * _e3957)), (_e3962 + ((_e4041 + _e4045) * _e3957))));
                                         phi_2243_ = false;
                                     } else {
-                                        phi_2242_ = type_30();
+                                        phi_2242_ = type_31();
                                         phi_2243_ = true;
                                     }
                                     let _e4052 = phi_2242_;
@@ -2481,18 +2481,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_2244_ = _e4052;
                                     phi_2245_ = _e4054;
                                 } else {
-                                    phi_2244_ = type_30();
+                                    phi_2244_ = type_31();
                                     phi_2245_ = true;
                                 }
                                 let _e4056 = phi_2244_;
                                 let _e4058 = phi_2245_;
                                 if _e4058 {
-                                    phi_2253_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                    phi_2253_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                 } else {
                                     phi_2253_ = _e4056;
                                 }
                                 let _e4060 = phi_2253_;
-                                local_10 = type_30(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
+                                local_10 = type_31(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
                                 let _e4080 = (_e3760 - _e3764);
                                 let _e4084 = local_10.member[0u];
                                 let _e4087 = local_10.member_1[0u];
@@ -2629,7 +2629,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         }
                                         let _e4321 = phi_2755_;
                                         if _e4321 {
-                                            local_9 = type_30(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
+                                            local_9 = type_31(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
                                             let _e4343 = local_9.member[0u];
                                             let _e4346 = local_9.member_1[0u];
                                             let _e4349 = local_9.member_2[0u];
@@ -3267,12 +3267,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4839 = phi_3519_;
                         let _e4841 = phi_3520_;
                         if _e4835 {
-                            phi_3525_ = type_35(1u, _e4833);
+                            phi_3525_ = type_30(1u, _e4833);
                             phi_3526_ = false;
                             phi_3527_ = false;
                             phi_3528_ = false;
                         } else {
-                            phi_3525_ = type_35();
+                            phi_3525_ = type_30();
                             phi_3526_ = _e4837;
                             phi_3527_ = _e4839;
                             phi_3528_ = _e4841;
@@ -3283,11 +3283,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4850 = phi_3528_;
                         if _e4846 {
                             let _e4852 = local_26;
-                            phi_3533_ = type_35(1u, _e4852);
+                            phi_3533_ = type_30(1u, _e4852);
                             phi_3534_ = false;
                             phi_3535_ = false;
                         } else {
-                            phi_3533_ = type_35();
+                            phi_3533_ = type_30();
                             phi_3534_ = _e4848;
                             phi_3535_ = _e4850;
                         }
@@ -3295,7 +3295,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4857 = phi_3534_;
                         let _e4859 = phi_3535_;
                         if _e4857 {
-                            phi_3540_ = type_35(0u, type_35().member_1);
+                            phi_3540_ = type_30(0u, type_30().member_1);
                             phi_3541_ = false;
                             phi_3542_ = true;
                         } else {
@@ -3307,7 +3307,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4865 = phi_3541_;
                         let _e4867 = phi_3542_;
                         if _e4865 {
-                            phi_3547_ = type_35(0u, type_35().member_1);
+                            phi_3547_ = type_30(0u, type_30().member_1);
                             phi_3548_ = true;
                         } else {
                             phi_3547_ = _e4863;
@@ -3641,19 +3641,19 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                             let _e5231 = local_28;
                             if _e5231 {
-                                phi_4074_ = type_35(1u, _e4875.member_1);
+                                phi_4074_ = type_30(1u, _e4875.member_1);
                                 phi_4075_ = false;
                             } else {
-                                phi_4074_ = type_35();
+                                phi_4074_ = type_30();
                                 phi_4075_ = true;
                             }
                             let _e5234 = phi_4074_;
                             let _e5236 = phi_4075_;
                             if _e5236 {
-                                phi_4080_ = type_35(2u, _e4875.member_1);
+                                phi_4080_ = type_30(2u, _e4875.member_1);
                                 phi_4081_ = false;
                             } else {
-                                phi_4080_ = type_35();
+                                phi_4080_ = type_30();
                                 phi_4081_ = true;
                             }
                             let _e5239 = phi_4080_;
@@ -3662,8 +3662,8 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_4084_ = _e5234;
                             phi_4085_ = _e5241;
                         } else {
-                            phi_4083_ = type_35();
-                            phi_4084_ = type_35(0u, type_35().member_1);
+                            phi_4083_ = type_30();
+                            phi_4084_ = type_30(0u, type_30().member_1);
                             phi_4085_ = true;
                         }
                         let _e5243 = phi_4083_;
@@ -4354,7 +4354,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_4936_ = _e1527;
                                     }
                                     let _e1530 = phi_4936_;
-                                    local_2 = type_29(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
+                                    local_2 = type_26(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
                                     let _e1536 = local_12.member_3;
                                     let _e1538 = local_12.member_1[0u];
                                     if (_e1538[0] < 0f) {
@@ -4495,7 +4495,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5143_ = _e1657;
                                     }
                                     let _e1660 = phi_5143_;
-                                    local_3 = type_29(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
+                                    local_3 = type_26(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
                                     let _e1666 = local_12.member_3;
                                     let _e1668 = local_12.member_2[0u];
                                     if (_e1668[0] < 0f) {
@@ -4636,7 +4636,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5350_ = _e1787;
                                     }
                                     let _e1790 = phi_5350_;
-                                    local_4 = type_29(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
+                                    local_4 = type_26(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
                                     let _e1795 = local_3.member;
                                     let _e1800 = local_4.member;
                                     let _e1806 = ((_e1795[1] * _e1800[2]) - (_e1795[2] * _e1800[1]));
@@ -4780,7 +4780,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         }
                                         let _e2016 = phi_5673_;
                                         let _e2019 = (((_e2007 + _e2011) + _e2016) * (0.000000059604645f * 4f));
-                                        local_5 = array<type_31, 4>(type_31(_e2002, _e1953), type_31(_e2003, _e2000), type_31((_e2001 - _e2002), ((_e1898 + _e1953) + _e2019)), type_31((_e2001 - _e2003), ((_e1898 + _e2000) + _e2019)));
+                                        local_5 = array<type_32, 4>(type_32(_e2002, _e1953), type_32(_e2003, _e2000), type_32((_e2001 - _e2002), ((_e1898 + _e1953) + _e2019)), type_32((_e2001 - _e2003), ((_e1898 + _e2000) + _e2019)));
                                         phi_5728_ = type_9(0u, 4u);
                                         phi_5731_ = true;
                                         loop {
@@ -5114,7 +5114,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2321 = phi_6208_;
                                             let _e2323 = local_12.member_3;
                                             let _e2330 = local_12.member_3;
-                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                             phi_6247_ = type_9(0u, 96u);
                                             phi_6250_ = _e1393.member;
                                             phi_6252_ = _e1393.member;
@@ -5310,10 +5310,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 phi_6649_ = _e2581;
                                                             }
                                                             let _e2623 = phi_6649_;
-                                                            phi_6655_ = type_30(array<f32, 4>(_e2545, _e2550, _e2555, _e2560), array<f32, 4>(_e2566, _e2571, _e2576, _e2581), array<f32, 4>((_e2540 + ((_e2586 + _e2590) * _e2535)), (_e2540 + ((_e2597 + _e2601) * _e2535)), (_e2540 + ((_e2608 + _e2612) * _e2535)), (_e2540 + ((_e2619 + _e2623) * _e2535))));
+                                                            phi_6655_ = type_31(array<f32, 4>(_e2545, _e2550, _e2555, _e2560), array<f32, 4>(_e2566, _e2571, _e2576, _e2581), array<f32, 4>((_e2540 + ((_e2586 + _e2590) * _e2535)), (_e2540 + ((_e2597 + _e2601) * _e2535)), (_e2540 + ((_e2608 + _e2612) * _e2535)), (_e2540 + ((_e2619 + _e2623) * _e2535))));
                                                             phi_6656_ = false;
                                                         } else {
-                                                            phi_6655_ = type_30();
+                                                            phi_6655_ = type_31();
                                                             phi_6656_ = true;
                                                         }
                                                         let _e2630 = phi_6655_;
@@ -5321,18 +5321,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_6657_ = _e2630;
                                                         phi_6658_ = _e2632;
                                                     } else {
-                                                        phi_6657_ = type_30();
+                                                        phi_6657_ = type_31();
                                                         phi_6658_ = true;
                                                     }
                                                     let _e2634 = phi_6657_;
                                                     let _e2636 = phi_6658_;
                                                     if _e2636 {
-                                                        phi_6666_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                        phi_6666_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                                     } else {
                                                         phi_6666_ = _e2634;
                                                     }
                                                     let _e2638 = phi_6666_;
-                                                    local_1 = type_30(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
+                                                    local_1 = type_31(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
                                                     let _e2658 = (_e2338 - _e2342);
                                                     let _e2662 = local_1.member[0u];
                                                     let _e2665 = local_1.member_1[0u];
@@ -5469,7 +5469,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             }
                                                             let _e2899 = phi_7168_;
                                                             if _e2899 {
-                                                                local = type_30(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
+                                                                local = type_31(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
                                                                 let _e2921 = local.member[0u];
                                                                 let _e2924 = local.member_1[0u];
                                                                 let _e2927 = local.member_2[0u];
@@ -6107,12 +6107,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3417 = phi_7932_;
                                             let _e3419 = phi_7933_;
                                             if _e3413 {
-                                                phi_7938_ = type_35(1u, _e3411);
+                                                phi_7938_ = type_30(1u, _e3411);
                                                 phi_7939_ = false;
                                                 phi_7940_ = false;
                                                 phi_7941_ = false;
                                             } else {
-                                                phi_7938_ = type_35();
+                                                phi_7938_ = type_30();
                                                 phi_7939_ = _e3415;
                                                 phi_7940_ = _e3417;
                                                 phi_7941_ = _e3419;
@@ -6123,11 +6123,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3428 = phi_7941_;
                                             if _e3424 {
                                                 let _e3430 = local_20;
-                                                phi_7946_ = type_35(1u, _e3430);
+                                                phi_7946_ = type_30(1u, _e3430);
                                                 phi_7947_ = false;
                                                 phi_7948_ = false;
                                             } else {
-                                                phi_7946_ = type_35();
+                                                phi_7946_ = type_30();
                                                 phi_7947_ = _e3426;
                                                 phi_7948_ = _e3428;
                                             }
@@ -6135,7 +6135,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3435 = phi_7947_;
                                             let _e3437 = phi_7948_;
                                             if _e3435 {
-                                                phi_7953_ = type_35(0u, type_35().member_1);
+                                                phi_7953_ = type_30(0u, type_30().member_1);
                                                 phi_7954_ = false;
                                                 phi_7955_ = true;
                                             } else {
@@ -6147,7 +6147,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3443 = phi_7954_;
                                             let _e3445 = phi_7955_;
                                             if _e3443 {
-                                                phi_7960_ = type_35(0u, type_35().member_1);
+                                                phi_7960_ = type_30(0u, type_30().member_1);
                                                 phi_7961_ = true;
                                             } else {
                                                 phi_7960_ = _e3441;
@@ -6247,11 +6247,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         let _e3505 = local_21;
                         if _e3505 {
-                            phi_8002_ = type_35(0u, type_35().member_1);
+                            phi_8002_ = type_30(0u, type_30().member_1);
                             phi_8003_ = false;
                             phi_8004_ = false;
                         } else {
-                            phi_8002_ = type_35();
+                            phi_8002_ = type_30();
                             let _e5958 = local_41;
                             phi_8003_ = _e5958;
                             let _e5961 = local_42;
@@ -6262,17 +6262,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3513 = phi_8004_;
                         if _e3511 {
                             let _e3515 = local_22;
-                            phi_8009_ = type_35(2u, _e3515);
+                            phi_8009_ = type_30(2u, _e3515);
                             phi_8010_ = false;
                         } else {
-                            phi_8009_ = type_35();
+                            phi_8009_ = type_30();
                             phi_8010_ = _e3513;
                         }
                         let _e3518 = phi_8009_;
                         let _e3520 = phi_8010_;
                         if _e3520 {
                             let _e3522 = local_23;
-                            phi_8016_ = type_35(1u, _e3522.member);
+                            phi_8016_ = type_30(1u, _e3522.member);
                             phi_8017_ = true;
                         } else {
                             phi_8016_ = _e3518;

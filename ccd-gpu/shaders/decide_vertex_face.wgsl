@@ -64,47 +64,47 @@ struct type_23 {
 }
 
 struct type_24 {
-    member: u32,
-}
-
-struct type_25 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_24,
-}
-
-struct type_26 {
-    member: type_25,
-}
-
-struct type_27 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_29 {
-    member: array<array<u32, 3>>,
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
+}
+
+struct type_27 {
+    member: type_26,
+}
+
+struct type_28 {
+    member: u32,
+    member_1: f32,
 }
 
 struct type_30 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_31 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_31 {
+struct type_32 {
     member: f32,
     member_1: f32,
 }
 
-struct type_34 {
-    member: type_23,
-    member_1: f32,
-}
-
 struct type_35 {
-    member: u32,
+    member: type_23,
     member_1: f32,
 }
 
@@ -130,9 +130,9 @@ var<storage> paths: type_19;
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_26;
+var<storage> params: type_27;
 @group(0) @binding(2) 
-var<storage> elements: type_29;
+var<storage> elements: type_30;
 @group(0) @binding(4) 
 var<storage, read_write> contacts: type_42;
 @group(0) @binding(5) 
@@ -428,17 +428,17 @@ fn function_2(param_6: f32) -> array<u32, 2> {
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_30;
-    var local_2: type_27;
-    var local_3: type_27;
-    var local_4: type_27;
-    var local_5: array<type_31, 4>;
+    var local: type_31;
+    var local_1: type_31;
+    var local_2: type_24;
+    var local_3: type_24;
+    var local_4: type_24;
+    var local_5: array<type_32, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: type_30;
-    var local_10: type_30;
+    var local_9: type_31;
+    var local_10: type_31;
     var local_11: array<f32, 3>;
     var local_12: type_23;
     var phi_767_: u32;
@@ -487,13 +487,13 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1217_: u32;
     var phi_1228_: f32;
     var phi_1229_: f32;
-    var phi_1260_: type_34;
+    var phi_1260_: type_35;
     var phi_1261_: bool;
-    var phi_1262_: type_34;
+    var phi_1262_: type_35;
     var phi_1263_: bool;
-    var phi_1264_: type_34;
+    var phi_1264_: type_35;
     var phi_1265_: bool;
-    var phi_1270_: type_34;
+    var phi_1270_: type_35;
     var phi_1552_: f32;
     var phi_1559_: f32;
     var phi_1564_: f32;
@@ -807,11 +807,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7167_: f32;
     var phi_7176_: f32;
     var phi_7182_: f32;
-    var phi_7188_: type_30;
+    var phi_7188_: type_31;
     var phi_7189_: bool;
-    var phi_7190_: type_30;
+    var phi_7190_: type_31;
     var phi_7191_: bool;
-    var phi_7199_: type_30;
+    var phi_7199_: type_31;
     var phi_7370_: bool;
     var phi_7371_: bool;
     var phi_7372_: bool;
@@ -959,20 +959,20 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_8464_: bool;
     var phi_8465_: bool;
     var phi_8466_: bool;
-    var phi_8471_: type_35;
+    var phi_8471_: type_28;
     var phi_8472_: bool;
     var phi_8473_: bool;
     var phi_8474_: bool;
     var local_20: f32;
-    var phi_8479_: type_35;
+    var phi_8479_: type_28;
     var phi_8480_: bool;
     var phi_8481_: bool;
-    var phi_8486_: type_35;
+    var phi_8486_: type_28;
     var phi_8487_: bool;
     var phi_8488_: bool;
-    var phi_8493_: type_35;
+    var phi_8493_: type_28;
     var phi_8494_: bool;
-    var phi_8498_: type_35;
+    var phi_8498_: type_28;
     var phi_8505_: bool;
     var phi_8506_: f32;
     var phi_8507_: bool;
@@ -997,16 +997,16 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_8529_: bool;
     var phi_8530_: bool;
     var local_21: bool;
-    var phi_8535_: type_35;
+    var phi_8535_: type_28;
     var phi_8536_: bool;
     var phi_8537_: bool;
     var local_22: f32;
-    var phi_8542_: type_35;
+    var phi_8542_: type_28;
     var phi_8543_: bool;
     var local_23: type_37;
-    var phi_8549_: type_35;
+    var phi_8549_: type_28;
     var phi_8550_: bool;
-    var phi_8554_: type_35;
+    var phi_8554_: type_28;
     var phi_2094_: f32;
     var phi_2101_: f32;
     var phi_2106_: f32;
@@ -1073,11 +1073,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2754_: f32;
     var phi_2763_: f32;
     var phi_2769_: f32;
-    var phi_2775_: type_30;
+    var phi_2775_: type_31;
     var phi_2776_: bool;
-    var phi_2777_: type_30;
+    var phi_2777_: type_31;
     var phi_2778_: bool;
-    var phi_2786_: type_30;
+    var phi_2786_: type_31;
     var phi_2957_: bool;
     var phi_2958_: bool;
     var phi_2959_: bool;
@@ -1225,20 +1225,20 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4051_: bool;
     var phi_4052_: bool;
     var phi_4053_: bool;
-    var phi_4058_: type_35;
+    var phi_4058_: type_28;
     var phi_4059_: bool;
     var phi_4060_: bool;
     var phi_4061_: bool;
     var local_26: f32;
-    var phi_4066_: type_35;
+    var phi_4066_: type_28;
     var phi_4067_: bool;
     var phi_4068_: bool;
-    var phi_4073_: type_35;
+    var phi_4073_: type_28;
     var phi_4074_: bool;
     var phi_4075_: bool;
-    var phi_4080_: type_35;
+    var phi_4080_: type_28;
     var phi_4081_: bool;
-    var phi_4085_: type_35;
+    var phi_4085_: type_28;
     var phi_4099_: type_9;
     var phi_4100_: type_9;
     var phi_4123_: type_9;
@@ -1290,16 +1290,16 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4601_: bool;
     var phi_4602_: bool;
     var local_28: bool;
-    var phi_4607_: type_35;
+    var phi_4607_: type_28;
     var phi_4608_: bool;
-    var phi_4613_: type_35;
+    var phi_4613_: type_28;
     var phi_4614_: bool;
-    var phi_4616_: type_35;
-    var phi_4617_: type_35;
+    var phi_4616_: type_28;
+    var phi_4617_: type_28;
     var phi_4618_: bool;
-    var phi_4622_: type_35;
-    var phi_8558_: type_35;
-    var phi_8559_: type_35;
+    var phi_4622_: type_28;
+    var phi_8558_: type_28;
+    var phi_8559_: type_28;
     var phi_8572_: type_38;
     var phi_8579_: bool;
     var phi_8603_: u32;
@@ -1640,7 +1640,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e389 = phi_1193_;
                 if _e389 {
-                    phi_1264_ = type_34();
+                    phi_1264_ = type_35();
                     phi_1265_ = true;
                 } else {
                     if (_e384 >= 0.000000000000000000000000000000000000011754944f) {
@@ -1666,10 +1666,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_1229_ = _e401;
                             }
                             let _e407 = phi_1229_;
-                            phi_1260_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
+                            phi_1260_ = type_35(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
                             phi_1261_ = false;
                         } else {
-                            phi_1260_ = type_34();
+                            phi_1260_ = type_35();
                             phi_1261_ = true;
                         }
                         let _e439 = phi_1260_;
@@ -1677,7 +1677,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_1262_ = _e439;
                         phi_1263_ = _e441;
                     } else {
-                        phi_1262_ = type_34();
+                        phi_1262_ = type_35();
                         phi_1263_ = true;
                     }
                     let _e443 = phi_1262_;
@@ -1688,7 +1688,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e447 = phi_1264_;
                 let _e449 = phi_1265_;
                 if _e449 {
-                    phi_1270_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
+                    phi_1270_ = type_35(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
                 } else {
                     phi_1270_ = _e447;
                 }
@@ -2050,7 +2050,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e925 = phi_1941_;
                 if ((_e925 - (_e897 + ((_e452.member_1 * (((_e880 + (_e811 * (0.000000059604645f * 8f))) + ((_e885 * 6f) * (_e755 + _e809))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e755) * (1f + _e809))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_8559_ = type_35(0u, type_35().member_1);
+                    phi_8559_ = type_28(0u, type_28().member_1);
                 } else {
                     if (_e452.member_1 > 0f) {
                         let _e3523 = local_12.member[0u];
@@ -2267,7 +2267,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3727 = phi_2328_;
                         let _e3729 = local_12.member_3;
                         let _e3736 = local_12.member_3;
-                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                         phi_2367_ = type_9(0u, 96u);
                         phi_2370_ = 0f;
                         phi_2372_ = 0f;
@@ -2463,10 +2463,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_2769_ = _e3987;
                                         }
                                         let _e4029 = phi_2769_;
-                                        phi_2775_ = type_30(array<f32, 4>(_e3951, _e3956, _e3961, _e3966), array<f32, 4>(_e3972, _e3977, _e3982, _e3987), array<f32, 4>((_e3946 + ((_e3992 + _e3996) * _e3941)), (_e3946 + ((_e4003 + _e4007) * _e3941)), (_e3946 + ((_e4014 + _e4018) * _e3941)), (_e3946 + ((_e4025 + _e4029) * _e3941))));
+                                        phi_2775_ = type_31(array<f32, 4>(_e3951, _e3956, _e3961, _e3966), array<f32, 4>(_e3972, _e3977, _e3982, _e3987), array<f32, 4>((_e3946 + ((_e3992 + _e3996) * _e3941)), (_e3946 + ((_e4003 + _e4007) * _e3941)), (_e3946 + ((_e4014 + _e4018) * _e3941)), (_e3946 + ((_e4025 + _e4029) * _e3941))));
                                         phi_2776_ = false;
                                     } else {
-                                        phi_2775_ = type_30();
+                                        phi_2775_ = type_31();
                                         phi_2776_ = true;
                                     }
                                     let _e4036 = phi_2775_;
@@ -2474,18 +2474,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_2777_ = _e4036;
                                     phi_2778_ = _e4038;
                                 } else {
-                                    phi_2777_ = type_30();
+                                    phi_2777_ = type_31();
                                     phi_2778_ = true;
                                 }
                                 let _e4040 = phi_2777_;
                                 let _e4042 = phi_2778_;
                                 if _e4042 {
-                                    phi_2786_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                    phi_2786_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                 } else {
                                     phi_2786_ = _e4040;
                                 }
                                 let _e4044 = phi_2786_;
-                                local_10 = type_30(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
+                                local_10 = type_31(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
                                 let _e4064 = (_e3744 - _e3748);
                                 let _e4068 = local_10.member[0u];
                                 let _e4071 = local_10.member_1[0u];
@@ -2622,7 +2622,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         }
                                         let _e4305 = phi_3288_;
                                         if _e4305 {
-                                            local_9 = type_30(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
+                                            local_9 = type_31(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
                                             let _e4327 = local_9.member[0u];
                                             let _e4330 = local_9.member_1[0u];
                                             let _e4333 = local_9.member_2[0u];
@@ -3260,12 +3260,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4823 = phi_4052_;
                         let _e4825 = phi_4053_;
                         if _e4819 {
-                            phi_4058_ = type_35(1u, _e4817);
+                            phi_4058_ = type_28(1u, _e4817);
                             phi_4059_ = false;
                             phi_4060_ = false;
                             phi_4061_ = false;
                         } else {
-                            phi_4058_ = type_35();
+                            phi_4058_ = type_28();
                             phi_4059_ = _e4821;
                             phi_4060_ = _e4823;
                             phi_4061_ = _e4825;
@@ -3276,11 +3276,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4834 = phi_4061_;
                         if _e4830 {
                             let _e4836 = local_26;
-                            phi_4066_ = type_35(1u, _e4836);
+                            phi_4066_ = type_28(1u, _e4836);
                             phi_4067_ = false;
                             phi_4068_ = false;
                         } else {
-                            phi_4066_ = type_35();
+                            phi_4066_ = type_28();
                             phi_4067_ = _e4832;
                             phi_4068_ = _e4834;
                         }
@@ -3288,7 +3288,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4841 = phi_4067_;
                         let _e4843 = phi_4068_;
                         if _e4841 {
-                            phi_4073_ = type_35(0u, type_35().member_1);
+                            phi_4073_ = type_28(0u, type_28().member_1);
                             phi_4074_ = false;
                             phi_4075_ = true;
                         } else {
@@ -3300,7 +3300,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4849 = phi_4074_;
                         let _e4851 = phi_4075_;
                         if _e4849 {
-                            phi_4080_ = type_35(0u, type_35().member_1);
+                            phi_4080_ = type_28(0u, type_28().member_1);
                             phi_4081_ = true;
                         } else {
                             phi_4080_ = _e4847;
@@ -3634,19 +3634,19 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                             let _e5215 = local_28;
                             if _e5215 {
-                                phi_4607_ = type_35(1u, _e4859.member_1);
+                                phi_4607_ = type_28(1u, _e4859.member_1);
                                 phi_4608_ = false;
                             } else {
-                                phi_4607_ = type_35();
+                                phi_4607_ = type_28();
                                 phi_4608_ = true;
                             }
                             let _e5218 = phi_4607_;
                             let _e5220 = phi_4608_;
                             if _e5220 {
-                                phi_4613_ = type_35(2u, _e4859.member_1);
+                                phi_4613_ = type_28(2u, _e4859.member_1);
                                 phi_4614_ = false;
                             } else {
-                                phi_4613_ = type_35();
+                                phi_4613_ = type_28();
                                 phi_4614_ = true;
                             }
                             let _e5223 = phi_4613_;
@@ -3655,8 +3655,8 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_4617_ = _e5218;
                             phi_4618_ = _e5225;
                         } else {
-                            phi_4616_ = type_35();
-                            phi_4617_ = type_35(0u, type_35().member_1);
+                            phi_4616_ = type_28();
+                            phi_4617_ = type_28(0u, type_28().member_1);
                             phi_4618_ = true;
                         }
                         let _e5227 = phi_4616_;
@@ -4347,7 +4347,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5469_ = _e1524;
                                     }
                                     let _e1527 = phi_5469_;
-                                    local_2 = type_27(array<f32, 3>(_e1470, _e1471, _e1472), _e1509, (_e1527 + _e1509));
+                                    local_2 = type_24(array<f32, 3>(_e1470, _e1471, _e1472), _e1509, (_e1527 + _e1509));
                                     let _e1533 = local_12.member_3;
                                     let _e1535 = local_12.member_1[0u];
                                     if (_e1535[0] < 0f) {
@@ -4488,7 +4488,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5676_ = _e1654;
                                     }
                                     let _e1657 = phi_5676_;
-                                    local_3 = type_27(array<f32, 3>(_e1600, _e1601, _e1602), _e1639, (_e1657 + _e1639));
+                                    local_3 = type_24(array<f32, 3>(_e1600, _e1601, _e1602), _e1639, (_e1657 + _e1639));
                                     let _e1663 = local_12.member_3;
                                     let _e1665 = local_12.member_2[0u];
                                     if (_e1665[0] < 0f) {
@@ -4629,7 +4629,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5883_ = _e1784;
                                     }
                                     let _e1787 = phi_5883_;
-                                    local_4 = type_27(array<f32, 3>(_e1730, _e1731, _e1732), _e1769, (_e1787 + _e1769));
+                                    local_4 = type_24(array<f32, 3>(_e1730, _e1731, _e1732), _e1769, (_e1787 + _e1769));
                                     let _e1792 = local_3.member;
                                     let _e1797 = local_4.member;
                                     let _e1803 = ((_e1792[1] * _e1797[2]) - (_e1792[2] * _e1797[1]));
@@ -4774,7 +4774,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2013 = phi_6206_;
                                         let _e2018 = ((_e1998 - _e1999) - _e2000);
                                         let _e2021 = (((_e1895 + _e1950) + _e1997) + (((_e2004 + _e2008) + _e2013) * (0.000000059604645f * 4f)));
-                                        local_5 = array<type_31, 4>(type_31(_e1999, _e1950), type_31(_e2000, _e1997), type_31(_e2018, _e2021), type_31(_e2018, _e2021));
+                                        local_5 = array<type_32, 4>(type_32(_e1999, _e1950), type_32(_e2000, _e1997), type_32(_e2018, _e2021), type_32(_e2018, _e2021));
                                         phi_6261_ = type_9(0u, 4u);
                                         phi_6264_ = true;
                                         loop {
@@ -5102,7 +5102,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2311 = phi_6741_;
                                             let _e2313 = local_12.member_3;
                                             let _e2320 = local_12.member_3;
-                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                             phi_6780_ = type_9(0u, 96u);
                                             phi_6783_ = _e1390.member;
                                             phi_6785_ = _e1390.member;
@@ -5298,10 +5298,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 phi_7182_ = _e2571;
                                                             }
                                                             let _e2613 = phi_7182_;
-                                                            phi_7188_ = type_30(array<f32, 4>(_e2535, _e2540, _e2545, _e2550), array<f32, 4>(_e2556, _e2561, _e2566, _e2571), array<f32, 4>((_e2530 + ((_e2576 + _e2580) * _e2525)), (_e2530 + ((_e2587 + _e2591) * _e2525)), (_e2530 + ((_e2598 + _e2602) * _e2525)), (_e2530 + ((_e2609 + _e2613) * _e2525))));
+                                                            phi_7188_ = type_31(array<f32, 4>(_e2535, _e2540, _e2545, _e2550), array<f32, 4>(_e2556, _e2561, _e2566, _e2571), array<f32, 4>((_e2530 + ((_e2576 + _e2580) * _e2525)), (_e2530 + ((_e2587 + _e2591) * _e2525)), (_e2530 + ((_e2598 + _e2602) * _e2525)), (_e2530 + ((_e2609 + _e2613) * _e2525))));
                                                             phi_7189_ = false;
                                                         } else {
-                                                            phi_7188_ = type_30();
+                                                            phi_7188_ = type_31();
                                                             phi_7189_ = true;
                                                         }
                                                         let _e2620 = phi_7188_;
@@ -5309,18 +5309,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_7190_ = _e2620;
                                                         phi_7191_ = _e2622;
                                                     } else {
-                                                        phi_7190_ = type_30();
+                                                        phi_7190_ = type_31();
                                                         phi_7191_ = true;
                                                     }
                                                     let _e2624 = phi_7190_;
                                                     let _e2626 = phi_7191_;
                                                     if _e2626 {
-                                                        phi_7199_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                        phi_7199_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                                     } else {
                                                         phi_7199_ = _e2624;
                                                     }
                                                     let _e2628 = phi_7199_;
-                                                    local_1 = type_30(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
+                                                    local_1 = type_31(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
                                                     let _e2648 = (_e2328 - _e2332);
                                                     let _e2652 = local_1.member[0u];
                                                     let _e2655 = local_1.member_1[0u];
@@ -5457,7 +5457,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             }
                                                             let _e2889 = phi_7701_;
                                                             if _e2889 {
-                                                                local = type_30(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
+                                                                local = type_31(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
                                                                 let _e2911 = local.member[0u];
                                                                 let _e2914 = local.member_1[0u];
                                                                 let _e2917 = local.member_2[0u];
@@ -6095,12 +6095,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3407 = phi_8465_;
                                             let _e3409 = phi_8466_;
                                             if _e3403 {
-                                                phi_8471_ = type_35(1u, _e3401);
+                                                phi_8471_ = type_28(1u, _e3401);
                                                 phi_8472_ = false;
                                                 phi_8473_ = false;
                                                 phi_8474_ = false;
                                             } else {
-                                                phi_8471_ = type_35();
+                                                phi_8471_ = type_28();
                                                 phi_8472_ = _e3405;
                                                 phi_8473_ = _e3407;
                                                 phi_8474_ = _e3409;
@@ -6111,11 +6111,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3418 = phi_8474_;
                                             if _e3414 {
                                                 let _e3420 = local_20;
-                                                phi_8479_ = type_35(1u, _e3420);
+                                                phi_8479_ = type_28(1u, _e3420);
                                                 phi_8480_ = false;
                                                 phi_8481_ = false;
                                             } else {
-                                                phi_8479_ = type_35();
+                                                phi_8479_ = type_28();
                                                 phi_8480_ = _e3416;
                                                 phi_8481_ = _e3418;
                                             }
@@ -6123,7 +6123,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3425 = phi_8480_;
                                             let _e3427 = phi_8481_;
                                             if _e3425 {
-                                                phi_8486_ = type_35(0u, type_35().member_1);
+                                                phi_8486_ = type_28(0u, type_28().member_1);
                                                 phi_8487_ = false;
                                                 phi_8488_ = true;
                                             } else {
@@ -6135,7 +6135,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3433 = phi_8487_;
                                             let _e3435 = phi_8488_;
                                             if _e3433 {
-                                                phi_8493_ = type_35(0u, type_35().member_1);
+                                                phi_8493_ = type_28(0u, type_28().member_1);
                                                 phi_8494_ = true;
                                             } else {
                                                 phi_8493_ = _e3431;
@@ -6235,11 +6235,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         let _e3495 = local_21;
                         if _e3495 {
-                            phi_8535_ = type_35(0u, type_35().member_1);
+                            phi_8535_ = type_28(0u, type_28().member_1);
                             phi_8536_ = false;
                             phi_8537_ = false;
                         } else {
-                            phi_8535_ = type_35();
+                            phi_8535_ = type_28();
                             let _e5942 = local_41;
                             phi_8536_ = _e5942;
                             let _e5945 = local_42;
@@ -6250,17 +6250,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3503 = phi_8537_;
                         if _e3501 {
                             let _e3505 = local_22;
-                            phi_8542_ = type_35(2u, _e3505);
+                            phi_8542_ = type_28(2u, _e3505);
                             phi_8543_ = false;
                         } else {
-                            phi_8542_ = type_35();
+                            phi_8542_ = type_28();
                             phi_8543_ = _e3503;
                         }
                         let _e3508 = phi_8542_;
                         let _e3510 = phi_8543_;
                         if _e3510 {
                             let _e3512 = local_23;
-                            phi_8549_ = type_35(1u, _e3512.member);
+                            phi_8549_ = type_28(1u, _e3512.member);
                             phi_8550_ = true;
                         } else {
                             phi_8549_ = _e3508;

@@ -49,6 +49,13 @@ pub fn lower(words: &mut [u32], i: usize, value: u32) {
     unsafe { atomic_u_min::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) };
 }
 
+/// Sets bits of a word of a buffer.
+#[inline(always)]
+pub fn or(words: &mut [u32], i: usize, bits: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_or::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), bits) };
+}
+
 /// Adds to a word of workgroup memory and returns what it was.
 #[inline(always)]
 pub fn add_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) -> u32 {

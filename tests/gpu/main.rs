@@ -4,6 +4,8 @@
 //! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
 
+mod builder_twin;
+mod builders;
 mod descent;
 mod failures;
 mod grazing;
@@ -86,6 +88,7 @@ fn main() {
             sorts::TESTS,
             pairs::TESTS,
             trees::TESTS,
+            builders::TESTS,
             listed::TESTS,
             triangles::TESTS,
             intervals::TESTS,

@@ -228,6 +228,7 @@ pub fn check_decorations() {
             "SortPass" | "Queries" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
             "NodeDescent" | "Expansion" => &[0, 4, 8, 12],
+            "Building" => &[0, 4, 8, 12, 16],
             "Plain" | "Decision" | "ContactSort" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };

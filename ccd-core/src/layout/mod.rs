@@ -4,8 +4,8 @@
 mod params;
 
 pub use params::{
-    Blocks, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
-    Plain, Queries, SortPass,
+    Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
+    Params, Plain, Queries, SortPass,
 };
 
 use crate::math::aabb::Aabb;
@@ -81,6 +81,41 @@ pub struct Branch {
     pub first: u32,
     /// Last leaf below (leaf number, inclusive).
     pub last: u32,
+}
+
+/// A node of a binary tree that is being built bottom up.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `min` | 0..12 |
+/// | `node` | 12..16 |
+/// | `max` | 16..28 |
+/// | `leaves` | 28..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Cluster {
+    /// Smallest corner of its box.
+    pub min: [f32; 3],
+    /// Its number as its builder counts: of `n - 1` internal nodes in any order, then of leaves.
+    pub node: u32,
+    /// Greatest corner of its box.
+    pub max: [f32; 3],
+    /// Leaves below it.
+    pub leaves: u32,
+}
+
+impl Cluster {
+    /// A node with this box.
+    #[inline(always)]
+    pub fn new(b: &Aabb<f32>, node: u32, leaves: u32) -> Self {
+        Self { min: b.min, node, max: b.max, leaves }
+    }
+
+    /// The box of the node.
+    #[inline(always)]
+    pub fn aabb(&self) -> Aabb<f32> {
+        Aabb { min: self.min, max: self.max }
+    }
 }
 
 /// An internal node of a binary tree with the boxes of both children: see
@@ -256,7 +291,7 @@ pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
 /// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
 pub const MAX_LEVELS: usize = 8;
 
-const _: () = assert!(size_of::<WideNode>() == 64);
+const _: () = assert!(size_of::<WideNode>() == 64 && size_of::<Cluster>() == 32);
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Triangle>() == 32 && size_of::<NearTest>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);

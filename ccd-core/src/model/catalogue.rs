@@ -102,21 +102,21 @@ impl Catalogued for Builder {
             name: "split-lists",
             about: "From sorted Morton codes, by lists of where neighbours split",
             source: Some("Lauterbach 2009"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::NEAREST_PAIR,
             name: "nearest-pair",
             about: "Bottom up, every node with its nearest free neighbour; slow",
             source: Some("Tian and Wan"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::PLOC,
             name: "ploc",
             about: "Bottom up, every cluster with its nearest neighbour along the Morton curve",
             source: Some("Meister 2018"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

@@ -74,6 +74,18 @@ impl Builder {
     pub const PLOC: Self = Self::Ploc { radius: 16 };
     /// Greatest radius of [`Builder::Ploc`].
     pub const MAX_RADIUS: u32 = 128;
+
+    /// Refuses more boxes than the builder is to be used for.
+    pub fn check(self, n_boxes: u64) -> Result<(), Error> {
+        match self {
+            Self::NearestPair { limit } if n_boxes > limit as u64 => Err(Error::TooMany {
+                element: "boxes in the quadratic builder `nearest-pair` (`ploc` has no limit)",
+                count: n_boxes,
+                limit: limit as u64,
+            }),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// How pairs are found in a binary tree.

@@ -1,13 +1,14 @@
 //! Boxes in, overlapping pairs out, on a device.
 
+mod binary_tree;
 pub mod block_bvh;
 mod block_levels;
 mod block_pairs;
+mod builder;
 mod key_intervals;
 pub mod method;
 mod pair_descent;
 pub mod pair_source;
-mod radix_tree;
 mod tree;
 mod upload;
 

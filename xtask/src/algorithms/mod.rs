@@ -215,7 +215,8 @@ impl Report {
                 ("collision, ms", |m: &Measured| m.search),
             ] {
                 text += &self.head(&[what]);
-                let builders = [Builder::NearestPair { limit: u32::MAX }, Builder::Lbvh];
+                let pairs = Builder::NearestPair { limit: u32::MAX };
+                let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
                 for builder in builders {
                     let (cells, _) = self.row(tree(builder, Traversal::Half), &case, of)?;
                     let _ = writeln!(text, "| {} |{cells}", builder.row().name);
