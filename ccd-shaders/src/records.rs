@@ -4,7 +4,8 @@
 use ccd_core::Aabb;
 use ccd_core::kernel::memory::{Stored, at};
 use ccd_core::layout::{Branch, Leaf, WideNode};
-use spirv_std::glam::{UVec4, Vec2};
+use ccd_core::math::obb::Obb;
+use spirv_std::glam::{UVec4, Vec2, Vec4};
 
 /// An [`Aabb`].
 #[derive(Clone, Copy)]
@@ -107,4 +108,44 @@ fn words(corner: [f32; 3], word: u32) -> UVec4 {
 #[inline(always)]
 fn corner(w: UVec4) -> [f32; 3] {
     [f32::from_bits(w.x), f32::from_bits(w.y), f32::from_bits(w.z)]
+}
+
+/// An [`Obb`], and a word that is not used.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct ObbWords {
+    first: Vec4,
+    second: Vec4,
+    third: Vec4,
+    last: Vec4,
+}
+
+impl ObbWords {
+    /// The words of a box.
+    #[inline(always)]
+    pub fn of(b: &Obb) -> Self {
+        let ([c, h], [p, q, r]) = ([b.centre, b.half], b.axes);
+        Self {
+            first: Vec4::new(c[0], c[1], c[2], p[0]),
+            second: Vec4::new(p[1], p[2], q[0], q[1]),
+            third: Vec4::new(q[2], r[0], r[1], r[2]),
+            last: Vec4::new(h[0], h[1], h[2], 0.0),
+        }
+    }
+}
+
+impl Stored<Obb> for ObbWords {
+    #[inline(always)]
+    fn load(slice: &[Self], i: usize) -> Obb {
+        let w = at(slice, i);
+        Obb {
+            centre: [w.first.x, w.first.y, w.first.z],
+            axes: [
+                [w.first.w, w.second.x, w.second.y],
+                [w.second.z, w.second.w, w.third.x],
+                [w.third.y, w.third.z, w.third.w],
+            ],
+            half: [w.last.x, w.last.y, w.last.z],
+        }
+    }
 }

@@ -10,6 +10,7 @@ mod grazing;
 mod intervals;
 mod kernels;
 mod listed;
+mod oriented;
 mod pairs;
 mod poison;
 mod queries;
@@ -88,6 +89,7 @@ fn main() {
             listed::TESTS,
             intervals::TESTS,
             descent::TESTS,
+            oriented::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

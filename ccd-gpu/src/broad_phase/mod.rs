@@ -5,6 +5,7 @@ mod block_levels;
 mod block_pairs;
 mod key_intervals;
 pub mod method;
+mod oriented;
 mod pair_descent;
 pub mod pair_source;
 mod radix_tree;

@@ -18,7 +18,7 @@ const DISPATCH_LIMIT: u32 = 1 << 22;
 
 /// A tree over one set.
 pub struct RadixTree {
-    set: usize,
+    pub set: usize,
     pub branches: wgpu::Buffer,
     /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
     /// nodes with the boxes of both children.
@@ -27,7 +27,7 @@ pub struct RadixTree {
     /// all.
     far: Option<wgpu::Buffer>,
     /// Leaves.
-    n: u32,
+    pub n: u32,
 }
 
 impl RadixTree {
@@ -77,7 +77,8 @@ impl RadixTree {
         }
     }
 
-    fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
+    /// What kernels over the nodes of the tree are told.
+    pub fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
         let own = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
         Params { frame: *frame, dispatch: Dispatch::default(), own }
     }
@@ -117,7 +118,7 @@ impl RadixTree {
 }
 
 /// The dispatches over `n` queries.
-fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
+pub fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
     let room_out = pairs.room();
     (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
         n: (n - first).min(DISPATCH_LIMIT),

@@ -6,5 +6,7 @@ pub mod block_pairs;
 pub mod bounds;
 pub mod key_intervals;
 pub mod listed;
+pub mod oriented;
+pub mod oriented_pairs;
 pub mod pair_descent;
 pub mod radix_tree;
