@@ -5,7 +5,8 @@ use ccd_core::Aabb;
 use ccd_core::broad_phase::node_numbering;
 use ccd_core::kernel::memory::{Stored, at, put};
 use ccd_core::layout::{Branch, Cluster, Leaf, WideNode};
-use spirv_std::glam::{UVec4, Vec2};
+use ccd_core::math::obb::Obb;
+use spirv_std::glam::{UVec4, Vec2, Vec4};
 
 /// An [`Aabb`].
 #[derive(Clone, Copy)]
@@ -152,4 +153,44 @@ pub fn put_root(joins: &mut [u32], node: u32) {
     let [a, b] = node_numbering::root_words(node);
     put(joins, a[0] as usize, a[1]);
     put(joins, b[0] as usize, b[1]);
+}
+
+/// An [`Obb`], and a word that is not used.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct ObbWords {
+    first: Vec4,
+    second: Vec4,
+    third: Vec4,
+    last: Vec4,
+}
+
+impl ObbWords {
+    /// The words of a box.
+    #[inline(always)]
+    pub fn of(b: &Obb) -> Self {
+        let ([c, h], [p, q, r]) = ([b.centre, b.half], b.axes);
+        Self {
+            first: Vec4::new(c[0], c[1], c[2], p[0]),
+            second: Vec4::new(p[1], p[2], q[0], q[1]),
+            third: Vec4::new(q[2], r[0], r[1], r[2]),
+            last: Vec4::new(h[0], h[1], h[2], 0.0),
+        }
+    }
+}
+
+impl Stored<Obb> for ObbWords {
+    #[inline(always)]
+    fn load(slice: &[Self], i: usize) -> Obb {
+        let w = at(slice, i);
+        Obb {
+            centre: [w.first.x, w.first.y, w.first.z],
+            axes: [
+                [w.first.w, w.second.x, w.second.y],
+                [w.second.z, w.second.w, w.third.x],
+                [w.third.y, w.third.z, w.third.w],
+            ],
+            half: [w.last.x, w.last.y, w.last.z],
+        }
+    }
 }

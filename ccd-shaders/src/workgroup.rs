@@ -3,7 +3,9 @@
 
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{LIST_HEADER, Pair};
-use spirv_std::arch::{IndexUnchecked, atomic_i_add, atomic_or, atomic_u_max, atomic_u_min};
+use spirv_std::arch::{
+    IndexUnchecked, atomic_i_add, atomic_load, atomic_or, atomic_u_max, atomic_u_min,
+};
 use spirv_std::glam::UVec3;
 use spirv_std::memory::{Scope, Semantics};
 
@@ -54,6 +56,13 @@ pub fn lower(words: &mut [u32], i: usize, value: u32) {
 pub fn or(words: &mut [u32], i: usize, bits: u32) {
     // SAFETY: as above.
     unsafe { atomic_or::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), bits) };
+}
+
+/// A word of a buffer to which others may write at the same time, if by atomics.
+#[inline(always)]
+pub fn load(words: &[u32], i: usize) -> u32 {
+    // SAFETY: as above.
+    unsafe { atomic_load::<u32, DEVICE, RELAXED>(words.get_unchecked(i)) }
 }
 
 /// Adds to a word of workgroup memory and returns what it was.

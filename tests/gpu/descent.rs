@@ -20,26 +20,26 @@ const LEVELS: usize = 256;
 const ROOM: u32 = 20_000;
 
 /// Binary trees over both sets of a kind.
-struct Trees {
+pub struct Trees {
     twin: Twin,
-    kind: u32,
-    nodes: [Vec<u8>; 2],
+    pub kind: u32,
+    pub nodes: [Vec<u8>; 2],
     branches: [Vec<u8>; 2],
 }
 
 impl Trees {
-    fn new(device: &Device, kind: u32, of: [&[Aabb]; 3]) -> Self {
+    pub fn new(device: &Device, kind: u32, of: [&[Aabb]; 3]) -> Self {
         let twin = Twin::new(of, |_, i| [i; 3]);
         let [a, b] = sets(kind).map(|set| radix_tree(device, &twin, set, 2));
         Self { twin, kind, nodes: [a.0, b.0], branches: [a.1, b.1] }
     }
 
-    fn params(&self, kind: u32, own: NodeDescent, dispatch: Dispatch) -> Params<NodeDescent> {
+    pub fn params(&self, kind: u32, own: NodeDescent, dispatch: Dispatch) -> Params<NodeDescent> {
         Params { frame: self.twin.frame, dispatch, own: NodeDescent { kind, ..own } }
     }
 
     /// Nodes of the cut through one tree.
-    fn cut(&self, device: &Device, side: usize, nodes: u32) -> Vec<u32> {
+    pub fn cut(&self, device: &Device, side: usize, nodes: u32) -> Vec<u32> {
         let own = NodeDescent { nodes, ..NodeDescent::default() };
         let p = self.params(sets(self.kind)[side] as u32, own, Dispatch::default());
         let cut = vec![0; 4 * (LIST_HEADER + 1024)];

@@ -12,6 +12,7 @@ mod grazing;
 mod intervals;
 mod kernels;
 mod listed;
+mod oriented;
 mod pairs;
 mod poison;
 mod queries;
@@ -93,6 +94,7 @@ fn main() {
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
+            oriented::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

@@ -155,7 +155,7 @@ fn sorted_keys(twin: &Twin, set: usize) -> Vec<u32> {
 }
 
 /// Nodes of the binary tree over a set, each with the boxes of both children.
-fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8> {
+pub fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8> {
     let n = twin.frame.count[set];
     let (_, branches) = radix_tree(device, twin, set, level);
     let own = Blocks { kind: set as u32, level, ..twin.tree };

@@ -7,6 +7,7 @@ pub mod key_intervals;
 pub mod morton_key;
 pub mod nearest_pair;
 pub mod node_numbering;
+pub mod oriented_nodes;
 pub mod oriented_refit;
 pub mod pair_descent;
 pub mod placement;

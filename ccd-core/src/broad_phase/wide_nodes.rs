@@ -108,13 +108,21 @@ impl WideWalk {
             self.node = node.left;
         } else if down_right {
             self.node = node.right;
-        } else if self.height > 0 {
+        } else {
+            self.skip();
+        }
+        found
+    }
+
+    /// Leaves the node of the next step and all below it out.
+    #[inline(always)]
+    pub fn skip(&mut self) {
+        if self.height > 0 {
             self.height -= 1;
             self.node = self.stack[self.height as usize];
         } else {
             self.goes_on = false;
         }
-        found
     }
 }
 

@@ -191,6 +191,20 @@ macro_rules! kernels {
             /// Boxes that overlap leaves of a binary tree.
             TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
                 { boxes: Read, order: Read, nodes: Read, pairs: Write }
+            /// Oriented boxes of nodes whose leaves are near; a list of the others.
+            OrientNear = orient_near(256 threads, 5 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, oriented: Write, stamps: Write, far: Write }
+            /// Those of the list whose children were done in an earlier dispatch.
+            OrientFar = orient_far(128 threads, 0 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, far: Read, oriented: Write, stamps: Write }
+            /// Leaves of a tree of oriented boxes that overlap each other.
+            TraverseHalfOriented
+                = traverse_half_oriented(128 threads, 0 barriers, f32, Params<Blocks>)
+                { leaves: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
+            /// Boxes that overlap leaves of a tree of oriented boxes.
+            TraverseFullOriented
+                = traverse_full_oriented(128 threads, 0 barriers, f32, Params<Queries>)
+                { boxes: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
             /// Nodes of a cut through a binary tree.
             CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
                 { branches: Read, cut: Write }
@@ -201,6 +215,15 @@ macro_rules! kernels {
             /// Pairs of nodes of binary trees to pairs of their children, and pairs of leaves.
             ExpandPairs = expand_pairs(128 threads, 3 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, input: Read,
+                  levels: Write, output: Write, pairs: Write }
+            /// Pairs of nodes of two cuts, or of one, of trees of oriented boxes.
+            CutPairsOriented = cut_pairs_oriented(256 threads, 0 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, a_cut: Read, b_cut: Read, oriented: Read,
+                  levels: Write, output: Write }
+            /// Pairs of nodes of trees of oriented boxes to pairs of their children, and of leaves.
+            ExpandPairsOriented
+                = expand_pairs_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, oriented: Read, input: Read,
                   levels: Write, output: Write, pairs: Write }
             /// The axis along which boxes vary most.
             SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
@@ -357,6 +380,7 @@ const _: () = assert!(Id::PlocFinish.threads() == crate::broad_phase::ploc::FEW)
 const _: () = assert!(Id::PlocFinish.threads() == prefix::TILE);
 const _: () = assert!(Id::PlocJoin.threads() == prefix::TILE);
 const _: () = assert!(Id::PlocCount.threads() == prefix::TILE);
+const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes::TILE);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);

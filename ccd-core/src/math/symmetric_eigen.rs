@@ -178,15 +178,22 @@ fn direction<T: Real>(x: T, y: T) -> (T, T) {
 #[inline(always)]
 fn orthonormal<T: Real>(v: [[T; 3]; 3]) -> [[T; 3]; 3] {
     let g = excess(&v);
-    let row = |i: usize, a: T, b: T, c: T| {
-        let off = add(add(scale(v[0], a), scale(v[1], b)), scale(v[2], c));
-        tidy(sub(v[i], scale(off, T::splat(0.5))))
-    };
-    let out = [row(0, g[0], g[3], g[4]), row(1, g[3], g[1], g[5]), row(2, g[4], g[5], g[2])];
+    let out = [
+        tidy(sub(v[0], half_of(&v, [g[0], g[3], g[4]]))),
+        tidy(sub(v[1], half_of(&v, [g[3], g[1], g[5]]))),
+        tidy(sub(v[2], half_of(&v, [g[4], g[5], g[2]]))),
+    ];
     let g = excess(&out);
     let worst = max_abs([g[0], g[1], g[2]]).max(max_abs([g[3], g[4], g[5]]));
     // No component is NaN any more.
     if worst <= T::UNIT * T::splat(ORTHONORMAL - 4.0) { out } else { identity() }
+}
+
+/// Half of what so much of each of three vectors adds up to.
+#[inline(always)]
+fn half_of<T: Real>(v: &[[T; 3]; 3], part: [T; 3]) -> [T; 3] {
+    let whole = add(add(scale(v[0], part[0]), scale(v[1], part[1])), scale(v[2], part[2]));
+    scale(whole, T::splat(0.5))
 }
 
 /// By how much the scalar products `00 11 22 01 02 12` are more than they should be.
@@ -206,8 +213,12 @@ fn excess<T: Real>(v: &[[T; 3]; 3]) -> [T; 6] {
 /// Tiny components, and those that are NaN, become zero.
 #[inline(always)]
 fn tidy<T: Real>(v: [T; 3]) -> [T; 3] {
-    let one = |x: T| if x.abs() > T::UNIT * T::UNIT { x } else { T::splat(0.0) };
-    [one(v[0]), one(v[1]), one(v[2])]
+    [unless_tiny(v[0]), unless_tiny(v[1]), unless_tiny(v[2])]
+}
+
+#[inline(always)]
+fn unless_tiny<T: Real>(x: T) -> T {
+    if x.abs() > T::UNIT * T::UNIT { x } else { T::splat(0.0) }
 }
 
 #[cfg(test)]

@@ -182,7 +182,7 @@ impl Catalogued for Volume {
             name: "obb",
             about: "Boxes along axes of their own",
             source: Some("Gottschalk 1996"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

@@ -20,7 +20,7 @@ const DISPATCH_LIMIT: u32 = 1 << 22;
 
 /// A tree over one set.
 pub struct BinaryTree {
-    set: usize,
+    pub set: usize,
     builder: Box<dyn TreeBuilder>,
     pub branches: wgpu::Buffer,
     /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
@@ -30,7 +30,7 @@ pub struct BinaryTree {
     /// all.
     far: Option<wgpu::Buffer>,
     /// Leaves.
-    n: u32,
+    pub n: u32,
 }
 
 impl BinaryTree {
@@ -103,7 +103,8 @@ impl BinaryTree {
         }
     }
 
-    fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
+    /// What kernels over the nodes of the tree are told.
+    pub fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
         let own = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
         Params { frame: *frame, dispatch: Dispatch::default(), own }
     }
@@ -143,7 +144,7 @@ impl BinaryTree {
 }
 
 /// The dispatches over `n` queries.
-fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
+pub fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
     let room_out = pairs.room();
     (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
         n: (n - first).min(DISPATCH_LIMIT),

@@ -7,6 +7,7 @@ mod block_pairs;
 mod builder;
 mod key_intervals;
 pub mod method;
+mod oriented;
 mod pair_descent;
 pub mod pair_source;
 mod tree;

@@ -15,7 +15,7 @@
 use super::binary_tree::BinaryTree;
 use super::block_bvh::groups;
 use super::pair_source::kinds_of;
-use crate::bind::{CutNodes, CutPairs, ExpandPairs};
+use crate::bind::{CutNodes, CutPairs, CutPairsOriented, ExpandPairs, ExpandPairsOriented};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -66,13 +66,15 @@ impl PairDescent {
         self.levels.iter().for_each(|levels| recorder.clear(levels, 4 * MAX_LEVELS));
     }
 
-    /// Lists all pairs of leaves of two trees, or of one given twice.
+    /// Lists all pairs of leaves of two trees, or of one given twice; by their oriented boxes, too,
+    /// if there are.
     pub fn run(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         kind: u32,
         trees: [&BinaryTree; 2],
+        oriented: Option<&wgpu::Buffer>,
         pairs: &List,
     ) {
         let [even, odd] = &self.lists[kind as usize][..] else { return };
@@ -95,15 +97,41 @@ impl PairDescent {
             recorder.dispatch(&kernel, &params(set as u32, 0, odd, even), 1);
         }
         let output = even.buffer();
-        let kernel = CutPairs { a_nodes, b_nodes, a_cut, b_cut, levels, output };
-        recorder.each(&kernel, &params(kind, 0, odd, even), self.nodes * self.nodes);
+        let (p, n) = (params(kind, 0, odd, even), self.nodes * self.nodes);
+        match oriented {
+            None => {
+                let kernel = CutPairs { a_nodes, b_nodes, a_cut, b_cut, levels, output };
+                recorder.each(&kernel, &p, n);
+            }
+            Some(oriented) => {
+                let kernel =
+                    CutPairsOriented { a_nodes, b_nodes, a_cut, b_cut, oriented, levels, output };
+                recorder.each(&kernel, &p, n);
+            }
+        }
         for level in 0..self.n_levels(trees) {
             let [input, output] = if level % 2 == 0 { [even, odd] } else { [odd, even] };
             let p = params(kind, level, input, output);
             let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
             let (input, output, pairs) = (input.buffer(), output.buffer(), pairs.buffer());
-            let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
-            recorder.dispatch(&kernel, &p, n_groups);
+            match oriented {
+                None => {
+                    let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
+                    recorder.dispatch(&kernel, &p, n_groups);
+                }
+                Some(oriented) => {
+                    let kernel = ExpandPairsOriented {
+                        a_nodes,
+                        b_nodes,
+                        oriented,
+                        input,
+                        levels,
+                        output,
+                        pairs,
+                    };
+                    recorder.dispatch(&kernel, &p, n_groups);
+                }
+            }
         }
     }
 

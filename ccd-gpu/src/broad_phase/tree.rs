@@ -8,6 +8,7 @@
 use super::binary_tree::BinaryTree;
 use super::block_bvh::Tree;
 use super::builder;
+use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
 use super::pair_source::{PairSource, Search, kinds_of};
 use crate::device::Device;
@@ -16,7 +17,7 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::layout::{Frame, Queries};
-use ccd_core::model::method::{Traversal, TreeOptions};
+use ccd_core::model::method::{Traversal, TreeOptions, Volume};
 use wgpu::BufferUsages as U;
 
 /// Binary trees over those sets that a traversal descends.
@@ -25,6 +26,7 @@ pub struct TreeSource {
     trees: [Option<BinaryTree>; 3],
     traversal: Traversal,
     descent: Option<PairDescent>,
+    oriented: Option<OrientedBoxes>,
     none: wgpu::Buffer,
 }
 
@@ -47,11 +49,17 @@ impl TreeSource {
                 trees[set] = Some(BinaryTree::new(device, options.builder, set, n, for_pairs)?);
             }
         }
+        let has_tree = trees.each_ref().map(Option::is_some);
+        let oriented = match options.volume {
+            Volume::Obb => Some(OrientedBoxes::new(device, count, has_tree)?),
+            _ => None,
+        };
         Ok(Self {
             blocks: Tree::sorted_only(device, count)?,
             trees,
             traversal,
             descent,
+            oriented,
             none: device.buffer("nothing", 0, U::STORAGE)?,
         })
     }
@@ -59,18 +67,25 @@ impl TreeSource {
     fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
         let [a, b] = sets(kind).map(|set| self.trees[set].as_ref());
         let Some(b) = b else { return };
-        let full = |sorted: u32| Queries { kind, sorted };
-        match self.traversal {
-            Traversal::Cut { .. } => {
+        let (blocks, oriented) = (&self.blocks, self.oriented.as_ref());
+        match (self.traversal, oriented) {
+            (Traversal::Cut { .. }, _) => {
                 if let Some((descent, a)) = self.descent.as_ref().zip(a) {
-                    descent.run(recorder, frame, kind, [a, b], pairs);
+                    let oriented = oriented.map(|oriented| &oriented.boxes);
+                    descent.run(recorder, frame, kind, [a, b], oriented, pairs);
                 }
             }
-            Traversal::Half if kind == 1 => b.traverse_half(recorder, frame, &self.blocks, pairs),
-            Traversal::Iterative => {
-                b.traverse_full(recorder, frame, &self.blocks, full(0), pairs);
+            (Traversal::Half, None) if kind == 1 => b.traverse_half(recorder, frame, blocks, pairs),
+            (Traversal::Half, Some(oriented)) if kind == 1 => {
+                oriented.traverse_half(recorder, frame, blocks, b, pairs);
             }
-            _ => b.traverse_full(recorder, frame, &self.blocks, full(1), pairs),
+            (other, oriented) => {
+                let own = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
+                match oriented {
+                    None => b.traverse_full(recorder, frame, blocks, own, pairs),
+                    Some(all) => all.traverse_full(recorder, frame, blocks, b, own, pairs),
+                }
+            }
         }
     }
 }
@@ -92,6 +107,9 @@ impl PairSource for TreeSource {
         if let Some(descent) = &self.descent {
             descent.clear(recorder);
         }
+        if let Some(oriented) = &self.oriented {
+            oriented.clear(recorder);
+        }
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
@@ -105,6 +123,10 @@ impl PairSource for TreeSource {
         blocks.fit(recorder, frame, none, none);
         recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
+        if let Some(oriented) = &self.oriented {
+            recorder.stage("oriented");
+            trees.iter().flatten().for_each(|tree| oriented.fit(recorder, frame, blocks, tree));
+        }
         recorder.stage("pairs");
         for &kind in search.kinds {
             self.traverse(recorder, frame, kind, search.pairs[kind as usize]);

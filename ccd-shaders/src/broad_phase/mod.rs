@@ -8,6 +8,8 @@ pub mod key_intervals;
 pub mod listed;
 pub mod nearest_pair;
 pub mod node_numbering;
+pub mod oriented;
+pub mod oriented_pairs;
 pub mod pair_descent;
 pub mod ploc;
 pub mod radix_tree;

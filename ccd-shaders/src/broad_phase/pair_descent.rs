@@ -23,10 +23,10 @@ const ROUNDS: u32 = 32;
 const SHARE: u32 = 1024 / CUTTERS;
 
 /// Words of `counters`: pairs of nodes, pairs of leaves, where they go.
-const NODES: u32 = 0;
-const LEAVES: u32 = 1;
-const NODES_BASE: u32 = 2;
-const LEAVES_BASE: u32 = 3;
+pub(super) const NODES: u32 = 0;
+pub(super) const LEAVES: u32 = 1;
+pub(super) const NODES_BASE: u32 = 2;
+pub(super) const LEAVES_BASE: u32 = 3;
 
 /// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most `own.nodes`
 /// of them. A node is split, if there is room, while it has more than its share of the leaves.
@@ -118,7 +118,7 @@ pub fn cut_pairs(
 /// Reserves entries of a level in a list that is used for several levels: its header says the most
 /// that any wanted. Returns where they begin.
 #[inline(always)]
-fn reserve(levels: &mut [u32], level: usize, list: &mut [u32], n: u32) -> u32 {
+pub(super) fn reserve(levels: &mut [u32], level: usize, list: &mut [u32], n: u32) -> u32 {
     let old = add(levels, level, n);
     raise(list, 0, old.wrapping_add(n));
     if old.wrapping_add(n) < old {
@@ -130,7 +130,7 @@ fn reserve(levels: &mut [u32], level: usize, list: &mut [u32], n: u32) -> u32 {
 /// What becomes of a pair of nodes: 0: there is none; 1: it is expanded in the next level; 2: it is
 /// one of leaves.
 #[inline(always)]
-fn fate(pair: NodePair, internal: [u32; 2]) -> u32 {
+pub(super) fn fate(pair: NodePair, internal: [u32; 2]) -> u32 {
     if pair[0] == NONE {
         0
     } else if pair[0] >= internal[0] && pair[1] >= internal[1] {
@@ -207,7 +207,7 @@ pub fn expand_pairs(
 
 /// Counts a pair in its workgroup; returns the number that it has there.
 #[inline(always)]
-fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
+pub(super) fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
     let fate = fate(pair, internal);
     let mut to = 0;
     if fate != 0 {
@@ -219,7 +219,7 @@ fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
 /// Writes a pair to where it belongs.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-fn keep(
+pub(super) fn keep(
     params: &Params<NodeDescent>,
     pair: NodePair,
     internal: [u32; 2],

@@ -3,10 +3,10 @@
 use crate::records::{BoxWords, NodeWords, box_at, branch_at, branch_words, node_at};
 use crate::workgroup::{add, add_shared, append, barrier, get, group, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::broad_phase::wide_nodes::{self as wide, TILE, WideWalk};
 use ccd_core::broad_phase::block_bvh::{self, sets};
 use ccd_core::broad_phase::radix_tree;
+use ccd_core::broad_phase::stack_traversal::NONE;
+use ccd_core::broad_phase::wide_nodes::{self as wide, TILE, WideWalk};
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Blocks, Branch, LIST_HEADER, Leaf, Node, Pair, Params, Queries};
@@ -217,7 +217,13 @@ pub fn traverse_half(
 
 /// Appends the pair with a leaf that was found.
 #[inline(always)]
-fn keep_ordered(params: &Params<Blocks>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
+pub(super) fn keep_ordered(
+    params: &Params<Blocks>,
+    a: u32,
+    order: &[u32],
+    found: u32,
+    pairs: &mut [u32],
+) {
     if found != NONE {
         let first = params.frame.start[SET];
         let b = at(order, (first + found) as usize) - first;
@@ -270,7 +276,7 @@ pub fn traverse_full(
 
 /// Appends the pair with a leaf that was found, once.
 #[inline(always)]
-fn keep(params: &Params<Queries>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
+pub(super) fn keep(params: &Params<Queries>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
     if found != NONE {
         let first = params.frame.start[sets(params.own.kind)[1]];
         let b = at(order, (first + found) as usize) - first;

@@ -67,7 +67,7 @@ mod fit;
 mod separating_axes;
 
 use crate::math::aabb::Aabb;
-use crate::math::real::Num;
+use crate::math::real::{Num, Real};
 use crate::math::symmetric_eigen::identity;
 use crate::math::vec3::{add, dot, scale, sub};
 
@@ -82,20 +82,23 @@ pub struct Obb<T = f32> {
     pub centre: [T; 3],
     /// Three axes, orthonormal up to [`ORTHONORMAL`].
     pub axes: [[T; 3]; 3],
-    /// How far it reaches to either side along each axis; infinite in a box of everything.
+    /// How far it reaches to either side along each axis; in a box of everything as far as there
+    /// are numbers.
     pub half: [T; 3],
 }
 
-impl<N: Num> Obb<N> {
-    /// All of space.
+impl<T: Real> Obb<T> {
+    /// All of space, as far as there are `f32`; of `f64` all but the last ten-millionth.
     #[inline(always)]
     pub fn everything() -> Self {
-        // An infinity that shader languages can write, for any of our precisions.
-        let (zero, large) = (N::splat(0.0), N::splat(3.0e38));
-        let larger = (large * large) * (large * large);
-        Self { centre: [zero; 3], axes: identity(), half: [larger * larger; 3] }
+        // Not infinite, because shader languages cannot write that; three of them overflow, so
+        // that no bound is exceeded.
+        let half = T::MIN_NORMAL.to_unit() * T::splat(3.999_999_8);
+        Self { centre: [T::splat(0.0); 3], axes: identity(), half: [half; 3] }
     }
+}
 
+impl<N: Num> Obb<N> {
     /// The box along the coordinates that holds this one, and is larger by roundings only.
     #[inline(always)]
     pub fn of_box(b: &Aabb<N>) -> Self {

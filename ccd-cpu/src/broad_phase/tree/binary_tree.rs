@@ -16,7 +16,7 @@ use crate::broad_phase::tree::shared_words::Shared;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::broad_phase::{oriented_refit, radix_tree, refit};
+use ccd_core::broad_phase::{oriented_nodes, oriented_refit, radix_tree, refit};
 use ccd_core::layout::{Branch, Node};
 use ccd_core::math::obb::Obb;
 use ccd_core::model::method::Volume;
@@ -68,7 +68,7 @@ impl BinaryTree {
     #[inline]
     pub fn reaches(&self, node: u32, query: &Aabb<f32>) -> bool {
         match self.oriented.get(node as usize) {
-            Some(b) => !b.separated_from_box(query),
+            Some(b) => oriented_nodes::reaches(b, query),
             None => true,
         }
     }
@@ -76,13 +76,17 @@ impl BinaryTree {
     /// The same of the leaves below a node and those below a node of another tree.
     #[inline]
     pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
-        let (i, j) = (node as usize, node_of_other as usize);
-        match (self.oriented.get(i), other.oriented.get(j)) {
-            (Some(a), Some(b)) => !a.separated(b),
-            (Some(_), None) => self.reaches(node, &other.nodes[j].aabb()),
-            (None, Some(_)) => other.reaches(node_of_other, &self.nodes[i].aabb()),
-            (None, None) => true,
-        }
+        self.volume == Volume::Aabb
+            || oriented_nodes::reach(
+                false,
+                [node, node_of_other],
+                [self.branches.len() as u32, other.branches.len() as u32],
+                [0; 2],
+                &self.nodes,
+                &other.nodes,
+                &self.oriented,
+                &other.oriented,
+            )
     }
 
     /// The leaves below a node.
