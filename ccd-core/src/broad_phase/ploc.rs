@@ -168,8 +168,8 @@ pub fn fate_beside(i: u32, j: u32, of_j: u32) -> Fate {
 mod tests {
     use super::*;
 
-    /// Clusters of which none joins another but in a round that is late are one after as many rounds
-    /// as are promised, and never more than are promised.
+    /// Clusters of which none joins another but in a round that is late are one after as many
+    /// rounds as are promised, and never more than are promised.
     #[test]
     fn rounds_are_bounded() {
         for n_leaves in [1u32, 2, 3, 255, 256, 257, 1000, 65_537, 10_000_000, u32::MAX / 2] {

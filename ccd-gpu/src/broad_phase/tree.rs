@@ -1,6 +1,6 @@
-//! A binary tree as a source of pairs: sorted boxes, binary trees over those by any builder, a block
-//! tree over their leaves, from which they have their boxes, and a traversal: queries with a stack, a thread each, or pairs of nodes from a cut on, a level a
-//! dispatch.
+//! A binary tree as a source of pairs: sorted boxes, binary trees over those by any builder, a
+//! block tree over their leaves, from which they have their boxes, and a traversal: queries with a
+//! stack, a thread each, or pairs of nodes from a cut on, a level a dispatch.
 //!
 //! Recursion does not exist on a device, and one thread of it is slow, so the other two traversals
 //! are a CPU's.

@@ -23,8 +23,8 @@ impl Joins {
         Ok(Self { set, n, words: device.buffer("joins of nodes", bytes, U::STORAGE)? })
     }
 
-    /// Numbers all nodes and puts the leaves in order. `sorted`: whether the builder's leaves are in
-    /// the order of codes; else they are in that of input.
+    /// Numbers all nodes and puts the leaves in order. `sorted`: whether the builder's leaves are
+    /// in the order of codes; else they are in that of input.
     pub fn finish(
         &self,
         recorder: &mut Recorder,

@@ -12,10 +12,10 @@
 //! the device alone: there are dispatches for as many as there can be ([`rounds`]), and those after
 //! the last do nothing. No workgroup waits for another.
 //!
-//! Cost: three dispatches a round; 3 to 5 rounds halve the clusters, and there are dispatches for 6,
-//! so of a million boxes about 150 do something, and 70 nothing. Per box 32 bytes of joins, 72 of
-//! clusters of two rounds, 4 of neighbours. When to choose it: where few visited nodes matter more
-//! than the build; see docs/ALGORITHMS.md.
+//! Cost: three dispatches a round; 3 to 5 rounds halve the clusters, and there are dispatches for
+//! 6, so of a million boxes about 150 do something, and 70 nothing. Per box 32 bytes of joins, 72
+//! of clusters of two rounds, 4 of neighbours. When to choose it: where few visited nodes matter
+//! more than the build; see docs/ALGORITHMS.md.
 
 use super::TreeBuilder;
 use super::bottom_up::Joins;

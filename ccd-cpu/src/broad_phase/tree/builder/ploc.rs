@@ -8,8 +8,8 @@
 //! next round        ab  c  de  fg        place of the first; the others wait
 //! ```
 //!
-//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some five to
-//! seven times as many clusters in all rounds together as boxes. What is joined in a round, and
+//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some five
+//! to seven times as many clusters in all rounds together as boxes. What is joined in a round, and
 //! how many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where
 //! one tree serves so many queries or refits that fewer visited nodes pay for the build, which
 //! takes several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
