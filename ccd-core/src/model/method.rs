@@ -139,7 +139,8 @@ pub enum Volume {
     /// Boxes along the axes.
     #[default]
     Aabb,
-    /// Boxes along axes of their own [Gottschalk 1996].
+    /// Boxes along axes of their own [Gottschalk 1996], for nodes above the leaves: see
+    /// [`obb`](crate::math::obb).
     Obb,
 }
 

@@ -44,14 +44,23 @@ fn cloud<T: Real>(random: &mut Random, scale: f64) -> Points<T> {
 
 fn check_fit<T: Real>(points: &Points<T>) -> Obb<T> {
     let b = Obb::around(points);
-    let off = skew(&b);
+    check_around(&b, points);
+    // The same points as corners of what moves.
+    let [p, q, r, s, t, u] = *points;
+    assert_eq!(Obb::of_moving_triangle(&[p, q, r], &[s, t, u]), b);
+    check_around(&Obb::of_moving_edge(&[p, q], &[r, s]), &points[..4]);
+    b
+}
+
+/// Axes are as promised, and all points are in the box.
+fn check_around<T: Real>(b: &Obb<T>, points: &[[T; 3]]) {
+    let off = skew(b);
     assert!(off <= ORTHONORMAL as f64, "axes off by {off} u: {b:?} around {points:?}");
     assert!(b.half.iter().all(|h| h.is_finite_number()), "{b:?}");
     for p in points {
         let told = || format!("{p:?} is not in {b:?}");
-        assert!(b == Obb::everything() || holds(&widen(&b), p.map(|x| x.to_f64())), "{}", told());
+        assert!(*b == Obb::everything() || holds(&widen(b), p.map(|x| x.to_f64())), "{}", told());
     }
-    b
 }
 
 fn check_fits<T: Real>(scales: &[f64]) {

@@ -192,15 +192,24 @@ impl Report {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, build and search", "visits"]);
-            for row in Volume::ROWS {
-                let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(row.value));
-                let (cells, _) = self.row(method, case, |m| m.build + m.search)?;
-                let visits = measure(&Place::one_thread(), method, case, 1)?
-                    .map_or("-".to_owned(), |m| m.visits.to_string());
-                let _ = writeln!(text, "| {} | {visits} |{cells}", row.name);
+            for (what, of) in [
+                ("ms, build alone", (|m: &Measured| m.build) as fn(&Measured) -> f64),
+                ("ms, search alone", |m: &Measured| m.search),
+            ] {
+                text += &self.head(&[what, "visits"]);
+                for traversal in [Traversal::Half, Traversal::CUT] {
+                    for row in Volume::ROWS {
+                        let options = TreeOptions::default().traversal(traversal);
+                        let method = BroadPhaseMethod::Tree(options.volume(row.value));
+                        let (cells, _) = self.row(method, case, of)?;
+                        let visits = measure(&Place::one_thread(), method, case, 1)?
+                            .map_or("-".to_owned(), |m| m.visits.to_string());
+                        let name = traversal.row().name;
+                        let _ = writeln!(text, "| {}, {name} | {visits} |{cells}", row.name);
+                    }
+                }
+                text.push('\n');
             }
-            text.push('\n');
         }
         Ok(text)
     }
