@@ -9,7 +9,10 @@
 //! # Ok::<(), ccd::Error>(())
 //! ```
 
+mod sequences;
+
 use crate::{Aabb, Mesh};
+pub use sequences::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 
 /// Pseudo-random numbers: [`pcg`] of a counter.
 #[derive(Clone, Debug)]

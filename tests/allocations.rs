@@ -1,7 +1,7 @@
 //! A warm session allocates nothing.
 #![deny(unsafe_code)]
 
-use ccd::{BroadPhaseMethod, Options, Pipeline, Session, TreeOptions};
+use ccd::{BroadPhaseMethod, Options, Pipeline, Scheduling, Session, Traversal, TreeOptions};
 use ccd_testkit::generate::crumpled_sheet;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -33,11 +33,15 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// Allocations of each of 40 steps after 12 to warm up.
-fn count(threads: usize, broad_phase: BroadPhaseMethod, pipeline: Pipeline) -> Vec<usize> {
+fn count(
+    threads: usize,
+    broad_phase: BroadPhaseMethod,
+    pipeline: Pipeline,
+    scheduling: Scheduling,
+) -> Vec<usize> {
     let step = crumpled_sheet(30, 1);
-    let mut session =
-        Session::new(step.mesh, Options { threads, broad_phase, pipeline, ..Options::default() })
-            .unwrap();
+    let options = Options { threads, broad_phase, pipeline, scheduling, ..Options::default() };
+    let mut session = Session::new(step.mesh, options).unwrap();
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);
         // Forwards and backwards in turn; every third time only the earliest time.
@@ -66,17 +70,28 @@ fn differs_in_one(method: &BroadPhaseMethod) -> bool {
     builder as u32 + traversal as u32 + (tree.volume != default.volume) as u32 <= 1
 }
 
+fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
+    let what = format!("{method}, {pipeline:?}, {scheduling}");
+    let alone = count(1, method, pipeline, scheduling);
+    assert!(alone.iter().all(|&n| n == 0), "{what}, one thread: {alone:?}");
+    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each
+    // worker's own queue may grow once.
+    let shared = count(2, method, pipeline, scheduling);
+    let sum: usize = shared.iter().sum();
+    assert!(sum <= 4, "{what}, two threads: {shared:?}");
+}
+
 #[test]
 fn warm_sessions_allocate_nothing() {
     for method in ccd::every("cpu").filter(differs_in_one) {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
-            let alone = count(1, method, pipeline);
-            assert!(alone.iter().all(|&n| n == 0), "{method}, {pipeline:?}, one: {alone:?}");
-            // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and
-            // each worker's own queue may grow once.
-            let shared = count(2, method, pipeline);
-            let sum: usize = shared.iter().sum();
-            assert!(sum <= 4, "{method}, {pipeline:?}, two threads: {shared:?}");
+            check(method, pipeline, Scheduling::default());
+        }
+    }
+    let cut = TreeOptions::default().traversal(Traversal::CUT);
+    for scheduling in Scheduling::every("cpu") {
+        for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::Tree(cut)] {
+            check(method, Pipeline::Features, scheduling);
         }
     }
     // The counter counts.

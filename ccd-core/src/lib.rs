@@ -11,6 +11,7 @@
 //! | [`broad_phase`] | swept boxes, trees, traversals, candidates |
 //! | [`model`] | meshes, bodies, positions in `f32`, contacts, reports, errors |
 //! | [`triangle_pairs`] | pairs of triangles as pairs of features, each once |
+//! | [`scheduling`] | deques from which idle workers steal pairs of nodes |
 //! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
 //! | [`layout`] | records that cross between CPU and GPU |
 #![no_std]
@@ -26,6 +27,7 @@ pub mod layout;
 pub mod math;
 pub mod model;
 pub mod narrow_phase;
+pub mod scheduling;
 pub mod triangle_pairs;
 
 pub use math::aabb::Aabb;

@@ -35,7 +35,7 @@ impl Session {
     /// A session for `mesh`.
     pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
-        let method = Method::new(options.broad_phase)?;
+        let method = Method::new(options.broad_phase, options.scheduling)?;
         if let Some(name) = options.pipeline.lacking("cpu") {
             return Err(Error::Method { name, backend: "cpu" });
         }
@@ -187,6 +187,7 @@ impl Session {
                 report,
             );
             collect(threads, workers, report);
+            report.front = method.front();
             report.times.total = milliseconds(start);
             Ok(())
         })

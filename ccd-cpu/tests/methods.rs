@@ -151,6 +151,7 @@ fn check_methods<T: Coordinate>(name: &str, scene: &Scene) {
                 bodies: bodies.clone(),
                 broad_phase,
                 pipeline,
+                scheduling: Default::default(),
             };
             let features = Pipeline::Features;
             let want = run::<T>(scene, &of(BroadPhaseMethod::default(), 1, features));

@@ -68,43 +68,43 @@ struct type_25 {
 }
 
 struct type_26 {
-    member: u32,
-}
-
-struct type_27 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_26,
-}
-
-struct type_28 {
-    member: type_27,
-}
-
-struct type_29 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
+struct type_27 {
+    member: u32,
+}
+
+struct type_28 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_27,
+}
+
+struct type_29 {
+    member: type_28,
+}
+
 struct type_30 {
+    member: u32,
+    member_1: f32,
+}
+
+struct type_31 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_31 {
+struct type_32 {
     member: f32,
     member_1: f32,
 }
 
-struct type_34 {
-    member: type_25,
-    member_1: f32,
-}
-
 struct type_35 {
-    member: u32,
+    member: type_25,
     member_1: f32,
 }
 
@@ -130,7 +130,7 @@ var<storage> paths: type_19;
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_28;
+var<storage> params: type_29;
 @group(0) @binding(2) 
 var<storage> elements: type_22;
 @group(0) @binding(4) 
@@ -141,83 +141,83 @@ var<storage, read_write> undecided: type_42;
 var<storage, read_write> earliest: type_42;
 
 fn function_(param: f32) -> array<u32, 2> {
-    var phi_8732_: array<u32, 2>;
-    var phi_8733_: array<u32, 2>;
-    var phi_8734_: bool;
-    var phi_8738_: array<u32, 2>;
+    var phi_9797_: array<u32, 2>;
+    var phi_9798_: array<u32, 2>;
+    var phi_9799_: bool;
+    var phi_9803_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param);
     if (_e13 < 8388608u) {
-        phi_8733_ = array<u32, 2>();
-        phi_8734_ = true;
+        phi_9798_ = array<u32, 2>();
+        phi_9799_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_8732_ = array<u32, 2>();
+            phi_9797_ = array<u32, 2>();
         } else {
-            phi_8732_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_9797_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_8732_;
-        phi_8733_ = _e31;
-        phi_8734_ = _e17;
+        let _e31 = phi_9797_;
+        phi_9798_ = _e31;
+        phi_9799_ = _e17;
     }
-    let _e33 = phi_8733_;
-    let _e35 = phi_8734_;
+    let _e33 = phi_9798_;
+    let _e35 = phi_9799_;
     if _e35 {
-        phi_8738_ = array<u32, 2>(0u, 0u);
+        phi_9803_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_8738_ = _e33;
+        phi_9803_ = _e33;
     }
-    let _e37 = phi_8738_;
+    let _e37 = phi_9803_;
     return _e37;
 }
 
 fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
-    var phi_8711_: array<f32, 3>;
+    var phi_9776_: array<f32, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_8711_ = param_2;
+        phi_9776_ = param_2;
     } else {
-        phi_8711_ = param_1;
+        phi_9776_ = param_1;
     }
-    let _e26 = phi_8711_;
+    let _e26 = phi_9776_;
     return _e26;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_8303_: bool;
-    var phi_8304_: bool;
-    var phi_8305_: bool;
-    var phi_8306_: bool;
-    var phi_8310_: bool;
-    var phi_8283_: bool;
-    var phi_8284_: bool;
-    var phi_8285_: bool;
-    var phi_8286_: bool;
-    var phi_8287_: bool;
-    var phi_8288_: bool;
-    var phi_8292_: bool;
-    var phi_8311_: bool;
-    var phi_8341_: array<f32, 3>;
-    var phi_8342_: bool;
-    var phi_8343_: array<f32, 3>;
-    var phi_8344_: bool;
-    var phi_8571_: f32;
-    var phi_8572_: f32;
-    var phi_8611_: f32;
-    var phi_8612_: f32;
-    var phi_8657_: f32;
-    var phi_8658_: f32;
-    var phi_8392_: f32;
-    var phi_8393_: f32;
-    var phi_8438_: f32;
-    var phi_8439_: f32;
-    var phi_8481_: f32;
-    var phi_8482_: f32;
-    var phi_8530_: f32;
-    var phi_8531_: f32;
-    var phi_8673_: array<array<f32, 3>, 4>;
-    var phi_8681_: array<f32, 3>;
+    var phi_9368_: bool;
+    var phi_9369_: bool;
+    var phi_9370_: bool;
+    var phi_9371_: bool;
+    var phi_9375_: bool;
+    var phi_9348_: bool;
+    var phi_9349_: bool;
+    var phi_9350_: bool;
+    var phi_9351_: bool;
+    var phi_9352_: bool;
+    var phi_9353_: bool;
+    var phi_9357_: bool;
+    var phi_9376_: bool;
+    var phi_9406_: array<f32, 3>;
+    var phi_9407_: bool;
+    var phi_9408_: array<f32, 3>;
+    var phi_9409_: bool;
+    var phi_9636_: f32;
+    var phi_9637_: f32;
+    var phi_9676_: f32;
+    var phi_9677_: f32;
+    var phi_9722_: f32;
+    var phi_9723_: f32;
+    var phi_9457_: f32;
+    var phi_9458_: f32;
+    var phi_9503_: f32;
+    var phi_9504_: f32;
+    var phi_9546_: f32;
+    var phi_9547_: f32;
+    var phi_9595_: f32;
+    var phi_9596_: f32;
+    var phi_9738_: array<array<f32, 3>, 4>;
+    var phi_9746_: array<f32, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -231,83 +231,83 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
                 if (_e72 <= 1f) {
-                    phi_8283_ = (_e76 <= 1f);
-                    phi_8284_ = false;
+                    phi_9348_ = (_e76 <= 1f);
+                    phi_9349_ = false;
                 } else {
-                    phi_8283_ = bool();
-                    phi_8284_ = true;
+                    phi_9348_ = bool();
+                    phi_9349_ = true;
                 }
-                let _e97 = phi_8283_;
-                let _e99 = phi_8284_;
-                phi_8285_ = _e97;
-                phi_8286_ = _e99;
+                let _e97 = phi_9348_;
+                let _e99 = phi_9349_;
+                phi_9350_ = _e97;
+                phi_9351_ = _e99;
             } else {
-                phi_8285_ = bool();
-                phi_8286_ = true;
+                phi_9350_ = bool();
+                phi_9351_ = true;
             }
-            let _e101 = phi_8285_;
-            let _e103 = phi_8286_;
-            phi_8287_ = _e101;
-            phi_8288_ = _e103;
+            let _e101 = phi_9350_;
+            let _e103 = phi_9351_;
+            phi_9352_ = _e101;
+            phi_9353_ = _e103;
         } else {
-            phi_8287_ = bool();
-            phi_8288_ = true;
+            phi_9352_ = bool();
+            phi_9353_ = true;
         }
-        let _e105 = phi_8287_;
-        let _e107 = phi_8288_;
+        let _e105 = phi_9352_;
+        let _e107 = phi_9353_;
         if _e107 {
-            phi_8292_ = false;
+            phi_9357_ = false;
         } else {
-            phi_8292_ = _e105;
+            phi_9357_ = _e105;
         }
-        let _e109 = phi_8292_;
-        phi_8311_ = _e109;
+        let _e109 = phi_9357_;
+        phi_9376_ = _e109;
     } else {
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
-                phi_8303_ = ((_e72 + _e76) <= 1f);
-                phi_8304_ = false;
+                phi_9368_ = ((_e72 + _e76) <= 1f);
+                phi_9369_ = false;
             } else {
-                phi_8303_ = bool();
-                phi_8304_ = true;
+                phi_9368_ = bool();
+                phi_9369_ = true;
             }
-            let _e83 = phi_8303_;
-            let _e85 = phi_8304_;
-            phi_8305_ = _e83;
-            phi_8306_ = _e85;
+            let _e83 = phi_9368_;
+            let _e85 = phi_9369_;
+            phi_9370_ = _e83;
+            phi_9371_ = _e85;
         } else {
-            phi_8305_ = bool();
-            phi_8306_ = true;
+            phi_9370_ = bool();
+            phi_9371_ = true;
         }
-        let _e87 = phi_8305_;
-        let _e89 = phi_8306_;
+        let _e87 = phi_9370_;
+        let _e89 = phi_9371_;
         if _e89 {
-            phi_8310_ = false;
+            phi_9375_ = false;
         } else {
-            phi_8310_ = _e87;
+            phi_9375_ = _e87;
         }
-        let _e91 = phi_8310_;
-        phi_8311_ = _e91;
+        let _e91 = phi_9375_;
+        phi_9376_ = _e91;
     }
-    let _e111 = phi_8311_;
+    let _e111 = phi_9376_;
     if (_e68 > 0f) {
         if _e111 {
-            phi_8341_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
-            phi_8342_ = false;
+            phi_9406_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
+            phi_9407_ = false;
         } else {
-            phi_8341_ = array<f32, 3>();
-            phi_8342_ = true;
+            phi_9406_ = array<f32, 3>();
+            phi_9407_ = true;
         }
-        let _e136 = phi_8341_;
-        let _e138 = phi_8342_;
-        phi_8343_ = _e136;
-        phi_8344_ = _e138;
+        let _e136 = phi_9406_;
+        let _e138 = phi_9407_;
+        phi_9408_ = _e136;
+        phi_9409_ = _e138;
     } else {
-        phi_8343_ = array<f32, 3>();
-        phi_8344_ = true;
+        phi_9408_ = array<f32, 3>();
+        phi_9409_ = true;
     }
-    let _e140 = phi_8343_;
-    let _e142 = phi_8344_;
+    let _e140 = phi_9408_;
+    let _e142 = phi_9409_;
     if _e142 {
         let _e145 = (param_3[0] - param_4[0]);
         let _e148 = (param_3[1] - param_4[1]);
@@ -316,59 +316,59 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e293 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e293 > 0f) {
                 if (_e293 < 1f) {
-                    phi_8392_ = _e293;
+                    phi_9457_ = _e293;
                 } else {
-                    phi_8392_ = 1f;
+                    phi_9457_ = 1f;
                 }
-                let _e297 = phi_8392_;
-                phi_8393_ = _e297;
+                let _e297 = phi_9457_;
+                phi_9458_ = _e297;
             } else {
-                phi_8393_ = 0f;
+                phi_9458_ = 0f;
             }
-            let _e299 = phi_8393_;
+            let _e299 = phi_9458_;
             let _e335 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e335 > 0f) {
                 if (_e335 < 1f) {
-                    phi_8438_ = _e335;
+                    phi_9503_ = _e335;
                 } else {
-                    phi_8438_ = 1f;
+                    phi_9503_ = 1f;
                 }
-                let _e339 = phi_8438_;
-                phi_8439_ = _e339;
+                let _e339 = phi_9503_;
+                phi_9504_ = _e339;
             } else {
-                phi_8439_ = 0f;
+                phi_9504_ = 0f;
             }
-            let _e341 = phi_8439_;
+            let _e341 = phi_9504_;
             let _e374 = ((((_e145 * param_5[0]) + (_e148 * param_5[1])) + (_e151 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e374 > 0f) {
                 if (_e374 < 1f) {
-                    phi_8481_ = _e374;
+                    phi_9546_ = _e374;
                 } else {
-                    phi_8481_ = 1f;
+                    phi_9546_ = 1f;
                 }
-                let _e378 = phi_8481_;
-                phi_8482_ = _e378;
+                let _e378 = phi_9546_;
+                phi_9547_ = _e378;
             } else {
-                phi_8482_ = 0f;
+                phi_9547_ = 0f;
             }
-            let _e380 = phi_8482_;
+            let _e380 = phi_9547_;
             let _e393 = (param_3[0] - param_5[0]);
             let _e396 = (param_3[1] - param_5[1]);
             let _e399 = (param_3[2] - param_5[2]);
             let _e419 = ((((_e393 * param_4[0]) + (_e396 * param_4[1])) + (_e399 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e419 > 0f) {
                 if (_e419 < 1f) {
-                    phi_8530_ = _e419;
+                    phi_9595_ = _e419;
                 } else {
-                    phi_8530_ = 1f;
+                    phi_9595_ = 1f;
                 }
-                let _e423 = phi_8530_;
-                phi_8531_ = _e423;
+                let _e423 = phi_9595_;
+                phi_9596_ = _e423;
             } else {
-                phi_8531_ = 0f;
+                phi_9596_ = 0f;
             }
-            let _e425 = phi_8531_;
-            phi_8673_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
+            let _e425 = phi_9596_;
+            phi_9738_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
         } else {
             let _e155 = (param_5[0] - param_4[0]);
             let _e158 = (param_5[1] - param_4[1]);
@@ -376,69 +376,69 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e172 = ((((_e145 * _e155) + (_e148 * _e158)) + (_e151 * _e161)) / (((_e155 * _e155) + (_e158 * _e158)) + (_e161 * _e161)));
             if (_e172 > 0f) {
                 if (_e172 < 1f) {
-                    phi_8571_ = _e172;
+                    phi_9636_ = _e172;
                 } else {
-                    phi_8571_ = 1f;
+                    phi_9636_ = 1f;
                 }
-                let _e176 = phi_8571_;
-                phi_8572_ = _e176;
+                let _e176 = phi_9636_;
+                phi_9637_ = _e176;
             } else {
-                phi_8572_ = 0f;
+                phi_9637_ = 0f;
             }
-            let _e178 = phi_8572_;
+            let _e178 = phi_9637_;
             let _e185 = array<f32, 3>((_e145 - (_e155 * _e178)), (_e148 - (_e158 * _e178)), (_e151 - (_e161 * _e178)));
             let _e208 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e208 > 0f) {
                 if (_e208 < 1f) {
-                    phi_8611_ = _e208;
+                    phi_9676_ = _e208;
                 } else {
-                    phi_8611_ = 1f;
+                    phi_9676_ = 1f;
                 }
-                let _e212 = phi_8611_;
-                phi_8612_ = _e212;
+                let _e212 = phi_9676_;
+                phi_9677_ = _e212;
             } else {
-                phi_8612_ = 0f;
+                phi_9677_ = 0f;
             }
-            let _e214 = phi_8612_;
+            let _e214 = phi_9677_;
             let _e250 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e250 > 0f) {
                 if (_e250 < 1f) {
-                    phi_8657_ = _e250;
+                    phi_9722_ = _e250;
                 } else {
-                    phi_8657_ = 1f;
+                    phi_9722_ = 1f;
                 }
-                let _e254 = phi_8657_;
-                phi_8658_ = _e254;
+                let _e254 = phi_9722_;
+                phi_9723_ = _e254;
             } else {
-                phi_8658_ = 0f;
+                phi_9723_ = 0f;
             }
-            let _e256 = phi_8658_;
-            phi_8673_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
+            let _e256 = phi_9723_;
+            phi_9738_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
         }
-        let _e438 = phi_8673_;
+        let _e438 = phi_9738_;
         let _e441 = function_1(_e438[0], _e438[1]);
         let _e443 = function_1(_e441, _e438[2]);
         let _e445 = function_1(_e443, _e438[3]);
-        phi_8681_ = _e445;
+        phi_9746_ = _e445;
     } else {
-        phi_8681_ = _e140;
+        phi_9746_ = _e140;
     }
-    let _e447 = phi_8681_;
+    let _e447 = phi_9746_;
     return _e447;
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_30;
-    var local_2: type_29;
-    var local_3: type_29;
-    var local_4: type_29;
-    var local_5: array<type_31, 4>;
+    var local: type_31;
+    var local_1: type_31;
+    var local_2: type_26;
+    var local_3: type_26;
+    var local_4: type_26;
+    var local_5: array<type_32, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: type_30;
-    var local_10: type_30;
+    var local_9: type_31;
+    var local_10: type_31;
     var local_11: array<f32, 3>;
     var local_12: type_25;
     var phi_223_: u32;
@@ -487,13 +487,13 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_684_: u32;
     var phi_695_: f32;
     var phi_696_: f32;
-    var phi_727_: type_34;
+    var phi_727_: type_35;
     var phi_728_: bool;
-    var phi_729_: type_34;
+    var phi_729_: type_35;
     var phi_730_: bool;
-    var phi_731_: type_34;
+    var phi_731_: type_35;
     var phi_732_: bool;
-    var phi_737_: type_34;
+    var phi_737_: type_35;
     var phi_1019_: f32;
     var phi_1026_: f32;
     var phi_1031_: f32;
@@ -545,468 +545,485 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1393_: f32;
     var phi_1398_: f32;
     var phi_1408_: f32;
-    var phi_4099_: f32;
-    var phi_4105_: f32;
-    var phi_4110_: f32;
-    var phi_4116_: f32;
-    var phi_4122_: f32;
-    var phi_4127_: f32;
-    var phi_4132_: f32;
-    var phi_4140_: bool;
-    var phi_4145_: f32;
-    var phi_4152_: f32;
-    var phi_4192_: type_14;
-    var phi_4195_: f32;
-    var phi_4216_: bool;
-    var phi_4222_: type_15;
-    var phi_4193_: type_14;
-    var phi_4236_: type_15;
-    var phi_4196_: f32;
-    var local_13: f32;
-    var phi_4185_: f32;
-    var phi_4249_: f32;
-    var phi_4255_: f32;
-    var phi_4280_: type_9;
-    var phi_4283_: u32;
-    var phi_4281_: type_9;
-    var phi_4306_: type_9;
-    var phi_4350_: u32;
-    var phi_4351_: u32;
-    var phi_4284_: u32;
-    var phi_4352_: u32;
-    var phi_4372_: type_9;
-    var phi_4373_: type_9;
-    var phi_4396_: type_9;
-    var phi_4448_: f32;
-    var phi_4455_: f32;
-    var phi_4466_: bool;
-    var phi_4467_: bool;
-    var phi_4468_: bool;
-    var phi_4469_: bool;
-    var phi_4473_: bool;
-    var phi_4484_: type_37;
-    var phi_4485_: type_37;
-    var phi_4486_: bool;
-    var phi_4487_: type_37;
-    var phi_4488_: bool;
-    var phi_4499_: f32;
-    var phi_4509_: type_9;
-    var phi_4512_: f32;
-    var phi_4514_: f32;
-    var phi_4516_: f32;
-    var phi_4510_: type_9;
-    var phi_4539_: type_9;
-    var phi_4564_: f32;
-    var phi_4565_: f32;
-    var phi_4591_: f32;
-    var phi_4607_: f32;
-    var phi_4614_: bool;
-    var phi_4615_: bool;
-    var phi_4616_: bool;
-    var phi_4622_: f32;
-    var phi_4623_: f32;
-    var phi_4624_: bool;
-    var phi_4513_: f32;
-    var phi_4515_: f32;
-    var phi_4517_: f32;
-    var phi_4625_: f32;
-    var phi_4626_: bool;
-    var phi_4627_: bool;
-    var local_14: bool;
     var phi_4631_: f32;
-    var phi_4632_: f32;
-    var phi_4640_: f32;
-    var phi_4644_: type_9;
-    var phi_4647_: f32;
-    var phi_4645_: type_9;
-    var phi_4670_: type_9;
-    var phi_4700_: f32;
-    var phi_4701_: bool;
-    var phi_4702_: f32;
-    var phi_4703_: bool;
-    var phi_4704_: bool;
-    var phi_4705_: bool;
-    var phi_4706_: f32;
+    var phi_4637_: f32;
+    var phi_4642_: f32;
     var phi_4648_: f32;
-    var phi_4707_: bool;
-    var phi_4708_: bool;
-    var phi_4709_: bool;
-    var phi_4710_: bool;
+    var phi_4654_: f32;
+    var phi_4659_: f32;
+    var phi_4664_: f32;
+    var phi_4672_: bool;
+    var phi_4677_: f32;
+    var phi_4684_: f32;
+    var phi_4724_: type_14;
+    var phi_4727_: f32;
+    var phi_4748_: bool;
+    var phi_4754_: type_15;
+    var phi_4725_: type_14;
+    var phi_4768_: type_15;
+    var phi_4728_: f32;
+    var local_13: f32;
+    var phi_4717_: f32;
+    var phi_4781_: f32;
+    var phi_4787_: f32;
+    var phi_4812_: type_9;
+    var phi_4815_: u32;
+    var phi_4813_: type_9;
+    var phi_4838_: type_9;
+    var phi_4882_: u32;
+    var phi_4883_: u32;
+    var phi_4816_: u32;
+    var phi_4884_: u32;
+    var phi_4904_: type_9;
+    var phi_4905_: type_9;
+    var phi_4928_: type_9;
+    var phi_4980_: f32;
+    var phi_4987_: f32;
+    var phi_4998_: bool;
+    var phi_4999_: bool;
+    var phi_5000_: bool;
+    var phi_5001_: bool;
+    var phi_5005_: bool;
+    var phi_5016_: type_37;
+    var phi_5017_: type_37;
+    var phi_5018_: bool;
+    var phi_5019_: type_37;
+    var phi_5020_: bool;
+    var phi_5031_: f32;
+    var phi_5041_: type_9;
+    var phi_5044_: f32;
+    var phi_5046_: f32;
+    var phi_5048_: f32;
+    var phi_5042_: type_9;
+    var phi_5071_: type_9;
+    var phi_5096_: f32;
+    var phi_5097_: f32;
+    var phi_5123_: f32;
+    var phi_5139_: f32;
+    var phi_5146_: bool;
+    var phi_5147_: bool;
+    var phi_5148_: bool;
+    var phi_5154_: f32;
+    var phi_5155_: f32;
+    var phi_5156_: bool;
+    var phi_5045_: f32;
+    var phi_5047_: f32;
+    var phi_5049_: f32;
+    var phi_5157_: f32;
+    var phi_5158_: bool;
+    var phi_5159_: bool;
+    var local_14: bool;
+    var phi_5163_: f32;
+    var phi_5164_: f32;
+    var phi_5172_: f32;
+    var phi_5176_: type_9;
+    var phi_5179_: f32;
+    var phi_5177_: type_9;
+    var phi_5202_: type_9;
+    var phi_5232_: f32;
+    var phi_5233_: bool;
+    var phi_5234_: f32;
+    var phi_5235_: bool;
+    var phi_5236_: bool;
+    var phi_5237_: bool;
+    var phi_5238_: f32;
+    var phi_5180_: f32;
+    var phi_5239_: bool;
+    var phi_5240_: bool;
+    var phi_5241_: bool;
+    var phi_5242_: bool;
     var local_15: bool;
-    var phi_4714_: bool;
-    var phi_4715_: bool;
-    var phi_4719_: bool;
-    var phi_4723_: f32;
-    var phi_4724_: f32;
-    var phi_4726_: type_37;
-    var phi_4755_: f32;
-    var phi_4762_: f32;
-    var phi_4767_: f32;
-    var phi_4774_: f32;
-    var phi_4779_: f32;
-    var phi_4792_: f32;
-    var phi_4799_: f32;
-    var phi_4804_: f32;
-    var phi_4811_: f32;
-    var phi_4816_: f32;
-    var phi_4821_: f32;
-    var phi_4880_: f32;
-    var phi_4886_: f32;
-    var phi_4891_: f32;
-    var phi_4897_: f32;
-    var phi_4902_: f32;
-    var phi_4914_: f32;
-    var phi_4920_: f32;
-    var phi_4925_: f32;
-    var phi_4931_: f32;
-    var phi_4936_: f32;
-    var phi_4962_: f32;
-    var phi_4969_: f32;
-    var phi_4974_: f32;
-    var phi_4981_: f32;
-    var phi_4986_: f32;
-    var phi_4999_: f32;
-    var phi_5006_: f32;
-    var phi_5011_: f32;
-    var phi_5018_: f32;
-    var phi_5023_: f32;
-    var phi_5028_: f32;
-    var phi_5087_: f32;
-    var phi_5093_: f32;
-    var phi_5098_: f32;
-    var phi_5104_: f32;
-    var phi_5109_: f32;
-    var phi_5121_: f32;
-    var phi_5127_: f32;
-    var phi_5132_: f32;
-    var phi_5138_: f32;
-    var phi_5143_: f32;
-    var phi_5169_: f32;
-    var phi_5176_: f32;
-    var phi_5181_: f32;
-    var phi_5188_: f32;
-    var phi_5193_: f32;
-    var phi_5206_: f32;
-    var phi_5213_: f32;
-    var phi_5218_: f32;
-    var phi_5225_: f32;
-    var phi_5230_: f32;
-    var phi_5235_: f32;
+    var phi_5246_: bool;
+    var phi_5247_: bool;
+    var phi_5251_: bool;
+    var phi_5255_: f32;
+    var phi_5256_: f32;
+    var phi_5258_: type_37;
+    var phi_5287_: f32;
     var phi_5294_: f32;
-    var phi_5300_: f32;
-    var phi_5305_: f32;
+    var phi_5299_: f32;
+    var phi_5306_: f32;
     var phi_5311_: f32;
-    var phi_5316_: f32;
-    var phi_5328_: f32;
-    var phi_5334_: f32;
-    var phi_5339_: f32;
-    var phi_5345_: f32;
-    var phi_5350_: f32;
-    var phi_5399_: f32;
-    var phi_5405_: f32;
-    var phi_5433_: f32;
-    var phi_5439_: f32;
-    var phi_5444_: u32;
-    var phi_5445_: u32;
-    var phi_5415_: f32;
-    var phi_5421_: f32;
-    var phi_5426_: u32;
-    var phi_5427_: u32;
-    var phi_5446_: u32;
-    var phi_5447_: u32;
-    var phi_5516_: f32;
-    var phi_5525_: f32;
-    var phi_5660_: f32;
-    var phi_5666_: f32;
-    var phi_5673_: f32;
-    var phi_5728_: type_9;
-    var phi_5731_: bool;
-    var phi_5729_: type_9;
-    var phi_5754_: type_9;
-    var phi_5781_: bool;
-    var phi_5782_: bool;
-    var phi_5732_: bool;
-    var phi_5783_: bool;
-    var phi_5784_: bool;
-    var local_16: bool;
-    var phi_5788_: bool;
-    var local_17: bool;
-    var phi_5795_: u32;
-    var phi_5796_: u32;
-    var phi_5797_: bool;
-    var phi_5798_: u32;
-    var phi_5799_: u32;
-    var phi_5800_: bool;
-    var phi_5804_: u32;
-    var phi_5824_: bool;
-    var phi_5825_: bool;
-    var phi_5826_: bool;
-    var phi_5974_: f32;
-    var phi_5981_: f32;
-    var phi_5986_: f32;
-    var phi_5993_: f32;
-    var phi_5998_: f32;
-    var phi_6011_: f32;
-    var phi_6018_: f32;
-    var phi_6023_: f32;
-    var phi_6030_: f32;
-    var phi_6035_: f32;
-    var phi_6040_: f32;
+    var phi_5324_: f32;
+    var phi_5331_: f32;
+    var phi_5336_: f32;
+    var phi_5343_: f32;
+    var phi_5348_: f32;
+    var phi_5353_: f32;
+    var phi_5412_: f32;
+    var phi_5418_: f32;
+    var phi_5423_: f32;
+    var phi_5429_: f32;
+    var phi_5434_: f32;
+    var phi_5446_: f32;
+    var phi_5452_: f32;
+    var phi_5457_: f32;
+    var phi_5463_: f32;
+    var phi_5468_: f32;
+    var phi_5494_: f32;
+    var phi_5501_: f32;
+    var phi_5506_: f32;
+    var phi_5513_: f32;
+    var phi_5518_: f32;
+    var phi_5531_: f32;
+    var phi_5538_: f32;
+    var phi_5543_: f32;
+    var phi_5550_: f32;
+    var phi_5555_: f32;
+    var phi_5560_: f32;
+    var phi_5619_: f32;
+    var phi_5625_: f32;
+    var phi_5630_: f32;
+    var phi_5636_: f32;
+    var phi_5641_: f32;
+    var phi_5653_: f32;
+    var phi_5659_: f32;
+    var phi_5664_: f32;
+    var phi_5670_: f32;
+    var phi_5675_: f32;
+    var phi_5701_: f32;
+    var phi_5708_: f32;
+    var phi_5713_: f32;
+    var phi_5720_: f32;
+    var phi_5725_: f32;
+    var phi_5738_: f32;
+    var phi_5745_: f32;
+    var phi_5750_: f32;
+    var phi_5757_: f32;
+    var phi_5762_: f32;
+    var phi_5767_: f32;
+    var phi_5826_: f32;
+    var phi_5832_: f32;
+    var phi_5837_: f32;
+    var phi_5843_: f32;
+    var phi_5848_: f32;
+    var phi_5860_: f32;
+    var phi_5866_: f32;
+    var phi_5871_: f32;
+    var phi_5877_: f32;
+    var phi_5882_: f32;
+    var phi_5931_: f32;
+    var phi_5937_: f32;
+    var phi_5965_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: u32;
+    var phi_5977_: u32;
+    var phi_5947_: f32;
+    var phi_5953_: f32;
+    var phi_5958_: u32;
+    var phi_5959_: u32;
+    var phi_5978_: u32;
+    var phi_5979_: u32;
+    var phi_6048_: f32;
     var phi_6057_: f32;
-    var phi_6064_: f32;
-    var phi_6069_: f32;
-    var phi_6076_: f32;
-    var phi_6081_: f32;
-    var phi_6095_: f32;
-    var phi_6102_: f32;
-    var phi_6107_: f32;
-    var phi_6114_: f32;
-    var phi_6119_: f32;
-    var phi_6124_: f32;
-    var phi_6141_: f32;
-    var phi_6148_: f32;
-    var phi_6153_: f32;
-    var phi_6160_: f32;
-    var phi_6165_: f32;
-    var phi_6179_: f32;
-    var phi_6186_: f32;
-    var phi_6191_: f32;
+    var phi_6192_: f32;
     var phi_6198_: f32;
-    var phi_6203_: f32;
-    var phi_6208_: f32;
-    var phi_6247_: type_9;
-    var phi_6250_: f32;
-    var phi_6252_: f32;
-    var phi_6254_: f32;
-    var phi_6256_: bool;
-    var phi_6258_: u32;
-    var phi_6248_: type_9;
-    var phi_6281_: type_9;
-    var phi_6395_: f32;
-    var phi_6401_: f32;
-    var phi_6407_: f32;
-    var phi_6409_: array<f32, 3>;
-    var phi_6416_: f32;
-    var phi_6423_: f32;
-    var phi_6431_: f32;
-    var phi_6475_: type_14;
-    var phi_6478_: f32;
-    var phi_6499_: bool;
-    var phi_6505_: type_15;
-    var phi_6476_: type_14;
-    var phi_6519_: type_15;
-    var phi_6479_: f32;
-    var local_18: f32;
-    var phi_6468_: f32;
-    var phi_6532_: f32;
-    var phi_6598_: f32;
-    var phi_6604_: f32;
+    var phi_6205_: f32;
+    var phi_6260_: type_9;
+    var phi_6263_: bool;
+    var phi_6261_: type_9;
+    var phi_6286_: type_9;
+    var phi_6313_: bool;
+    var phi_6314_: bool;
+    var phi_6264_: bool;
+    var phi_6315_: bool;
+    var phi_6316_: bool;
+    var local_16: bool;
+    var phi_6320_: bool;
+    var local_17: bool;
+    var phi_6327_: u32;
+    var phi_6328_: u32;
+    var phi_6329_: bool;
+    var phi_6330_: u32;
+    var phi_6331_: u32;
+    var phi_6332_: bool;
+    var phi_6336_: u32;
+    var phi_6356_: bool;
+    var phi_6357_: bool;
+    var phi_6358_: bool;
+    var phi_6506_: f32;
+    var phi_6513_: f32;
+    var phi_6518_: f32;
+    var phi_6525_: f32;
+    var phi_6530_: f32;
+    var phi_6543_: f32;
+    var phi_6550_: f32;
+    var phi_6555_: f32;
+    var phi_6562_: f32;
+    var phi_6567_: f32;
+    var phi_6572_: f32;
+    var phi_6589_: f32;
+    var phi_6596_: f32;
+    var phi_6601_: f32;
+    var phi_6608_: f32;
     var phi_6613_: f32;
-    var phi_6619_: f32;
-    var phi_6628_: f32;
+    var phi_6627_: f32;
     var phi_6634_: f32;
-    var phi_6643_: f32;
-    var phi_6649_: f32;
-    var phi_6655_: type_30;
-    var phi_6656_: bool;
-    var phi_6657_: type_30;
-    var phi_6658_: bool;
-    var phi_6666_: type_30;
-    var phi_6837_: bool;
-    var phi_6838_: bool;
-    var phi_6839_: bool;
-    var phi_6840_: bool;
-    var phi_6841_: bool;
-    var phi_6842_: bool;
-    var phi_6846_: bool;
-    var phi_7143_: bool;
-    var phi_7144_: bool;
-    var phi_7145_: bool;
-    var phi_7146_: bool;
-    var phi_7147_: bool;
-    var phi_7148_: bool;
-    var phi_7152_: bool;
-    var phi_7156_: bool;
-    var phi_7167_: bool;
-    var phi_7168_: bool;
-    var phi_7242_: bool;
-    var phi_7243_: bool;
-    var phi_7263_: f32;
-    var phi_7264_: bool;
-    var phi_7265_: f32;
-    var phi_7266_: bool;
-    var phi_7267_: f32;
-    var phi_7268_: bool;
-    var phi_7269_: bool;
-    var phi_7273_: f32;
-    var phi_7274_: bool;
-    var phi_7278_: f32;
-    var phi_7310_: bool;
-    var phi_7311_: bool;
-    var phi_7331_: f32;
-    var phi_7332_: bool;
-    var phi_7333_: f32;
-    var phi_7334_: bool;
-    var phi_7335_: f32;
-    var phi_7336_: bool;
-    var phi_7337_: bool;
-    var phi_7341_: f32;
-    var phi_7342_: bool;
-    var phi_7346_: f32;
-    var phi_7351_: f32;
-    var phi_7383_: bool;
-    var phi_7384_: bool;
-    var phi_7404_: f32;
-    var phi_7405_: bool;
-    var phi_7406_: f32;
-    var phi_7407_: bool;
-    var phi_7408_: f32;
-    var phi_7409_: bool;
-    var phi_7410_: bool;
-    var phi_7414_: f32;
-    var phi_7415_: bool;
-    var phi_7419_: f32;
-    var phi_7451_: bool;
-    var phi_7452_: bool;
-    var phi_7472_: f32;
-    var phi_7473_: bool;
-    var phi_7474_: f32;
-    var phi_7475_: bool;
-    var phi_7476_: f32;
-    var phi_7477_: bool;
-    var phi_7478_: bool;
-    var phi_7482_: f32;
-    var phi_7483_: bool;
-    var phi_7487_: f32;
-    var phi_7492_: f32;
-    var phi_7497_: f32;
-    var phi_7502_: f32;
-    var phi_7512_: f32;
-    var phi_7513_: f32;
-    var phi_7514_: bool;
-    var phi_7515_: f32;
-    var phi_7516_: f32;
-    var phi_7517_: bool;
-    var phi_7518_: bool;
-    var phi_7519_: bool;
-    var phi_7520_: f32;
-    var phi_7521_: f32;
-    var phi_7522_: bool;
-    var phi_7523_: bool;
-    var phi_7524_: bool;
-    var phi_7525_: bool;
-    var phi_7526_: f32;
-    var phi_7527_: f32;
-    var phi_7528_: bool;
-    var phi_7529_: bool;
-    var phi_7530_: bool;
-    var phi_7531_: bool;
-    var phi_7617_: f32;
-    var phi_7690_: f32;
-    var phi_7695_: f32;
-    var phi_7768_: f32;
-    var phi_7841_: f32;
-    var phi_7846_: f32;
-    var phi_7862_: f32;
-    var phi_7863_: f32;
-    var phi_7864_: f32;
-    var phi_7544_: bool;
-    var phi_7866_: u32;
-    var phi_7867_: f32;
-    var phi_7868_: bool;
+    var phi_6639_: f32;
+    var phi_6646_: f32;
+    var phi_6651_: f32;
+    var phi_6656_: f32;
+    var phi_6673_: f32;
+    var phi_6680_: f32;
+    var phi_6685_: f32;
+    var phi_6692_: f32;
+    var phi_6697_: f32;
+    var phi_6711_: f32;
+    var phi_6718_: f32;
+    var phi_6723_: f32;
+    var phi_6730_: f32;
+    var phi_6735_: f32;
+    var phi_6740_: f32;
+    var phi_6780_: type_9;
+    var phi_6783_: f32;
+    var phi_6785_: f32;
+    var phi_6787_: f32;
+    var phi_6789_: f32;
+    var phi_6791_: bool;
+    var phi_6793_: u32;
+    var phi_6781_: type_9;
+    var phi_6816_: type_9;
+    var phi_6930_: f32;
+    var phi_6936_: f32;
+    var phi_6942_: f32;
+    var phi_6944_: array<f32, 3>;
+    var phi_6951_: f32;
+    var phi_6958_: f32;
+    var phi_6966_: f32;
+    var phi_7010_: type_14;
+    var phi_7013_: f32;
+    var phi_7034_: bool;
+    var phi_7040_: type_15;
+    var phi_7011_: type_14;
+    var phi_7054_: type_15;
+    var phi_7014_: f32;
+    var local_18: f32;
+    var phi_7003_: f32;
+    var phi_7067_: f32;
+    var phi_7133_: f32;
+    var phi_7139_: f32;
+    var phi_7148_: f32;
+    var phi_7154_: f32;
+    var phi_7163_: f32;
+    var phi_7169_: f32;
+    var phi_7178_: f32;
+    var phi_7184_: f32;
+    var phi_7190_: type_31;
+    var phi_7191_: bool;
+    var phi_7192_: type_31;
+    var phi_7193_: bool;
+    var phi_7201_: type_31;
+    var phi_7372_: bool;
+    var phi_7373_: bool;
+    var phi_7374_: bool;
+    var phi_7375_: bool;
+    var phi_7376_: bool;
+    var phi_7377_: bool;
+    var phi_7381_: bool;
+    var phi_7678_: bool;
+    var phi_7679_: bool;
+    var phi_7680_: bool;
+    var phi_7681_: bool;
+    var phi_7682_: bool;
+    var phi_7683_: bool;
+    var phi_7687_: bool;
+    var phi_7691_: bool;
+    var phi_7702_: bool;
+    var phi_7703_: bool;
+    var phi_7777_: bool;
+    var phi_7778_: bool;
+    var phi_7798_: f32;
+    var phi_7799_: bool;
+    var phi_7800_: f32;
+    var phi_7801_: bool;
+    var phi_7802_: f32;
+    var phi_7803_: bool;
+    var phi_7804_: bool;
+    var phi_7808_: f32;
+    var phi_7809_: bool;
+    var phi_7813_: f32;
+    var phi_7845_: bool;
+    var phi_7846_: bool;
+    var phi_7866_: f32;
+    var phi_7867_: bool;
+    var phi_7868_: f32;
     var phi_7869_: bool;
-    var phi_7870_: bool;
-    var phi_7871_: u32;
-    var phi_7872_: f32;
-    var phi_7873_: f32;
-    var phi_7874_: f32;
-    var phi_7875_: bool;
-    var phi_7876_: u32;
+    var phi_7870_: f32;
+    var phi_7871_: bool;
+    var phi_7872_: bool;
+    var phi_7876_: f32;
     var phi_7877_: bool;
-    var phi_7878_: bool;
-    var phi_7879_: bool;
-    var phi_7880_: bool;
-    var phi_7881_: bool;
-    var phi_7890_: f32;
-    var phi_7895_: f32;
-    var phi_7904_: bool;
-    var phi_7908_: bool;
-    var phi_7909_: f32;
-    var phi_7910_: f32;
-    var phi_7911_: f32;
-    var phi_7912_: bool;
-    var phi_7913_: u32;
-    var phi_7914_: bool;
-    var phi_7915_: bool;
-    var phi_7916_: bool;
-    var phi_7917_: bool;
+    var phi_7881_: f32;
+    var phi_7886_: f32;
     var phi_7918_: bool;
-    var phi_6251_: f32;
-    var phi_6253_: f32;
-    var phi_6255_: f32;
-    var phi_6257_: bool;
-    var phi_6259_: u32;
-    var phi_7919_: f32;
-    var phi_7920_: bool;
-    var phi_7921_: bool;
-    var phi_7922_: bool;
-    var phi_7923_: bool;
-    var phi_7924_: bool;
-    var phi_7925_: bool;
-    var local_19: bool;
-    var phi_7929_: f32;
-    var phi_7930_: bool;
-    var phi_7931_: bool;
-    var phi_7932_: bool;
-    var phi_7933_: bool;
-    var phi_7938_: type_35;
-    var phi_7939_: bool;
+    var phi_7919_: bool;
+    var phi_7939_: f32;
     var phi_7940_: bool;
-    var phi_7941_: bool;
-    var local_20: f32;
-    var phi_7946_: type_35;
-    var phi_7947_: bool;
-    var phi_7948_: bool;
-    var phi_7953_: type_35;
-    var phi_7954_: bool;
-    var phi_7955_: bool;
-    var phi_7960_: type_35;
-    var phi_7961_: bool;
-    var phi_7965_: type_35;
-    var phi_7972_: bool;
-    var phi_7973_: f32;
-    var phi_7974_: bool;
-    var phi_7975_: bool;
-    var phi_7976_: bool;
-    var phi_7977_: f32;
-    var phi_7978_: bool;
-    var phi_7979_: bool;
-    var phi_7980_: bool;
-    var phi_7981_: f32;
-    var phi_7982_: bool;
-    var phi_7983_: bool;
-    var phi_7984_: bool;
-    var phi_7985_: bool;
-    var phi_7989_: bool;
-    var phi_7990_: bool;
-    var phi_7991_: bool;
-    var phi_7992_: f32;
-    var phi_7993_: type_37;
-    var phi_7994_: bool;
-    var phi_7995_: bool;
-    var phi_7996_: bool;
-    var phi_7997_: bool;
-    var local_21: bool;
-    var phi_8002_: type_35;
-    var phi_8003_: bool;
-    var phi_8004_: bool;
-    var local_22: f32;
-    var phi_8009_: type_35;
+    var phi_7941_: f32;
+    var phi_7942_: bool;
+    var phi_7943_: f32;
+    var phi_7944_: bool;
+    var phi_7945_: bool;
+    var phi_7949_: f32;
+    var phi_7950_: bool;
+    var phi_7954_: f32;
+    var phi_7986_: bool;
+    var phi_7987_: bool;
+    var phi_8007_: f32;
+    var phi_8008_: bool;
+    var phi_8009_: f32;
     var phi_8010_: bool;
+    var phi_8011_: f32;
+    var phi_8012_: bool;
+    var phi_8013_: bool;
+    var phi_8017_: f32;
+    var phi_8018_: bool;
+    var phi_8022_: f32;
+    var phi_8027_: f32;
+    var phi_8032_: f32;
+    var phi_8037_: f32;
+    var phi_8530_: bool;
+    var phi_8531_: bool;
+    var phi_8536_: f32;
+    var phi_8538_: f32;
+    var phi_8541_: f32;
+    var phi_8542_: f32;
+    var phi_8543_: bool;
+    var phi_8545_: f32;
+    var phi_8546_: f32;
+    var phi_8547_: f32;
+    var phi_8549_: bool;
+    var phi_8550_: bool;
+    var phi_8552_: bool;
+    var phi_8553_: f32;
+    var phi_8554_: f32;
+    var phi_8555_: f32;
+    var phi_8557_: bool;
+    var phi_8558_: bool;
+    var phi_8559_: bool;
+    var phi_8561_: bool;
+    var phi_8562_: f32;
+    var phi_8563_: f32;
+    var phi_8564_: f32;
+    var phi_8566_: bool;
+    var phi_8567_: bool;
+    var phi_8568_: bool;
+    var phi_8570_: bool;
+    var phi_8656_: f32;
+    var phi_8729_: f32;
+    var phi_8734_: f32;
+    var phi_8807_: f32;
+    var phi_8880_: f32;
+    var phi_8885_: f32;
+    var phi_8901_: f32;
+    var phi_8902_: f32;
+    var phi_8903_: f32;
+    var phi_8583_: bool;
+    var phi_8905_: u32;
+    var phi_8906_: f32;
+    var phi_8907_: bool;
+    var phi_8908_: bool;
+    var phi_8909_: bool;
+    var phi_8910_: u32;
+    var phi_8911_: f32;
+    var phi_8912_: f32;
+    var phi_8913_: f32;
+    var phi_8914_: f32;
+    var phi_8915_: bool;
+    var phi_8916_: u32;
+    var phi_8917_: bool;
+    var phi_8918_: bool;
+    var phi_8919_: bool;
+    var phi_8920_: bool;
+    var phi_8922_: bool;
+    var phi_8931_: f32;
+    var phi_8936_: f32;
+    var phi_8945_: bool;
+    var phi_8949_: bool;
+    var phi_8950_: f32;
+    var phi_8951_: f32;
+    var phi_8952_: f32;
+    var phi_8953_: f32;
+    var phi_8954_: bool;
+    var phi_8955_: u32;
+    var phi_8956_: bool;
+    var phi_8957_: bool;
+    var phi_8958_: bool;
+    var phi_8959_: bool;
+    var phi_8961_: bool;
+    var phi_6784_: f32;
+    var phi_6786_: f32;
+    var phi_6788_: f32;
+    var phi_6790_: f32;
+    var phi_6792_: bool;
+    var phi_6794_: u32;
+    var phi_8962_: f32;
+    var phi_8964_: bool;
+    var phi_8965_: bool;
+    var phi_8966_: bool;
+    var phi_8967_: bool;
+    var phi_8969_: bool;
+    var phi_8970_: bool;
+    var local_19: bool;
+    var phi_8974_: bool;
+    var phi_8975_: bool;
+    var phi_8977_: bool;
+    var phi_8978_: bool;
+    var local_20: f32;
+    var phi_8983_: type_30;
+    var phi_8984_: bool;
+    var phi_8986_: bool;
+    var phi_8987_: bool;
+    var phi_8988_: bool;
+    var phi_8993_: type_30;
+    var phi_8995_: bool;
+    var phi_8996_: bool;
+    var phi_8997_: bool;
+    var phi_8998_: bool;
+    var phi_9010_: f32;
+    var phi_9011_: bool;
+    var phi_9012_: bool;
+    var phi_9013_: bool;
+    var phi_9018_: type_30;
+    var phi_9019_: bool;
+    var phi_9020_: bool;
+    var phi_9025_: type_30;
+    var phi_9026_: bool;
+    var phi_9030_: type_30;
+    var phi_9037_: bool;
+    var phi_9038_: f32;
+    var phi_9039_: bool;
+    var phi_9040_: bool;
+    var phi_9041_: bool;
+    var phi_9042_: f32;
+    var phi_9043_: bool;
+    var phi_9044_: bool;
+    var phi_9045_: bool;
+    var phi_9046_: f32;
+    var phi_9047_: bool;
+    var phi_9048_: bool;
+    var phi_9049_: bool;
+    var phi_9050_: bool;
+    var phi_9054_: bool;
+    var phi_9055_: bool;
+    var phi_9056_: bool;
+    var phi_9057_: f32;
+    var phi_9058_: type_37;
+    var phi_9059_: bool;
+    var phi_9060_: bool;
+    var phi_9061_: bool;
+    var phi_9062_: bool;
+    var local_21: bool;
+    var phi_9067_: type_30;
+    var phi_9068_: bool;
+    var phi_9069_: bool;
+    var local_22: f32;
+    var phi_9074_: type_30;
+    var phi_9075_: bool;
     var local_23: type_37;
-    var phi_8016_: type_35;
-    var phi_8017_: bool;
-    var phi_8021_: type_35;
+    var phi_9081_: type_30;
+    var phi_9082_: bool;
+    var phi_9086_: type_30;
     var phi_1561_: f32;
     var phi_1568_: f32;
     var phi_1573_: f32;
@@ -1040,294 +1057,383 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1785_: f32;
     var phi_1790_: f32;
     var phi_1795_: f32;
-    var phi_1834_: type_9;
-    var phi_1837_: f32;
-    var phi_1839_: f32;
-    var phi_1841_: f32;
-    var phi_1843_: bool;
-    var phi_1845_: u32;
     var phi_1835_: type_9;
-    var phi_1868_: type_9;
-    var phi_1982_: f32;
-    var phi_1988_: f32;
-    var phi_1994_: f32;
-    var phi_1996_: array<f32, 3>;
-    var phi_2003_: f32;
-    var phi_2010_: f32;
-    var phi_2018_: f32;
-    var phi_2062_: type_14;
-    var phi_2065_: f32;
-    var phi_2086_: bool;
-    var phi_2092_: type_15;
-    var phi_2063_: type_14;
-    var phi_2106_: type_15;
-    var phi_2066_: f32;
-    var local_24: f32;
-    var phi_2055_: f32;
-    var phi_2119_: f32;
-    var phi_2185_: f32;
-    var phi_2191_: f32;
-    var phi_2200_: f32;
-    var phi_2206_: f32;
-    var phi_2215_: f32;
-    var phi_2221_: f32;
-    var phi_2230_: f32;
-    var phi_2236_: f32;
-    var phi_2242_: type_30;
-    var phi_2243_: bool;
-    var phi_2244_: type_30;
-    var phi_2245_: bool;
-    var phi_2253_: type_30;
-    var phi_2424_: bool;
-    var phi_2425_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var phi_2428_: bool;
-    var phi_2429_: bool;
-    var phi_2433_: bool;
-    var phi_2730_: bool;
-    var phi_2731_: bool;
-    var phi_2732_: bool;
-    var phi_2733_: bool;
-    var phi_2734_: bool;
-    var phi_2735_: bool;
-    var phi_2739_: bool;
-    var phi_2743_: bool;
-    var phi_2754_: bool;
-    var phi_2755_: bool;
-    var phi_2829_: bool;
-    var phi_2830_: bool;
-    var phi_2850_: f32;
-    var phi_2851_: bool;
-    var phi_2852_: f32;
-    var phi_2853_: bool;
-    var phi_2854_: f32;
-    var phi_2855_: bool;
-    var phi_2856_: bool;
-    var phi_2860_: f32;
-    var phi_2861_: bool;
-    var phi_2865_: f32;
-    var phi_2897_: bool;
-    var phi_2898_: bool;
-    var phi_2918_: f32;
-    var phi_2919_: bool;
-    var phi_2920_: f32;
-    var phi_2921_: bool;
-    var phi_2922_: f32;
-    var phi_2923_: bool;
-    var phi_2924_: bool;
-    var phi_2928_: f32;
-    var phi_2929_: bool;
-    var phi_2933_: f32;
-    var phi_2938_: f32;
-    var phi_2970_: bool;
-    var phi_2971_: bool;
-    var phi_2991_: f32;
-    var phi_2992_: bool;
-    var phi_2993_: f32;
-    var phi_2994_: bool;
-    var phi_2995_: f32;
-    var phi_2996_: bool;
-    var phi_2997_: bool;
-    var phi_3001_: f32;
-    var phi_3002_: bool;
-    var phi_3006_: f32;
-    var phi_3038_: bool;
-    var phi_3039_: bool;
-    var phi_3059_: f32;
-    var phi_3060_: bool;
-    var phi_3061_: f32;
-    var phi_3062_: bool;
-    var phi_3063_: f32;
-    var phi_3064_: bool;
-    var phi_3065_: bool;
-    var phi_3069_: f32;
-    var phi_3070_: bool;
-    var phi_3074_: f32;
-    var phi_3079_: f32;
-    var phi_3084_: f32;
-    var phi_3089_: f32;
-    var phi_3099_: f32;
-    var phi_3100_: f32;
-    var phi_3101_: bool;
-    var phi_3102_: f32;
-    var phi_3103_: f32;
-    var phi_3104_: bool;
-    var phi_3105_: bool;
-    var phi_3106_: bool;
-    var phi_3107_: f32;
-    var phi_3108_: f32;
-    var phi_3109_: bool;
-    var phi_3110_: bool;
-    var phi_3111_: bool;
-    var phi_3112_: bool;
-    var phi_3113_: f32;
-    var phi_3114_: f32;
-    var phi_3115_: bool;
-    var phi_3116_: bool;
-    var phi_3117_: bool;
-    var phi_3118_: bool;
-    var phi_3204_: f32;
-    var phi_3277_: f32;
-    var phi_3282_: f32;
-    var phi_3355_: f32;
-    var phi_3428_: f32;
-    var phi_3433_: f32;
-    var phi_3449_: f32;
-    var phi_3450_: f32;
-    var phi_3451_: f32;
-    var phi_3131_: bool;
-    var phi_3453_: u32;
-    var phi_3454_: f32;
-    var phi_3455_: bool;
-    var phi_3456_: bool;
-    var phi_3457_: bool;
-    var phi_3458_: u32;
-    var phi_3459_: f32;
-    var phi_3460_: f32;
-    var phi_3461_: f32;
-    var phi_3462_: bool;
-    var phi_3463_: u32;
-    var phi_3464_: bool;
-    var phi_3465_: bool;
-    var phi_3466_: bool;
-    var phi_3467_: bool;
-    var phi_3468_: bool;
-    var phi_3477_: f32;
-    var phi_3482_: f32;
-    var phi_3491_: bool;
-    var phi_3495_: bool;
-    var phi_3496_: f32;
-    var phi_3497_: f32;
-    var phi_3498_: f32;
-    var phi_3499_: bool;
-    var phi_3500_: u32;
-    var phi_3501_: bool;
-    var phi_3502_: bool;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3505_: bool;
     var phi_1838_: f32;
     var phi_1840_: f32;
     var phi_1842_: f32;
-    var phi_1844_: bool;
-    var phi_1846_: u32;
-    var phi_3506_: f32;
-    var phi_3507_: bool;
-    var phi_3508_: bool;
-    var phi_3509_: bool;
-    var phi_3510_: bool;
-    var phi_3511_: bool;
-    var phi_3512_: bool;
-    var local_25: bool;
-    var phi_3516_: f32;
-    var phi_3517_: bool;
-    var phi_3518_: bool;
-    var phi_3519_: bool;
-    var phi_3520_: bool;
-    var phi_3525_: type_35;
-    var phi_3526_: bool;
-    var phi_3527_: bool;
-    var phi_3528_: bool;
-    var local_26: f32;
-    var phi_3533_: type_35;
-    var phi_3534_: bool;
-    var phi_3535_: bool;
-    var phi_3540_: type_35;
-    var phi_3541_: bool;
-    var phi_3542_: bool;
-    var phi_3547_: type_35;
-    var phi_3548_: bool;
-    var phi_3552_: type_35;
-    var phi_3566_: type_9;
-    var phi_3567_: type_9;
-    var phi_3590_: type_9;
+    var phi_1844_: f32;
+    var phi_1846_: bool;
+    var phi_1848_: u32;
+    var phi_1836_: type_9;
+    var phi_1871_: type_9;
+    var phi_1985_: f32;
+    var phi_1991_: f32;
+    var phi_1997_: f32;
+    var phi_1999_: array<f32, 3>;
+    var phi_2006_: f32;
+    var phi_2013_: f32;
+    var phi_2021_: f32;
+    var phi_2065_: type_14;
+    var phi_2068_: f32;
+    var phi_2089_: bool;
+    var phi_2095_: type_15;
+    var phi_2066_: type_14;
+    var phi_2109_: type_15;
+    var phi_2069_: f32;
+    var local_24: f32;
+    var phi_2058_: f32;
+    var phi_2122_: f32;
+    var phi_2188_: f32;
+    var phi_2194_: f32;
+    var phi_2203_: f32;
+    var phi_2209_: f32;
+    var phi_2218_: f32;
+    var phi_2224_: f32;
+    var phi_2233_: f32;
+    var phi_2239_: f32;
+    var phi_2245_: type_31;
+    var phi_2246_: bool;
+    var phi_2247_: type_31;
+    var phi_2248_: bool;
+    var phi_2256_: type_31;
+    var phi_2427_: bool;
+    var phi_2428_: bool;
+    var phi_2429_: bool;
+    var phi_2430_: bool;
+    var phi_2431_: bool;
+    var phi_2432_: bool;
+    var phi_2436_: bool;
+    var phi_2733_: bool;
+    var phi_2734_: bool;
+    var phi_2735_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: bool;
+    var phi_2738_: bool;
+    var phi_2742_: bool;
+    var phi_2746_: bool;
+    var phi_2757_: bool;
+    var phi_2758_: bool;
+    var phi_2832_: bool;
+    var phi_2833_: bool;
+    var phi_2853_: f32;
+    var phi_2854_: bool;
+    var phi_2855_: f32;
+    var phi_2856_: bool;
+    var phi_2857_: f32;
+    var phi_2858_: bool;
+    var phi_2859_: bool;
+    var phi_2863_: f32;
+    var phi_2864_: bool;
+    var phi_2868_: f32;
+    var phi_2900_: bool;
+    var phi_2901_: bool;
+    var phi_2921_: f32;
+    var phi_2922_: bool;
+    var phi_2923_: f32;
+    var phi_2924_: bool;
+    var phi_2925_: f32;
+    var phi_2926_: bool;
+    var phi_2927_: bool;
+    var phi_2931_: f32;
+    var phi_2932_: bool;
+    var phi_2936_: f32;
+    var phi_2941_: f32;
+    var phi_2973_: bool;
+    var phi_2974_: bool;
+    var phi_2994_: f32;
+    var phi_2995_: bool;
+    var phi_2996_: f32;
+    var phi_2997_: bool;
+    var phi_2998_: f32;
+    var phi_2999_: bool;
+    var phi_3000_: bool;
+    var phi_3004_: f32;
+    var phi_3005_: bool;
+    var phi_3009_: f32;
+    var phi_3041_: bool;
+    var phi_3042_: bool;
+    var phi_3062_: f32;
+    var phi_3063_: bool;
+    var phi_3064_: f32;
+    var phi_3065_: bool;
+    var phi_3066_: f32;
+    var phi_3067_: bool;
+    var phi_3068_: bool;
+    var phi_3072_: f32;
+    var phi_3073_: bool;
+    var phi_3077_: f32;
+    var phi_3082_: f32;
+    var phi_3087_: f32;
+    var phi_3092_: f32;
+    var phi_3104_: f32;
+    var phi_3241_: type_14;
+    var phi_3244_: f32;
+    var phi_3265_: bool;
+    var phi_3271_: type_15;
+    var phi_3242_: type_14;
+    var phi_3285_: type_15;
+    var phi_3245_: f32;
+    var local_25: f32;
+    var phi_3234_: f32;
+    var phi_3298_: f32;
+    var phi_3314_: f32;
+    var phi_3321_: f32;
+    var phi_3326_: f32;
+    var phi_3333_: f32;
+    var phi_3338_: f32;
+    var phi_3351_: f32;
+    var phi_3358_: f32;
+    var phi_3363_: f32;
+    var phi_3370_: f32;
+    var phi_3375_: f32;
+    var phi_3380_: f32;
+    var phi_3397_: f32;
+    var phi_3404_: f32;
+    var phi_3409_: f32;
+    var phi_3416_: f32;
+    var phi_3421_: f32;
+    var phi_3435_: f32;
+    var phi_3442_: f32;
+    var phi_3447_: f32;
+    var phi_3454_: f32;
+    var phi_3459_: f32;
+    var phi_3464_: f32;
+    var phi_3481_: f32;
+    var phi_3488_: f32;
+    var phi_3493_: f32;
+    var phi_3500_: f32;
+    var phi_3505_: f32;
+    var phi_3519_: f32;
+    var phi_3526_: f32;
+    var phi_3531_: f32;
+    var phi_3538_: f32;
+    var phi_3543_: f32;
+    var phi_3548_: f32;
+    var phi_3568_: bool;
+    var phi_3569_: bool;
+    var phi_3570_: bool;
+    var phi_3585_: bool;
+    var phi_3586_: bool;
+    var phi_3591_: f32;
+    var phi_3593_: f32;
+    var phi_3594_: f32;
+    var phi_3595_: bool;
+    var phi_3596_: f32;
+    var phi_3597_: f32;
+    var phi_3598_: bool;
+    var phi_3599_: bool;
+    var phi_3600_: f32;
+    var phi_3601_: f32;
+    var phi_3602_: f32;
+    var phi_3603_: f32;
+    var phi_3604_: bool;
+    var phi_3605_: bool;
+    var phi_3606_: bool;
+    var phi_3607_: bool;
+    var phi_3608_: f32;
+    var phi_3609_: f32;
     var phi_3610_: f32;
-    var phi_3740_: type_14;
-    var phi_3743_: f32;
-    var phi_3764_: bool;
-    var phi_3770_: type_15;
-    var phi_3741_: type_14;
-    var phi_3784_: type_15;
-    var phi_3744_: f32;
-    var local_27: f32;
-    var phi_3733_: f32;
-    var phi_3797_: f32;
-    var phi_3813_: f32;
-    var phi_3820_: f32;
-    var phi_3825_: f32;
-    var phi_3832_: f32;
-    var phi_3837_: f32;
-    var phi_3850_: f32;
-    var phi_3857_: f32;
+    var phi_3611_: f32;
+    var phi_3612_: bool;
+    var phi_3613_: bool;
+    var phi_3614_: bool;
+    var phi_3615_: bool;
+    var phi_3616_: bool;
+    var phi_3617_: f32;
+    var phi_3618_: f32;
+    var phi_3619_: f32;
+    var phi_3620_: f32;
+    var phi_3621_: bool;
+    var phi_3622_: bool;
+    var phi_3623_: bool;
+    var phi_3624_: bool;
+    var phi_3625_: bool;
+    var phi_3711_: f32;
+    var phi_3784_: f32;
+    var phi_3789_: f32;
     var phi_3862_: f32;
-    var phi_3869_: f32;
-    var phi_3874_: f32;
-    var phi_3879_: f32;
-    var phi_3896_: f32;
-    var phi_3903_: f32;
-    var phi_3908_: f32;
-    var phi_3915_: f32;
-    var phi_3920_: f32;
-    var phi_3934_: f32;
-    var phi_3941_: f32;
-    var phi_3946_: f32;
-    var phi_3953_: f32;
+    var phi_3935_: f32;
+    var phi_3940_: f32;
+    var phi_3956_: f32;
+    var phi_3957_: f32;
     var phi_3958_: f32;
-    var phi_3963_: f32;
-    var phi_3980_: f32;
-    var phi_3987_: f32;
-    var phi_3992_: f32;
-    var phi_3999_: f32;
-    var phi_4004_: f32;
+    var phi_3638_: bool;
+    var phi_3960_: u32;
+    var phi_3961_: f32;
+    var phi_3962_: bool;
+    var phi_3963_: bool;
+    var phi_3964_: bool;
+    var phi_3965_: u32;
+    var phi_3966_: f32;
+    var phi_3967_: f32;
+    var phi_3968_: f32;
+    var phi_3969_: f32;
+    var phi_3970_: bool;
+    var phi_3971_: u32;
+    var phi_3972_: bool;
+    var phi_3973_: bool;
+    var phi_3974_: bool;
+    var phi_3975_: bool;
+    var phi_3976_: bool;
+    var phi_3977_: bool;
+    var phi_3986_: f32;
+    var phi_3991_: f32;
+    var phi_4000_: bool;
+    var phi_4004_: bool;
+    var phi_4005_: f32;
+    var phi_4006_: f32;
+    var phi_4007_: f32;
+    var phi_4008_: f32;
+    var phi_4009_: bool;
+    var phi_4010_: u32;
+    var phi_4011_: bool;
+    var phi_4012_: bool;
+    var phi_4013_: bool;
+    var phi_4014_: bool;
+    var phi_4015_: bool;
+    var phi_4016_: bool;
+    var phi_1839_: f32;
+    var phi_1841_: f32;
+    var phi_1843_: f32;
+    var phi_1845_: f32;
+    var phi_1847_: bool;
+    var phi_1849_: u32;
+    var phi_4017_: f32;
     var phi_4018_: f32;
-    var phi_4025_: f32;
-    var phi_4030_: f32;
-    var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4047_: f32;
+    var phi_4019_: bool;
+    var phi_4020_: bool;
+    var phi_4021_: bool;
+    var phi_4022_: bool;
+    var phi_4023_: bool;
+    var phi_4024_: bool;
+    var phi_4025_: bool;
+    var local_26: bool;
+    var phi_4029_: bool;
+    var phi_4030_: bool;
+    var phi_4031_: bool;
+    var phi_4032_: bool;
+    var phi_4033_: bool;
+    var local_27: f32;
+    var phi_4038_: type_30;
+    var phi_4039_: bool;
+    var phi_4040_: bool;
+    var phi_4041_: bool;
+    var phi_4042_: bool;
+    var phi_4043_: bool;
+    var phi_4048_: type_30;
+    var phi_4049_: bool;
+    var phi_4050_: bool;
+    var phi_4051_: bool;
+    var phi_4052_: bool;
+    var phi_4053_: bool;
+    var phi_4057_: f32;
+    var phi_4058_: bool;
+    var phi_4059_: bool;
+    var phi_4060_: bool;
+    var phi_4061_: bool;
+    var phi_4065_: f32;
+    var phi_4066_: bool;
     var phi_4067_: bool;
     var phi_4068_: bool;
-    var phi_4069_: bool;
-    var local_28: bool;
-    var phi_4074_: type_35;
+    var phi_4073_: type_30;
+    var phi_4074_: bool;
     var phi_4075_: bool;
-    var phi_4080_: type_35;
+    var phi_4080_: type_30;
     var phi_4081_: bool;
-    var phi_4083_: type_35;
-    var phi_4084_: type_35;
-    var phi_4085_: bool;
-    var phi_4089_: type_35;
-    var phi_8025_: type_35;
-    var phi_8026_: type_35;
-    var phi_8039_: type_38;
-    var phi_8046_: bool;
-    var phi_8070_: u32;
-    var phi_8074_: type_20;
-    var phi_8075_: bool;
-    var phi_8076_: bool;
-    var phi_8095_: u32;
-    var phi_8158_: u32;
-    var local_29: u32;
-    var local_30: f32;
+    var phi_4085_: type_30;
+    var phi_4098_: type_9;
+    var phi_4099_: type_9;
+    var phi_4122_: type_9;
+    var phi_4142_: f32;
+    var phi_4272_: type_14;
+    var phi_4275_: f32;
+    var phi_4296_: bool;
+    var phi_4302_: type_15;
+    var phi_4273_: type_14;
+    var phi_4316_: type_15;
+    var phi_4276_: f32;
+    var local_28: f32;
+    var phi_4265_: f32;
+    var phi_4329_: f32;
+    var phi_4345_: f32;
+    var phi_4352_: f32;
+    var phi_4357_: f32;
+    var phi_4364_: f32;
+    var phi_4369_: f32;
+    var phi_4382_: f32;
+    var phi_4389_: f32;
+    var phi_4394_: f32;
+    var phi_4401_: f32;
+    var phi_4406_: f32;
+    var phi_4411_: f32;
+    var phi_4428_: f32;
+    var phi_4435_: f32;
+    var phi_4440_: f32;
+    var phi_4447_: f32;
+    var phi_4452_: f32;
+    var phi_4466_: f32;
+    var phi_4473_: f32;
+    var phi_4478_: f32;
+    var phi_4485_: f32;
+    var phi_4490_: f32;
+    var phi_4495_: f32;
+    var phi_4512_: f32;
+    var phi_4519_: f32;
+    var phi_4524_: f32;
+    var phi_4531_: f32;
+    var phi_4536_: f32;
+    var phi_4550_: f32;
+    var phi_4557_: f32;
+    var phi_4562_: f32;
+    var phi_4569_: f32;
+    var phi_4574_: f32;
+    var phi_4579_: f32;
+    var phi_4599_: bool;
+    var phi_4600_: bool;
+    var phi_4601_: bool;
+    var local_29: bool;
+    var phi_4606_: type_30;
+    var phi_4607_: bool;
+    var phi_4612_: type_30;
+    var phi_4613_: bool;
+    var phi_4615_: type_30;
+    var phi_4616_: type_30;
+    var phi_4617_: bool;
+    var phi_4621_: type_30;
+    var phi_9090_: type_30;
+    var phi_9091_: type_30;
+    var phi_9104_: type_38;
+    var phi_9111_: bool;
+    var phi_9135_: u32;
+    var phi_9139_: type_20;
+    var phi_9140_: bool;
+    var phi_9141_: bool;
+    var phi_9160_: u32;
+    var phi_9223_: u32;
+    var local_30: u32;
     var local_31: f32;
-    var local_32: bool;
+    var local_32: f32;
     var local_33: bool;
-    var local_34: f32;
+    var local_34: bool;
     var local_35: f32;
-    var local_36: f32;
+    var local_36: bool;
     var local_37: bool;
     var local_38: bool;
     var local_39: bool;
     var local_40: bool;
-    var local_41: bool;
-    var local_42: bool;
-    var local_43: f32;
-    var local_44: f32;
+    var local_41: f32;
+    var local_42: f32;
+    var local_43: bool;
+    var local_44: bool;
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
     var local_48: bool;
+    var local_49: bool;
+    var local_50: bool;
+    var local_51: f32;
+    var local_52: f32;
+    var local_53: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1641,7 +1747,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e392 = phi_660_;
                 if _e392 {
-                    phi_731_ = type_34();
+                    phi_731_ = type_35();
                     phi_732_ = true;
                 } else {
                     if (_e387 >= 0.000000000000000000000000000000000000011754944f) {
@@ -1667,10 +1773,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_696_ = _e404;
                             }
                             let _e410 = phi_696_;
-                            phi_727_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
+                            phi_727_ = type_35(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
                             phi_728_ = false;
                         } else {
-                            phi_727_ = type_34();
+                            phi_727_ = type_35();
                             phi_728_ = true;
                         }
                         let _e442 = phi_727_;
@@ -1678,7 +1784,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_729_ = _e442;
                         phi_730_ = _e444;
                     } else {
-                        phi_729_ = type_34();
+                        phi_729_ = type_35();
                         phi_730_ = true;
                     }
                     let _e446 = phi_729_;
@@ -1689,7 +1795,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e450 = phi_731_;
                 let _e452 = phi_732_;
                 if _e452 {
-                    phi_737_ = type_34(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
+                    phi_737_ = type_35(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
                 } else {
                     phi_737_ = _e450;
                 }
@@ -2051,1694 +2157,2130 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e928 = phi_1408_;
                 if ((_e928 - (_e900 + ((_e455.member_1 * (((_e883 + (_e814 * (0.000000059604645f * 8f))) + ((_e888 * 6f) * (_e758 + _e812))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e758) * (1f + _e812))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_8026_ = type_35(0u, type_35().member_1);
+                    phi_9091_ = type_30(0u, type_30().member_1);
                 } else {
                     if (_e455.member_1 > 0f) {
-                        let _e3533 = local_12.member[0u];
-                        let _e3539 = local_12.member_1[0u];
-                        let _e3545 = local_12.member_2[0u];
-                        let _e3549 = (_e3533[0] - _e3539[0]);
-                        let _e3550 = (_e3533[1] - _e3539[1]);
-                        let _e3551 = (_e3533[2] - _e3539[2]);
-                        let _e3560 = local_12.member[1u];
-                        let _e3566 = local_12.member_1[1u];
-                        let _e3572 = local_12.member_2[1u];
-                        let _e3576 = (_e3560[0] - _e3566[0]);
-                        let _e3577 = (_e3560[1] - _e3566[1]);
-                        let _e3578 = (_e3560[2] - _e3566[2]);
-                        let _e3587 = local_12.member[0u];
-                        if (_e3587[0] < 0f) {
-                            phi_1561_ = -(_e3587[0]);
+                        let _e3572 = local_12.member[0u];
+                        let _e3578 = local_12.member_1[0u];
+                        let _e3584 = local_12.member_2[0u];
+                        let _e3588 = (_e3572[0] - _e3578[0]);
+                        let _e3589 = (_e3572[1] - _e3578[1]);
+                        let _e3590 = (_e3572[2] - _e3578[2]);
+                        let _e3599 = local_12.member[1u];
+                        let _e3605 = local_12.member_1[1u];
+                        let _e3611 = local_12.member_2[1u];
+                        let _e3615 = (_e3599[0] - _e3605[0]);
+                        let _e3616 = (_e3599[1] - _e3605[1]);
+                        let _e3617 = (_e3599[2] - _e3605[2]);
+                        let _e3626 = local_12.member[0u];
+                        if (_e3626[0] < 0f) {
+                            phi_1561_ = -(_e3626[0]);
                         } else {
-                            phi_1561_ = _e3587[0];
+                            phi_1561_ = _e3626[0];
                         }
-                        let _e3594 = phi_1561_;
-                        if (_e3587[1] < 0f) {
-                            phi_1568_ = -(_e3587[1]);
+                        let _e3633 = phi_1561_;
+                        if (_e3626[1] < 0f) {
+                            phi_1568_ = -(_e3626[1]);
                         } else {
-                            phi_1568_ = _e3587[1];
+                            phi_1568_ = _e3626[1];
                         }
-                        let _e3598 = phi_1568_;
-                        if (_e3594 > _e3598) {
-                            phi_1573_ = _e3594;
+                        let _e3637 = phi_1568_;
+                        if (_e3633 > _e3637) {
+                            phi_1573_ = _e3633;
                         } else {
-                            phi_1573_ = _e3598;
+                            phi_1573_ = _e3637;
                         }
-                        let _e3601 = phi_1573_;
-                        if (_e3587[2] < 0f) {
-                            phi_1580_ = -(_e3587[2]);
+                        let _e3640 = phi_1573_;
+                        if (_e3626[2] < 0f) {
+                            phi_1580_ = -(_e3626[2]);
                         } else {
-                            phi_1580_ = _e3587[2];
+                            phi_1580_ = _e3626[2];
                         }
-                        let _e3605 = phi_1580_;
-                        if (_e3601 > _e3605) {
-                            phi_1585_ = _e3601;
+                        let _e3644 = phi_1580_;
+                        if (_e3640 > _e3644) {
+                            phi_1585_ = _e3640;
                         } else {
-                            phi_1585_ = _e3605;
+                            phi_1585_ = _e3644;
                         }
-                        let _e3608 = phi_1585_;
-                        let _e3611 = local_12.member[1u];
-                        if (_e3611[0] < 0f) {
-                            phi_1598_ = -(_e3611[0]);
+                        let _e3647 = phi_1585_;
+                        let _e3650 = local_12.member[1u];
+                        if (_e3650[0] < 0f) {
+                            phi_1598_ = -(_e3650[0]);
                         } else {
-                            phi_1598_ = _e3611[0];
+                            phi_1598_ = _e3650[0];
                         }
-                        let _e3618 = phi_1598_;
-                        if (_e3611[1] < 0f) {
-                            phi_1605_ = -(_e3611[1]);
+                        let _e3657 = phi_1598_;
+                        if (_e3650[1] < 0f) {
+                            phi_1605_ = -(_e3650[1]);
                         } else {
-                            phi_1605_ = _e3611[1];
+                            phi_1605_ = _e3650[1];
                         }
-                        let _e3622 = phi_1605_;
-                        if (_e3618 > _e3622) {
-                            phi_1610_ = _e3618;
+                        let _e3661 = phi_1605_;
+                        if (_e3657 > _e3661) {
+                            phi_1610_ = _e3657;
                         } else {
-                            phi_1610_ = _e3622;
+                            phi_1610_ = _e3661;
                         }
-                        let _e3625 = phi_1610_;
-                        if (_e3611[2] < 0f) {
-                            phi_1617_ = -(_e3611[2]);
+                        let _e3664 = phi_1610_;
+                        if (_e3650[2] < 0f) {
+                            phi_1617_ = -(_e3650[2]);
                         } else {
-                            phi_1617_ = _e3611[2];
+                            phi_1617_ = _e3650[2];
                         }
-                        let _e3629 = phi_1617_;
-                        if (_e3625 > _e3629) {
-                            phi_1622_ = _e3625;
+                        let _e3668 = phi_1617_;
+                        if (_e3664 > _e3668) {
+                            phi_1622_ = _e3664;
                         } else {
-                            phi_1622_ = _e3629;
+                            phi_1622_ = _e3668;
                         }
-                        let _e3632 = phi_1622_;
-                        if (_e3608 > _e3632) {
-                            phi_1627_ = _e3608;
+                        let _e3671 = phi_1622_;
+                        if (_e3647 > _e3671) {
+                            phi_1627_ = _e3647;
                         } else {
-                            phi_1627_ = _e3632;
+                            phi_1627_ = _e3671;
                         }
-                        let _e3635 = phi_1627_;
-                        let _e3637 = local_12.member_3;
-                        let _e3641 = local_12.member_1[0u];
-                        if (_e3641[0] < 0f) {
-                            phi_1644_ = -(_e3641[0]);
+                        let _e3674 = phi_1627_;
+                        let _e3676 = local_12.member_3;
+                        let _e3680 = local_12.member_1[0u];
+                        if (_e3680[0] < 0f) {
+                            phi_1644_ = -(_e3680[0]);
                         } else {
-                            phi_1644_ = _e3641[0];
+                            phi_1644_ = _e3680[0];
                         }
-                        let _e3648 = phi_1644_;
-                        if (_e3641[1] < 0f) {
-                            phi_1651_ = -(_e3641[1]);
+                        let _e3687 = phi_1644_;
+                        if (_e3680[1] < 0f) {
+                            phi_1651_ = -(_e3680[1]);
                         } else {
-                            phi_1651_ = _e3641[1];
+                            phi_1651_ = _e3680[1];
                         }
-                        let _e3652 = phi_1651_;
-                        if (_e3648 > _e3652) {
-                            phi_1656_ = _e3648;
+                        let _e3691 = phi_1651_;
+                        if (_e3687 > _e3691) {
+                            phi_1656_ = _e3687;
                         } else {
-                            phi_1656_ = _e3652;
+                            phi_1656_ = _e3691;
                         }
-                        let _e3655 = phi_1656_;
-                        if (_e3641[2] < 0f) {
-                            phi_1663_ = -(_e3641[2]);
+                        let _e3694 = phi_1656_;
+                        if (_e3680[2] < 0f) {
+                            phi_1663_ = -(_e3680[2]);
                         } else {
-                            phi_1663_ = _e3641[2];
+                            phi_1663_ = _e3680[2];
                         }
-                        let _e3659 = phi_1663_;
-                        if (_e3655 > _e3659) {
-                            phi_1668_ = _e3655;
+                        let _e3698 = phi_1663_;
+                        if (_e3694 > _e3698) {
+                            phi_1668_ = _e3694;
                         } else {
-                            phi_1668_ = _e3659;
+                            phi_1668_ = _e3698;
                         }
-                        let _e3662 = phi_1668_;
-                        let _e3665 = local_12.member_1[1u];
-                        if (_e3665[0] < 0f) {
-                            phi_1682_ = -(_e3665[0]);
+                        let _e3701 = phi_1668_;
+                        let _e3704 = local_12.member_1[1u];
+                        if (_e3704[0] < 0f) {
+                            phi_1682_ = -(_e3704[0]);
                         } else {
-                            phi_1682_ = _e3665[0];
+                            phi_1682_ = _e3704[0];
                         }
-                        let _e3672 = phi_1682_;
-                        if (_e3665[1] < 0f) {
-                            phi_1689_ = -(_e3665[1]);
+                        let _e3711 = phi_1682_;
+                        if (_e3704[1] < 0f) {
+                            phi_1689_ = -(_e3704[1]);
                         } else {
-                            phi_1689_ = _e3665[1];
+                            phi_1689_ = _e3704[1];
                         }
-                        let _e3676 = phi_1689_;
-                        if (_e3672 > _e3676) {
-                            phi_1694_ = _e3672;
+                        let _e3715 = phi_1689_;
+                        if (_e3711 > _e3715) {
+                            phi_1694_ = _e3711;
                         } else {
-                            phi_1694_ = _e3676;
+                            phi_1694_ = _e3715;
                         }
-                        let _e3679 = phi_1694_;
-                        if (_e3665[2] < 0f) {
-                            phi_1701_ = -(_e3665[2]);
+                        let _e3718 = phi_1694_;
+                        if (_e3704[2] < 0f) {
+                            phi_1701_ = -(_e3704[2]);
                         } else {
-                            phi_1701_ = _e3665[2];
+                            phi_1701_ = _e3704[2];
                         }
-                        let _e3683 = phi_1701_;
-                        if (_e3679 > _e3683) {
-                            phi_1706_ = _e3679;
+                        let _e3722 = phi_1701_;
+                        if (_e3718 > _e3722) {
+                            phi_1706_ = _e3718;
                         } else {
-                            phi_1706_ = _e3683;
+                            phi_1706_ = _e3722;
                         }
-                        let _e3686 = phi_1706_;
-                        if (_e3662 > _e3686) {
-                            phi_1711_ = _e3662;
+                        let _e3725 = phi_1706_;
+                        if (_e3701 > _e3725) {
+                            phi_1711_ = _e3701;
                         } else {
-                            phi_1711_ = _e3686;
+                            phi_1711_ = _e3725;
                         }
-                        let _e3689 = phi_1711_;
-                        let _e3691 = local_12.member_3;
-                        let _e3695 = local_12.member_2[0u];
-                        if (_e3695[0] < 0f) {
-                            phi_1728_ = -(_e3695[0]);
+                        let _e3728 = phi_1711_;
+                        let _e3730 = local_12.member_3;
+                        let _e3734 = local_12.member_2[0u];
+                        if (_e3734[0] < 0f) {
+                            phi_1728_ = -(_e3734[0]);
                         } else {
-                            phi_1728_ = _e3695[0];
+                            phi_1728_ = _e3734[0];
                         }
-                        let _e3702 = phi_1728_;
-                        if (_e3695[1] < 0f) {
-                            phi_1735_ = -(_e3695[1]);
+                        let _e3741 = phi_1728_;
+                        if (_e3734[1] < 0f) {
+                            phi_1735_ = -(_e3734[1]);
                         } else {
-                            phi_1735_ = _e3695[1];
+                            phi_1735_ = _e3734[1];
                         }
-                        let _e3706 = phi_1735_;
-                        if (_e3702 > _e3706) {
-                            phi_1740_ = _e3702;
+                        let _e3745 = phi_1735_;
+                        if (_e3741 > _e3745) {
+                            phi_1740_ = _e3741;
                         } else {
-                            phi_1740_ = _e3706;
+                            phi_1740_ = _e3745;
                         }
-                        let _e3709 = phi_1740_;
-                        if (_e3695[2] < 0f) {
-                            phi_1747_ = -(_e3695[2]);
+                        let _e3748 = phi_1740_;
+                        if (_e3734[2] < 0f) {
+                            phi_1747_ = -(_e3734[2]);
                         } else {
-                            phi_1747_ = _e3695[2];
+                            phi_1747_ = _e3734[2];
                         }
-                        let _e3713 = phi_1747_;
-                        if (_e3709 > _e3713) {
-                            phi_1752_ = _e3709;
+                        let _e3752 = phi_1747_;
+                        if (_e3748 > _e3752) {
+                            phi_1752_ = _e3748;
                         } else {
-                            phi_1752_ = _e3713;
+                            phi_1752_ = _e3752;
                         }
-                        let _e3716 = phi_1752_;
-                        let _e3719 = local_12.member_2[1u];
-                        if (_e3719[0] < 0f) {
-                            phi_1766_ = -(_e3719[0]);
+                        let _e3755 = phi_1752_;
+                        let _e3758 = local_12.member_2[1u];
+                        if (_e3758[0] < 0f) {
+                            phi_1766_ = -(_e3758[0]);
                         } else {
-                            phi_1766_ = _e3719[0];
+                            phi_1766_ = _e3758[0];
                         }
-                        let _e3726 = phi_1766_;
-                        if (_e3719[1] < 0f) {
-                            phi_1773_ = -(_e3719[1]);
+                        let _e3765 = phi_1766_;
+                        if (_e3758[1] < 0f) {
+                            phi_1773_ = -(_e3758[1]);
                         } else {
-                            phi_1773_ = _e3719[1];
+                            phi_1773_ = _e3758[1];
                         }
-                        let _e3730 = phi_1773_;
-                        if (_e3726 > _e3730) {
-                            phi_1778_ = _e3726;
+                        let _e3769 = phi_1773_;
+                        if (_e3765 > _e3769) {
+                            phi_1778_ = _e3765;
                         } else {
-                            phi_1778_ = _e3730;
+                            phi_1778_ = _e3769;
                         }
-                        let _e3733 = phi_1778_;
-                        if (_e3719[2] < 0f) {
-                            phi_1785_ = -(_e3719[2]);
+                        let _e3772 = phi_1778_;
+                        if (_e3758[2] < 0f) {
+                            phi_1785_ = -(_e3758[2]);
                         } else {
-                            phi_1785_ = _e3719[2];
+                            phi_1785_ = _e3758[2];
                         }
-                        let _e3737 = phi_1785_;
-                        if (_e3733 > _e3737) {
-                            phi_1790_ = _e3733;
+                        let _e3776 = phi_1785_;
+                        if (_e3772 > _e3776) {
+                            phi_1790_ = _e3772;
                         } else {
-                            phi_1790_ = _e3737;
+                            phi_1790_ = _e3776;
                         }
-                        let _e3740 = phi_1790_;
-                        if (_e3716 > _e3740) {
-                            phi_1795_ = _e3716;
+                        let _e3779 = phi_1790_;
+                        if (_e3755 > _e3779) {
+                            phi_1795_ = _e3755;
                         } else {
-                            phi_1795_ = _e3740;
+                            phi_1795_ = _e3779;
                         }
-                        let _e3743 = phi_1795_;
-                        let _e3745 = local_12.member_3;
-                        let _e3752 = local_12.member_3;
-                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                        phi_1834_ = type_9(0u, 96u);
-                        phi_1837_ = 0f;
-                        phi_1839_ = 0f;
-                        phi_1841_ = 0f;
-                        phi_1843_ = false;
-                        phi_1845_ = 0u;
+                        let _e3782 = phi_1795_;
+                        let _e3784 = local_12.member_3;
+                        let _e3791 = local_12.member_3;
+                        local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        phi_1835_ = type_9(0u, 96u);
+                        phi_1838_ = 0f;
+                        phi_1840_ = 0f;
+                        phi_1842_ = (1f - 0f);
+                        phi_1844_ = 0f;
+                        phi_1846_ = false;
+                        phi_1848_ = 0u;
                         loop {
-                            let _e3758 = phi_1834_;
-                            let _e3760 = phi_1837_;
-                            let _e3762 = phi_1839_;
-                            let _e3764 = phi_1841_;
-                            let _e3766 = phi_1843_;
-                            let _e3768 = phi_1845_;
-                            local_44 = _e3762;
-                            local_26 = _e3760;
-                            if (_e3758.member < _e3758.member_1) {
-                                phi_1835_ = type_9((_e3758.member + 1u), _e3758.member_1);
-                                phi_1868_ = type_9(1u, _e3758.member);
+                            let _e3798 = phi_1835_;
+                            let _e3800 = phi_1838_;
+                            let _e3802 = phi_1840_;
+                            let _e3804 = phi_1842_;
+                            let _e3806 = phi_1844_;
+                            let _e3808 = phi_1846_;
+                            let _e3810 = phi_1848_;
+                            local_27 = _e3800;
+                            local_53 = _e3802;
+                            if (_e3798.member < _e3798.member_1) {
+                                phi_1836_ = type_9((_e3798.member + 1u), _e3798.member_1);
+                                phi_1871_ = type_9(1u, _e3798.member);
                             } else {
-                                phi_1835_ = _e3758;
-                                phi_1868_ = type_9(0u, type_9().member_1);
+                                phi_1836_ = _e3798;
+                                phi_1871_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3780 = phi_1835_;
-                            let _e3782 = phi_1868_;
-                            if (bitcast<i32>(_e3782.member) != 0i) {
-                                let _e3788 = local_12.member[0u];
-                                let _e3794 = local_12.member[1u];
-                                let _e3810 = local_12.member_1[0u];
-                                let _e3816 = local_12.member_1[1u];
-                                let _e3832 = local_12.member_2[0u];
-                                let _e3838 = local_12.member_2[1u];
-                                let _e3852 = function_2(array<f32, 3>((_e3788[0] + ((_e3794[0] - _e3788[0]) * _e3760)), (_e3788[1] + ((_e3794[1] - _e3788[1]) * _e3760)), (_e3788[2] + ((_e3794[2] - _e3788[2]) * _e3760))), array<f32, 3>((_e3810[0] + ((_e3816[0] - _e3810[0]) * _e3760)), (_e3810[1] + ((_e3816[1] - _e3810[1]) * _e3760)), (_e3810[2] + ((_e3816[2] - _e3810[2]) * _e3760))), array<f32, 3>((_e3832[0] + ((_e3838[0] - _e3832[0]) * _e3760)), (_e3832[1] + ((_e3838[1] - _e3832[1]) * _e3760)), (_e3832[2] + ((_e3838[2] - _e3832[2]) * _e3760))), 1u);
-                                if (_e3768 == 0u) {
-                                    phi_1996_ = _e3852;
+                            let _e3822 = phi_1836_;
+                            let _e3824 = phi_1871_;
+                            if (bitcast<i32>(_e3824.member) != 0i) {
+                                let _e3830 = local_12.member[0u];
+                                let _e3836 = local_12.member[1u];
+                                let _e3852 = local_12.member_1[0u];
+                                let _e3858 = local_12.member_1[1u];
+                                let _e3874 = local_12.member_2[0u];
+                                let _e3880 = local_12.member_2[1u];
+                                let _e3894 = function_2(array<f32, 3>((_e3830[0] + ((_e3836[0] - _e3830[0]) * _e3800)), (_e3830[1] + ((_e3836[1] - _e3830[1]) * _e3800)), (_e3830[2] + ((_e3836[2] - _e3830[2]) * _e3800))), array<f32, 3>((_e3852[0] + ((_e3858[0] - _e3852[0]) * _e3800)), (_e3852[1] + ((_e3858[1] - _e3852[1]) * _e3800)), (_e3852[2] + ((_e3858[2] - _e3852[2]) * _e3800))), array<f32, 3>((_e3874[0] + ((_e3880[0] - _e3874[0]) * _e3800)), (_e3874[1] + ((_e3880[1] - _e3874[1]) * _e3800)), (_e3874[2] + ((_e3880[2] - _e3874[2]) * _e3800))), 1u);
+                                if (_e3810 == 0u) {
+                                    phi_1999_ = _e3894;
                                 } else {
-                                    if (_e3768 == 1u) {
-                                        phi_1982_ = _e3852[0];
+                                    if (_e3810 == 1u) {
+                                        phi_1985_ = _e3894[0];
                                     } else {
-                                        phi_1982_ = 0f;
+                                        phi_1985_ = 0f;
                                     }
-                                    let _e3857 = phi_1982_;
-                                    if (_e3768 == 2u) {
-                                        phi_1988_ = _e3852[1];
+                                    let _e3899 = phi_1985_;
+                                    if (_e3810 == 2u) {
+                                        phi_1991_ = _e3894[1];
                                     } else {
-                                        phi_1988_ = 0f;
+                                        phi_1991_ = 0f;
                                     }
-                                    let _e3861 = phi_1988_;
-                                    if (_e3768 == 3u) {
-                                        phi_1994_ = _e3852[2];
+                                    let _e3903 = phi_1991_;
+                                    if (_e3810 == 3u) {
+                                        phi_1997_ = _e3894[2];
                                     } else {
-                                        phi_1994_ = 0f;
+                                        phi_1997_ = 0f;
                                     }
-                                    let _e3865 = phi_1994_;
-                                    phi_1996_ = array<f32, 3>(_e3857, _e3861, _e3865);
+                                    let _e3907 = phi_1997_;
+                                    phi_1999_ = array<f32, 3>(_e3899, _e3903, _e3907);
                                 }
-                                let _e3868 = phi_1996_;
-                                if (_e3868[0] < 0f) {
-                                    phi_2003_ = -(_e3868[0]);
+                                let _e3910 = phi_1999_;
+                                if (_e3910[0] < 0f) {
+                                    phi_2006_ = -(_e3910[0]);
                                 } else {
-                                    phi_2003_ = _e3868[0];
+                                    phi_2006_ = _e3910[0];
                                 }
-                                let _e3873 = phi_2003_;
-                                if (_e3868[1] < 0f) {
-                                    phi_2010_ = -(_e3868[1]);
+                                let _e3915 = phi_2006_;
+                                if (_e3910[1] < 0f) {
+                                    phi_2013_ = -(_e3910[1]);
                                 } else {
-                                    phi_2010_ = _e3868[1];
+                                    phi_2013_ = _e3910[1];
                                 }
-                                let _e3878 = phi_2010_;
-                                if (_e3868[2] < 0f) {
-                                    phi_2018_ = -(_e3868[2]);
+                                let _e3920 = phi_2013_;
+                                if (_e3910[2] < 0f) {
+                                    phi_2021_ = -(_e3910[2]);
                                 } else {
-                                    phi_2018_ = _e3868[2];
+                                    phi_2021_ = _e3910[2];
                                 }
-                                let _e3884 = phi_2018_;
-                                let _e3885 = ((_e3873 + _e3878) + _e3884);
-                                if (_e3885 > 0f) {
-                                    if ((bitcast<u32>(_e3885) & 2139095040u) != 2139095040u) {
-                                        let _e3890 = (1f / _e3885);
-                                        let _e3892 = (_e3868[0] * _e3890);
-                                        let _e3894 = (_e3868[1] * _e3890);
-                                        let _e3896 = (_e3868[2] * _e3890);
-                                        let _e3901 = (((_e3892 * _e3892) + (_e3894 * _e3894)) + (_e3896 * _e3896));
-                                        if (_e3901 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3901 > 0f) {
-                                                phi_2055_ = (0.000000000000000000106433627f * 2f);
+                                let _e3926 = phi_2021_;
+                                let _e3927 = ((_e3915 + _e3920) + _e3926);
+                                if (_e3927 > 0f) {
+                                    if ((bitcast<u32>(_e3927) & 2139095040u) != 2139095040u) {
+                                        let _e3932 = (1f / _e3927);
+                                        let _e3934 = (_e3910[0] * _e3932);
+                                        let _e3936 = (_e3910[1] * _e3932);
+                                        let _e3938 = (_e3910[2] * _e3932);
+                                        let _e3943 = (((_e3934 * _e3934) + (_e3936 * _e3936)) + (_e3938 * _e3938));
+                                        if (_e3943 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3943 > 0f) {
+                                                phi_2058_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2055_ = 0f;
+                                                phi_2058_ = 0f;
                                             }
-                                            let _e3954 = phi_2055_;
-                                            phi_2119_ = _e3954;
+                                            let _e3996 = phi_2058_;
+                                            phi_2122_ = _e3996;
                                         } else {
-                                            phi_2062_ = type_14(0i, 5i);
-                                            phi_2065_ = bitcast<f32>(((bitcast<u32>(_e3901) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2065_ = type_14(0i, 5i);
+                                            phi_2068_ = bitcast<f32>(((bitcast<u32>(_e3943) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3909 = phi_2062_;
-                                                let _e3911 = phi_2065_;
-                                                local_24 = _e3911;
-                                                if (_e3909.member < _e3909.member_1) {
-                                                    let _e3918 = (_e3909.member + 1i);
-                                                    if ((false == (_e3918 > _e3909.member)) != false) {
-                                                        phi_2086_ = true;
+                                                let _e3951 = phi_2065_;
+                                                let _e3953 = phi_2068_;
+                                                local_24 = _e3953;
+                                                if (_e3951.member < _e3951.member_1) {
+                                                    let _e3960 = (_e3951.member + 1i);
+                                                    if ((false == (_e3960 > _e3951.member)) != false) {
+                                                        phi_2089_ = true;
                                                     } else {
-                                                        phi_2086_ = false;
+                                                        phi_2089_ = false;
                                                     }
-                                                    let _e3923 = phi_2086_;
-                                                    if _e3923 {
-                                                        phi_2092_ = type_15(0u, type_15().member_1);
+                                                    let _e3965 = phi_2089_;
+                                                    if _e3965 {
+                                                        phi_2095_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_2092_ = type_15(1u, _e3918);
+                                                        phi_2095_ = type_15(1u, _e3960);
                                                     }
-                                                    let _e3928 = phi_2092_;
-                                                    phi_2063_ = type_14(_e3928.member_1, _e3909.member_1);
-                                                    phi_2106_ = type_15(1u, _e3909.member);
+                                                    let _e3970 = phi_2095_;
+                                                    phi_2066_ = type_14(_e3970.member_1, _e3951.member_1);
+                                                    phi_2109_ = type_15(1u, _e3951.member);
                                                 } else {
-                                                    phi_2063_ = _e3909;
-                                                    phi_2106_ = type_15(0u, type_15().member_1);
+                                                    phi_2066_ = _e3951;
+                                                    phi_2109_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3934 = phi_2063_;
-                                                let _e3936 = phi_2106_;
-                                                let _e3939 = (bitcast<i32>(_e3936.member) != 0i);
-                                                if _e3939 {
-                                                    phi_2066_ = (0.5f * (_e3911 + (_e3901 / _e3911)));
+                                                let _e3976 = phi_2066_;
+                                                let _e3978 = phi_2109_;
+                                                let _e3981 = (bitcast<i32>(_e3978.member) != 0i);
+                                                if _e3981 {
+                                                    phi_2069_ = (0.5f * (_e3953 + (_e3943 / _e3953)));
                                                 } else {
-                                                    phi_2066_ = f32();
+                                                    phi_2069_ = f32();
                                                 }
-                                                let _e3944 = phi_2066_;
+                                                let _e3986 = phi_2069_;
                                                 continue;
                                                 continuing {
-                                                    phi_2062_ = _e3934;
-                                                    phi_2065_ = _e3944;
-                                                    break if !(_e3939);
+                                                    phi_2065_ = _e3976;
+                                                    phi_2068_ = _e3986;
+                                                    break if !(_e3981);
                                                 }
                                             }
-                                            let _e3949 = local_24;
-                                            phi_2119_ = (_e3949 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3991 = local_24;
+                                            phi_2122_ = (_e3991 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3956 = phi_2119_;
-                                        let _e3957 = (0.000000059604645f * 12f);
-                                        let _e3962 = ((((((((_e3635 + _e3637) + (_e3689 + _e3691)) + (_e3743 + _e3745)) * (0.000000059604645f * 16f)) + (_e3752 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e455.member_1 * _e3956) * (1f + _e3957)));
-                                        let _e3967 = (((_e3892 * _e3533[0]) + (_e3894 * _e3533[1])) + (_e3896 * _e3533[2]));
-                                        let _e3972 = (((_e3892 * _e3549) + (_e3894 * _e3550)) + (_e3896 * _e3551));
-                                        let _e3977 = (((_e3892 * (_e3533[0] - _e3545[0])) + (_e3894 * (_e3533[1] - _e3545[1]))) + (_e3896 * (_e3533[2] - _e3545[2])));
-                                        let _e3982 = (((_e3892 * (_e3549 - _e3545[0])) + (_e3894 * (_e3550 - _e3545[1]))) + (_e3896 * (_e3551 - _e3545[2])));
-                                        let _e3988 = (((_e3892 * _e3560[0]) + (_e3894 * _e3560[1])) + (_e3896 * _e3560[2]));
-                                        let _e3993 = (((_e3892 * _e3576) + (_e3894 * _e3577)) + (_e3896 * _e3578));
-                                        let _e3998 = (((_e3892 * (_e3560[0] - _e3572[0])) + (_e3894 * (_e3560[1] - _e3572[1]))) + (_e3896 * (_e3560[2] - _e3572[2])));
-                                        let _e4003 = (((_e3892 * (_e3576 - _e3572[0])) + (_e3894 * (_e3577 - _e3572[1]))) + (_e3896 * (_e3578 - _e3572[2])));
-                                        if (_e3967 < 0f) {
-                                            phi_2185_ = -(_e3967);
+                                        let _e3998 = phi_2122_;
+                                        let _e3999 = (0.000000059604645f * 12f);
+                                        let _e4004 = ((((((((_e3674 + _e3676) + (_e3728 + _e3730)) + (_e3782 + _e3784)) * (0.000000059604645f * 16f)) + (_e3791 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e455.member_1 * _e3998) * (1f + _e3999)));
+                                        let _e4009 = (((_e3934 * _e3572[0]) + (_e3936 * _e3572[1])) + (_e3938 * _e3572[2]));
+                                        let _e4014 = (((_e3934 * _e3588) + (_e3936 * _e3589)) + (_e3938 * _e3590));
+                                        let _e4019 = (((_e3934 * (_e3572[0] - _e3584[0])) + (_e3936 * (_e3572[1] - _e3584[1]))) + (_e3938 * (_e3572[2] - _e3584[2])));
+                                        let _e4024 = (((_e3934 * (_e3588 - _e3584[0])) + (_e3936 * (_e3589 - _e3584[1]))) + (_e3938 * (_e3590 - _e3584[2])));
+                                        let _e4030 = (((_e3934 * _e3599[0]) + (_e3936 * _e3599[1])) + (_e3938 * _e3599[2]));
+                                        let _e4035 = (((_e3934 * _e3615) + (_e3936 * _e3616)) + (_e3938 * _e3617));
+                                        let _e4040 = (((_e3934 * (_e3599[0] - _e3611[0])) + (_e3936 * (_e3599[1] - _e3611[1]))) + (_e3938 * (_e3599[2] - _e3611[2])));
+                                        let _e4045 = (((_e3934 * (_e3615 - _e3611[0])) + (_e3936 * (_e3616 - _e3611[1]))) + (_e3938 * (_e3617 - _e3611[2])));
+                                        if (_e4009 < 0f) {
+                                            phi_2188_ = -(_e4009);
                                         } else {
-                                            phi_2185_ = _e3967;
+                                            phi_2188_ = _e4009;
                                         }
-                                        let _e4008 = phi_2185_;
-                                        if (_e3988 < 0f) {
-                                            phi_2191_ = -(_e3988);
+                                        let _e4050 = phi_2188_;
+                                        if (_e4030 < 0f) {
+                                            phi_2194_ = -(_e4030);
                                         } else {
-                                            phi_2191_ = _e3988;
+                                            phi_2194_ = _e4030;
                                         }
-                                        let _e4012 = phi_2191_;
-                                        if (_e3972 < 0f) {
-                                            phi_2200_ = -(_e3972);
+                                        let _e4054 = phi_2194_;
+                                        if (_e4014 < 0f) {
+                                            phi_2203_ = -(_e4014);
                                         } else {
-                                            phi_2200_ = _e3972;
+                                            phi_2203_ = _e4014;
                                         }
-                                        let _e4019 = phi_2200_;
-                                        if (_e3993 < 0f) {
-                                            phi_2206_ = -(_e3993);
+                                        let _e4061 = phi_2203_;
+                                        if (_e4035 < 0f) {
+                                            phi_2209_ = -(_e4035);
                                         } else {
-                                            phi_2206_ = _e3993;
+                                            phi_2209_ = _e4035;
                                         }
-                                        let _e4023 = phi_2206_;
-                                        if (_e3977 < 0f) {
-                                            phi_2215_ = -(_e3977);
+                                        let _e4065 = phi_2209_;
+                                        if (_e4019 < 0f) {
+                                            phi_2218_ = -(_e4019);
                                         } else {
-                                            phi_2215_ = _e3977;
+                                            phi_2218_ = _e4019;
                                         }
-                                        let _e4030 = phi_2215_;
-                                        if (_e3998 < 0f) {
-                                            phi_2221_ = -(_e3998);
+                                        let _e4072 = phi_2218_;
+                                        if (_e4040 < 0f) {
+                                            phi_2224_ = -(_e4040);
                                         } else {
-                                            phi_2221_ = _e3998;
+                                            phi_2224_ = _e4040;
                                         }
-                                        let _e4034 = phi_2221_;
-                                        if (_e3982 < 0f) {
-                                            phi_2230_ = -(_e3982);
+                                        let _e4076 = phi_2224_;
+                                        if (_e4024 < 0f) {
+                                            phi_2233_ = -(_e4024);
                                         } else {
-                                            phi_2230_ = _e3982;
+                                            phi_2233_ = _e4024;
                                         }
-                                        let _e4041 = phi_2230_;
-                                        if (_e4003 < 0f) {
-                                            phi_2236_ = -(_e4003);
+                                        let _e4083 = phi_2233_;
+                                        if (_e4045 < 0f) {
+                                            phi_2239_ = -(_e4045);
                                         } else {
-                                            phi_2236_ = _e4003;
+                                            phi_2239_ = _e4045;
                                         }
-                                        let _e4045 = phi_2236_;
-                                        phi_2242_ = type_30(array<f32, 4>(_e3967, _e3972, _e3977, _e3982), array<f32, 4>(_e3988, _e3993, _e3998, _e4003), array<f32, 4>((_e3962 + ((_e4008 + _e4012) * _e3957)), (_e3962 + ((_e4019 + _e4023) * _e3957)), (_e3962 + ((_e4030 + _e4034) * _e3957)), (_e3962 + ((_e4041 + _e4045) * _e3957))));
-                                        phi_2243_ = false;
+                                        let _e4087 = phi_2239_;
+                                        phi_2245_ = type_31(array<f32, 4>(_e4009, _e4014, _e4019, _e4024), array<f32, 4>(_e4030, _e4035, _e4040, _e4045), array<f32, 4>((_e4004 + ((_e4050 + _e4054) * _e3999)), (_e4004 + ((_e4061 + _e4065) * _e3999)), (_e4004 + ((_e4072 + _e4076) * _e3999)), (_e4004 + ((_e4083 + _e4087) * _e3999))));
+                                        phi_2246_ = false;
                                     } else {
-                                        phi_2242_ = type_30();
-                                        phi_2243_ = true;
+                                        phi_2245_ = type_31();
+                                        phi_2246_ = true;
                                     }
-                                    let _e4052 = phi_2242_;
-                                    let _e4054 = phi_2243_;
-                                    phi_2244_ = _e4052;
-                                    phi_2245_ = _e4054;
+                                    let _e4094 = phi_2245_;
+                                    let _e4096 = phi_2246_;
+                                    phi_2247_ = _e4094;
+                                    phi_2248_ = _e4096;
                                 } else {
-                                    phi_2244_ = type_30();
-                                    phi_2245_ = true;
+                                    phi_2247_ = type_31();
+                                    phi_2248_ = true;
                                 }
-                                let _e4056 = phi_2244_;
-                                let _e4058 = phi_2245_;
-                                if _e4058 {
-                                    phi_2253_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                let _e4098 = phi_2247_;
+                                let _e4100 = phi_2248_;
+                                if _e4100 {
+                                    phi_2256_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                 } else {
-                                    phi_2253_ = _e4056;
+                                    phi_2256_ = _e4098;
                                 }
-                                let _e4060 = phi_2253_;
-                                local_10 = type_30(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
-                                let _e4080 = (_e3760 - _e3764);
-                                let _e4084 = local_10.member[0u];
-                                let _e4087 = local_10.member_1[0u];
-                                let _e4090 = local_10.member[0u];
-                                let _e4096 = local_10.member_2[0u];
-                                if (((_e4084 + ((_e4087 - _e4090) * _e3760)) - _e4096) > 0f) {
-                                    let _e4101 = local_10.member[1u];
-                                    let _e4104 = local_10.member_1[1u];
-                                    let _e4107 = local_10.member[1u];
-                                    let _e4113 = local_10.member_2[1u];
-                                    if (((_e4101 + ((_e4104 - _e4107) * _e3760)) - _e4113) > 0f) {
-                                        let _e4118 = local_10.member[2u];
-                                        let _e4121 = local_10.member_1[2u];
-                                        let _e4124 = local_10.member[2u];
-                                        let _e4130 = local_10.member_2[2u];
-                                        if (((_e4118 + ((_e4121 - _e4124) * _e3760)) - _e4130) > 0f) {
-                                            let _e4135 = local_10.member[3u];
-                                            let _e4138 = local_10.member_1[3u];
-                                            let _e4141 = local_10.member[3u];
-                                            let _e4147 = local_10.member_2[3u];
-                                            phi_2424_ = (((_e4135 + ((_e4138 - _e4141) * _e3760)) - _e4147) > 0f);
-                                            phi_2425_ = false;
+                                let _e4102 = phi_2256_;
+                                local_10 = type_31(array<f32, 4>(_e4102.member[0], _e4102.member[1], _e4102.member[2], _e4102.member[3]), array<f32, 4>(_e4102.member_1[0], _e4102.member_1[1], _e4102.member_1[2], _e4102.member_1[3]), array<f32, 4>(_e4102.member_2[0], _e4102.member_2[1], _e4102.member_2[2], _e4102.member_2[3]));
+                                let _e4122 = (_e3800 - _e3806);
+                                let _e4126 = local_10.member[0u];
+                                let _e4129 = local_10.member_1[0u];
+                                let _e4132 = local_10.member[0u];
+                                let _e4138 = local_10.member_2[0u];
+                                if (((_e4126 + ((_e4129 - _e4132) * _e3800)) - _e4138) > 0f) {
+                                    let _e4143 = local_10.member[1u];
+                                    let _e4146 = local_10.member_1[1u];
+                                    let _e4149 = local_10.member[1u];
+                                    let _e4155 = local_10.member_2[1u];
+                                    if (((_e4143 + ((_e4146 - _e4149) * _e3800)) - _e4155) > 0f) {
+                                        let _e4160 = local_10.member[2u];
+                                        let _e4163 = local_10.member_1[2u];
+                                        let _e4166 = local_10.member[2u];
+                                        let _e4172 = local_10.member_2[2u];
+                                        if (((_e4160 + ((_e4163 - _e4166) * _e3800)) - _e4172) > 0f) {
+                                            let _e4177 = local_10.member[3u];
+                                            let _e4180 = local_10.member_1[3u];
+                                            let _e4183 = local_10.member[3u];
+                                            let _e4189 = local_10.member_2[3u];
+                                            phi_2427_ = (((_e4177 + ((_e4180 - _e4183) * _e3800)) - _e4189) > 0f);
+                                            phi_2428_ = false;
                                         } else {
-                                            phi_2424_ = bool();
-                                            phi_2425_ = true;
+                                            phi_2427_ = bool();
+                                            phi_2428_ = true;
                                         }
-                                        let _e4151 = phi_2424_;
-                                        let _e4153 = phi_2425_;
-                                        phi_2426_ = _e4151;
-                                        phi_2427_ = _e4153;
+                                        let _e4193 = phi_2427_;
+                                        let _e4195 = phi_2428_;
+                                        phi_2429_ = _e4193;
+                                        phi_2430_ = _e4195;
                                     } else {
-                                        phi_2426_ = bool();
-                                        phi_2427_ = true;
+                                        phi_2429_ = bool();
+                                        phi_2430_ = true;
                                     }
-                                    let _e4155 = phi_2426_;
-                                    let _e4157 = phi_2427_;
-                                    phi_2428_ = _e4155;
-                                    phi_2429_ = _e4157;
+                                    let _e4197 = phi_2429_;
+                                    let _e4199 = phi_2430_;
+                                    phi_2431_ = _e4197;
+                                    phi_2432_ = _e4199;
                                 } else {
-                                    phi_2428_ = bool();
-                                    phi_2429_ = true;
+                                    phi_2431_ = bool();
+                                    phi_2432_ = true;
                                 }
-                                let _e4159 = phi_2428_;
-                                let _e4161 = phi_2429_;
-                                if _e4161 {
-                                    phi_2433_ = false;
+                                let _e4201 = phi_2431_;
+                                let _e4203 = phi_2432_;
+                                if _e4203 {
+                                    phi_2436_ = false;
                                 } else {
-                                    phi_2433_ = _e4159;
+                                    phi_2436_ = _e4201;
                                 }
-                                let _e4163 = phi_2433_;
-                                if _e4163 {
-                                    if (_e3760 <= _e3762) {
-                                        phi_2743_ = true;
+                                let _e4205 = phi_2436_;
+                                if _e4205 {
+                                    if (_e3800 <= _e3802) {
+                                        phi_2746_ = true;
                                     } else {
-                                        let _e4167 = local_9.member[0u];
-                                        let _e4170 = local_9.member_1[0u];
-                                        let _e4173 = local_9.member[0u];
-                                        let _e4179 = local_9.member_2[0u];
-                                        let _e4183 = local_10.member[0u];
-                                        let _e4186 = local_10.member_1[0u];
-                                        let _e4189 = local_10.member[0u];
-                                        let _e4195 = local_10.member_2[0u];
-                                        if ((((_e4167 + ((_e4170 - _e4173) * _e3760)) - _e4179) + ((_e4183 + ((_e4186 - _e4189) * _e3764)) - _e4195)) > 0f) {
-                                            let _e4201 = local_9.member[1u];
-                                            let _e4204 = local_9.member_1[1u];
-                                            let _e4207 = local_9.member[1u];
-                                            let _e4213 = local_9.member_2[1u];
-                                            let _e4217 = local_10.member[1u];
-                                            let _e4220 = local_10.member_1[1u];
-                                            let _e4223 = local_10.member[1u];
-                                            let _e4229 = local_10.member_2[1u];
-                                            if ((((_e4201 + ((_e4204 - _e4207) * _e3760)) - _e4213) + ((_e4217 + ((_e4220 - _e4223) * _e3764)) - _e4229)) > 0f) {
-                                                let _e4235 = local_9.member[2u];
-                                                let _e4238 = local_9.member_1[2u];
-                                                let _e4241 = local_9.member[2u];
-                                                let _e4247 = local_9.member_2[2u];
-                                                let _e4251 = local_10.member[2u];
-                                                let _e4254 = local_10.member_1[2u];
-                                                let _e4257 = local_10.member[2u];
-                                                let _e4263 = local_10.member_2[2u];
-                                                if ((((_e4235 + ((_e4238 - _e4241) * _e3760)) - _e4247) + ((_e4251 + ((_e4254 - _e4257) * _e3764)) - _e4263)) > 0f) {
-                                                    let _e4269 = local_9.member[3u];
-                                                    let _e4272 = local_9.member_1[3u];
-                                                    let _e4275 = local_9.member[3u];
-                                                    let _e4281 = local_9.member_2[3u];
-                                                    let _e4285 = local_10.member[3u];
-                                                    let _e4288 = local_10.member_1[3u];
-                                                    let _e4291 = local_10.member[3u];
-                                                    let _e4297 = local_10.member_2[3u];
-                                                    phi_2730_ = ((((_e4269 + ((_e4272 - _e4275) * _e3760)) - _e4281) + ((_e4285 + ((_e4288 - _e4291) * _e3764)) - _e4297)) > 0f);
-                                                    phi_2731_ = false;
+                                        let _e4209 = local_9.member[0u];
+                                        let _e4212 = local_9.member_1[0u];
+                                        let _e4215 = local_9.member[0u];
+                                        let _e4221 = local_9.member_2[0u];
+                                        let _e4225 = local_10.member[0u];
+                                        let _e4228 = local_10.member_1[0u];
+                                        let _e4231 = local_10.member[0u];
+                                        let _e4237 = local_10.member_2[0u];
+                                        if ((((_e4209 + ((_e4212 - _e4215) * _e3800)) - _e4221) + ((_e4225 + ((_e4228 - _e4231) * _e3806)) - _e4237)) > 0f) {
+                                            let _e4243 = local_9.member[1u];
+                                            let _e4246 = local_9.member_1[1u];
+                                            let _e4249 = local_9.member[1u];
+                                            let _e4255 = local_9.member_2[1u];
+                                            let _e4259 = local_10.member[1u];
+                                            let _e4262 = local_10.member_1[1u];
+                                            let _e4265 = local_10.member[1u];
+                                            let _e4271 = local_10.member_2[1u];
+                                            if ((((_e4243 + ((_e4246 - _e4249) * _e3800)) - _e4255) + ((_e4259 + ((_e4262 - _e4265) * _e3806)) - _e4271)) > 0f) {
+                                                let _e4277 = local_9.member[2u];
+                                                let _e4280 = local_9.member_1[2u];
+                                                let _e4283 = local_9.member[2u];
+                                                let _e4289 = local_9.member_2[2u];
+                                                let _e4293 = local_10.member[2u];
+                                                let _e4296 = local_10.member_1[2u];
+                                                let _e4299 = local_10.member[2u];
+                                                let _e4305 = local_10.member_2[2u];
+                                                if ((((_e4277 + ((_e4280 - _e4283) * _e3800)) - _e4289) + ((_e4293 + ((_e4296 - _e4299) * _e3806)) - _e4305)) > 0f) {
+                                                    let _e4311 = local_9.member[3u];
+                                                    let _e4314 = local_9.member_1[3u];
+                                                    let _e4317 = local_9.member[3u];
+                                                    let _e4323 = local_9.member_2[3u];
+                                                    let _e4327 = local_10.member[3u];
+                                                    let _e4330 = local_10.member_1[3u];
+                                                    let _e4333 = local_10.member[3u];
+                                                    let _e4339 = local_10.member_2[3u];
+                                                    phi_2733_ = ((((_e4311 + ((_e4314 - _e4317) * _e3800)) - _e4323) + ((_e4327 + ((_e4330 - _e4333) * _e3806)) - _e4339)) > 0f);
+                                                    phi_2734_ = false;
                                                 } else {
-                                                    phi_2730_ = bool();
-                                                    phi_2731_ = true;
+                                                    phi_2733_ = bool();
+                                                    phi_2734_ = true;
                                                 }
-                                                let _e4302 = phi_2730_;
-                                                let _e4304 = phi_2731_;
-                                                phi_2732_ = _e4302;
-                                                phi_2733_ = _e4304;
+                                                let _e4344 = phi_2733_;
+                                                let _e4346 = phi_2734_;
+                                                phi_2735_ = _e4344;
+                                                phi_2736_ = _e4346;
                                             } else {
-                                                phi_2732_ = bool();
-                                                phi_2733_ = true;
+                                                phi_2735_ = bool();
+                                                phi_2736_ = true;
                                             }
-                                            let _e4306 = phi_2732_;
-                                            let _e4308 = phi_2733_;
-                                            phi_2734_ = _e4306;
-                                            phi_2735_ = _e4308;
+                                            let _e4348 = phi_2735_;
+                                            let _e4350 = phi_2736_;
+                                            phi_2737_ = _e4348;
+                                            phi_2738_ = _e4350;
                                         } else {
-                                            phi_2734_ = bool();
-                                            phi_2735_ = true;
+                                            phi_2737_ = bool();
+                                            phi_2738_ = true;
                                         }
-                                        let _e4310 = phi_2734_;
-                                        let _e4312 = phi_2735_;
-                                        if _e4312 {
-                                            phi_2739_ = false;
+                                        let _e4352 = phi_2737_;
+                                        let _e4354 = phi_2738_;
+                                        if _e4354 {
+                                            phi_2742_ = false;
                                         } else {
-                                            phi_2739_ = _e4310;
+                                            phi_2742_ = _e4352;
                                         }
-                                        let _e4314 = phi_2739_;
-                                        phi_2743_ = _e4314;
+                                        let _e4356 = phi_2742_;
+                                        phi_2746_ = _e4356;
                                     }
-                                    let _e4316 = phi_2743_;
-                                    if _e4316 {
-                                        if _e3766 {
-                                            if (_e3760 >= 1f) {
-                                                phi_2754_ = false;
+                                    let _e4358 = phi_2746_;
+                                    if _e4358 {
+                                        if _e3808 {
+                                            if (_e3800 >= 1f) {
+                                                phi_2757_ = false;
                                             } else {
-                                                phi_2754_ = true;
+                                                phi_2757_ = true;
                                             }
-                                            let _e4319 = phi_2754_;
-                                            phi_2755_ = _e4319;
+                                            let _e4361 = phi_2757_;
+                                            phi_2758_ = _e4361;
                                         } else {
-                                            phi_2755_ = true;
+                                            phi_2758_ = true;
                                         }
-                                        let _e4321 = phi_2755_;
-                                        if _e4321 {
-                                            local_9 = type_30(array<f32, 4>(_e4060.member[0], _e4060.member[1], _e4060.member[2], _e4060.member[3]), array<f32, 4>(_e4060.member_1[0], _e4060.member_1[1], _e4060.member_1[2], _e4060.member_1[3]), array<f32, 4>(_e4060.member_2[0], _e4060.member_2[1], _e4060.member_2[2], _e4060.member_2[3]));
-                                            let _e4343 = local_9.member[0u];
-                                            let _e4346 = local_9.member_1[0u];
-                                            let _e4349 = local_9.member_2[0u];
-                                            if (_e4343 > _e4349) {
-                                                if (_e4346 > _e4349) {
-                                                    phi_2829_ = false;
+                                        let _e4363 = phi_2758_;
+                                        if _e4363 {
+                                            local_9 = type_31(array<f32, 4>(_e4102.member[0], _e4102.member[1], _e4102.member[2], _e4102.member[3]), array<f32, 4>(_e4102.member_1[0], _e4102.member_1[1], _e4102.member_1[2], _e4102.member_1[3]), array<f32, 4>(_e4102.member_2[0], _e4102.member_2[1], _e4102.member_2[2], _e4102.member_2[3]));
+                                            let _e4385 = local_9.member[0u];
+                                            let _e4388 = local_9.member_1[0u];
+                                            let _e4391 = local_9.member_2[0u];
+                                            if (_e4385 > _e4391) {
+                                                if (_e4388 > _e4391) {
+                                                    phi_2832_ = false;
                                                 } else {
-                                                    phi_2829_ = true;
+                                                    phi_2832_ = true;
                                                 }
-                                                let _e4353 = phi_2829_;
-                                                phi_2830_ = _e4353;
+                                                let _e4395 = phi_2832_;
+                                                phi_2833_ = _e4395;
                                             } else {
-                                                phi_2830_ = true;
+                                                phi_2833_ = true;
                                             }
-                                            let _e4355 = phi_2830_;
-                                            if _e4355 {
-                                                let _e4356 = (_e4346 >= _e4343);
-                                                if _e4356 {
-                                                    phi_2852_ = f32();
-                                                    phi_2853_ = false;
+                                            let _e4397 = phi_2833_;
+                                            if _e4397 {
+                                                let _e4398 = (_e4388 >= _e4385);
+                                                if _e4398 {
+                                                    phi_2855_ = f32();
+                                                    phi_2856_ = false;
                                                 } else {
-                                                    if ((_e4343 - _e4346) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2850_ = (((_e4343 - _e4349) / (_e4343 - _e4346)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2851_ = false;
+                                                    if ((_e4385 - _e4388) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2853_ = (((_e4385 - _e4391) / (_e4385 - _e4388)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2854_ = false;
                                                     } else {
-                                                        phi_2850_ = f32();
-                                                        phi_2851_ = true;
+                                                        phi_2853_ = f32();
+                                                        phi_2854_ = true;
                                                     }
-                                                    let _e4367 = phi_2850_;
-                                                    let _e4369 = phi_2851_;
-                                                    phi_2852_ = _e4367;
-                                                    phi_2853_ = _e4369;
+                                                    let _e4409 = phi_2853_;
+                                                    let _e4411 = phi_2854_;
+                                                    phi_2855_ = _e4409;
+                                                    phi_2856_ = _e4411;
                                                 }
-                                                let _e4371 = phi_2852_;
-                                                let _e4373 = phi_2853_;
-                                                phi_2854_ = _e4371;
-                                                phi_2855_ = _e4356;
-                                                phi_2856_ = _e4373;
+                                                let _e4413 = phi_2855_;
+                                                let _e4415 = phi_2856_;
+                                                phi_2857_ = _e4413;
+                                                phi_2858_ = _e4398;
+                                                phi_2859_ = _e4415;
                                             } else {
-                                                phi_2854_ = f32();
-                                                phi_2855_ = true;
-                                                phi_2856_ = false;
+                                                phi_2857_ = f32();
+                                                phi_2858_ = true;
+                                                phi_2859_ = false;
                                             }
-                                            let _e4375 = phi_2854_;
-                                            let _e4377 = phi_2855_;
-                                            let _e4379 = phi_2856_;
-                                            if _e4377 {
-                                                phi_2860_ = 2f;
-                                                phi_2861_ = true;
+                                            let _e4417 = phi_2857_;
+                                            let _e4419 = phi_2858_;
+                                            let _e4421 = phi_2859_;
+                                            if _e4419 {
+                                                phi_2863_ = 2f;
+                                                phi_2864_ = true;
                                             } else {
-                                                phi_2860_ = _e3760;
-                                                phi_2861_ = _e4379;
+                                                phi_2863_ = _e3800;
+                                                phi_2864_ = _e4421;
                                             }
-                                            let _e4381 = phi_2860_;
-                                            let _e4383 = phi_2861_;
-                                            if _e4383 {
-                                                phi_2865_ = _e4381;
+                                            let _e4423 = phi_2863_;
+                                            let _e4425 = phi_2864_;
+                                            if _e4425 {
+                                                phi_2868_ = _e4423;
                                             } else {
-                                                phi_2865_ = _e4375;
+                                                phi_2868_ = _e4417;
                                             }
-                                            let _e4385 = phi_2865_;
-                                            let _e4388 = local_9.member[1u];
-                                            let _e4391 = local_9.member_1[1u];
-                                            let _e4394 = local_9.member_2[1u];
-                                            if (_e4388 > _e4394) {
-                                                if (_e4391 > _e4394) {
-                                                    phi_2897_ = false;
+                                            let _e4427 = phi_2868_;
+                                            let _e4430 = local_9.member[1u];
+                                            let _e4433 = local_9.member_1[1u];
+                                            let _e4436 = local_9.member_2[1u];
+                                            if (_e4430 > _e4436) {
+                                                if (_e4433 > _e4436) {
+                                                    phi_2900_ = false;
                                                 } else {
-                                                    phi_2897_ = true;
+                                                    phi_2900_ = true;
                                                 }
-                                                let _e4398 = phi_2897_;
-                                                phi_2898_ = _e4398;
+                                                let _e4440 = phi_2900_;
+                                                phi_2901_ = _e4440;
                                             } else {
-                                                phi_2898_ = true;
+                                                phi_2901_ = true;
                                             }
-                                            let _e4400 = phi_2898_;
-                                            if _e4400 {
-                                                let _e4401 = (_e4391 >= _e4388);
-                                                if _e4401 {
-                                                    phi_2920_ = f32();
-                                                    phi_2921_ = false;
+                                            let _e4442 = phi_2901_;
+                                            if _e4442 {
+                                                let _e4443 = (_e4433 >= _e4430);
+                                                if _e4443 {
+                                                    phi_2923_ = f32();
+                                                    phi_2924_ = false;
                                                 } else {
-                                                    if ((_e4388 - _e4391) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2918_ = (((_e4388 - _e4394) / (_e4388 - _e4391)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2919_ = false;
+                                                    if ((_e4430 - _e4433) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2921_ = (((_e4430 - _e4436) / (_e4430 - _e4433)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2922_ = false;
                                                     } else {
-                                                        phi_2918_ = f32();
-                                                        phi_2919_ = true;
+                                                        phi_2921_ = f32();
+                                                        phi_2922_ = true;
                                                     }
-                                                    let _e4412 = phi_2918_;
-                                                    let _e4414 = phi_2919_;
-                                                    phi_2920_ = _e4412;
-                                                    phi_2921_ = _e4414;
+                                                    let _e4454 = phi_2921_;
+                                                    let _e4456 = phi_2922_;
+                                                    phi_2923_ = _e4454;
+                                                    phi_2924_ = _e4456;
                                                 }
-                                                let _e4416 = phi_2920_;
-                                                let _e4418 = phi_2921_;
-                                                phi_2922_ = _e4416;
-                                                phi_2923_ = _e4401;
-                                                phi_2924_ = _e4418;
+                                                let _e4458 = phi_2923_;
+                                                let _e4460 = phi_2924_;
+                                                phi_2925_ = _e4458;
+                                                phi_2926_ = _e4443;
+                                                phi_2927_ = _e4460;
                                             } else {
-                                                phi_2922_ = f32();
-                                                phi_2923_ = true;
-                                                phi_2924_ = false;
+                                                phi_2925_ = f32();
+                                                phi_2926_ = true;
+                                                phi_2927_ = false;
                                             }
-                                            let _e4420 = phi_2922_;
-                                            let _e4422 = phi_2923_;
-                                            let _e4424 = phi_2924_;
-                                            if _e4422 {
-                                                phi_2928_ = 2f;
-                                                phi_2929_ = true;
+                                            let _e4462 = phi_2925_;
+                                            let _e4464 = phi_2926_;
+                                            let _e4466 = phi_2927_;
+                                            if _e4464 {
+                                                phi_2931_ = 2f;
+                                                phi_2932_ = true;
                                             } else {
-                                                phi_2928_ = _e3760;
-                                                phi_2929_ = _e4424;
+                                                phi_2931_ = _e3800;
+                                                phi_2932_ = _e4466;
                                             }
-                                            let _e4426 = phi_2928_;
-                                            let _e4428 = phi_2929_;
-                                            if _e4428 {
-                                                phi_2933_ = _e4426;
-                                            } else {
-                                                phi_2933_ = _e4420;
-                                            }
-                                            let _e4430 = phi_2933_;
-                                            if (_e4385 < _e4430) {
-                                                phi_2938_ = _e4385;
-                                            } else {
-                                                phi_2938_ = _e4430;
-                                            }
-                                            let _e4433 = phi_2938_;
-                                            let _e4436 = local_9.member[2u];
-                                            let _e4439 = local_9.member_1[2u];
-                                            let _e4442 = local_9.member_2[2u];
-                                            if (_e4436 > _e4442) {
-                                                if (_e4439 > _e4442) {
-                                                    phi_2970_ = false;
-                                                } else {
-                                                    phi_2970_ = true;
-                                                }
-                                                let _e4446 = phi_2970_;
-                                                phi_2971_ = _e4446;
-                                            } else {
-                                                phi_2971_ = true;
-                                            }
-                                            let _e4448 = phi_2971_;
-                                            if _e4448 {
-                                                let _e4449 = (_e4439 >= _e4436);
-                                                if _e4449 {
-                                                    phi_2993_ = f32();
-                                                    phi_2994_ = false;
-                                                } else {
-                                                    if ((_e4436 - _e4439) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2991_ = (((_e4436 - _e4442) / (_e4436 - _e4439)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2992_ = false;
-                                                    } else {
-                                                        phi_2991_ = f32();
-                                                        phi_2992_ = true;
-                                                    }
-                                                    let _e4460 = phi_2991_;
-                                                    let _e4462 = phi_2992_;
-                                                    phi_2993_ = _e4460;
-                                                    phi_2994_ = _e4462;
-                                                }
-                                                let _e4464 = phi_2993_;
-                                                let _e4466 = phi_2994_;
-                                                phi_2995_ = _e4464;
-                                                phi_2996_ = _e4449;
-                                                phi_2997_ = _e4466;
-                                            } else {
-                                                phi_2995_ = f32();
-                                                phi_2996_ = true;
-                                                phi_2997_ = false;
-                                            }
-                                            let _e4468 = phi_2995_;
-                                            let _e4470 = phi_2996_;
-                                            let _e4472 = phi_2997_;
+                                            let _e4468 = phi_2931_;
+                                            let _e4470 = phi_2932_;
                                             if _e4470 {
-                                                phi_3001_ = 2f;
-                                                phi_3002_ = true;
+                                                phi_2936_ = _e4468;
                                             } else {
-                                                phi_3001_ = _e3760;
-                                                phi_3002_ = _e4472;
+                                                phi_2936_ = _e4462;
                                             }
-                                            let _e4474 = phi_3001_;
-                                            let _e4476 = phi_3002_;
-                                            if _e4476 {
-                                                phi_3006_ = _e4474;
+                                            let _e4472 = phi_2936_;
+                                            if (_e4427 < _e4472) {
+                                                phi_2941_ = _e4427;
                                             } else {
-                                                phi_3006_ = _e4468;
+                                                phi_2941_ = _e4472;
                                             }
-                                            let _e4478 = phi_3006_;
-                                            let _e4481 = local_9.member[3u];
-                                            let _e4484 = local_9.member_1[3u];
-                                            let _e4487 = local_9.member_2[3u];
-                                            if (_e4481 > _e4487) {
-                                                if (_e4484 > _e4487) {
-                                                    phi_3038_ = false;
+                                            let _e4475 = phi_2941_;
+                                            let _e4478 = local_9.member[2u];
+                                            let _e4481 = local_9.member_1[2u];
+                                            let _e4484 = local_9.member_2[2u];
+                                            if (_e4478 > _e4484) {
+                                                if (_e4481 > _e4484) {
+                                                    phi_2973_ = false;
                                                 } else {
-                                                    phi_3038_ = true;
+                                                    phi_2973_ = true;
                                                 }
-                                                let _e4491 = phi_3038_;
-                                                phi_3039_ = _e4491;
+                                                let _e4488 = phi_2973_;
+                                                phi_2974_ = _e4488;
                                             } else {
-                                                phi_3039_ = true;
+                                                phi_2974_ = true;
                                             }
-                                            let _e4493 = phi_3039_;
-                                            if _e4493 {
-                                                let _e4494 = (_e4484 >= _e4481);
-                                                if _e4494 {
-                                                    phi_3061_ = f32();
-                                                    phi_3062_ = false;
+                                            let _e4490 = phi_2974_;
+                                            if _e4490 {
+                                                let _e4491 = (_e4481 >= _e4478);
+                                                if _e4491 {
+                                                    phi_2996_ = f32();
+                                                    phi_2997_ = false;
                                                 } else {
-                                                    if ((_e4481 - _e4484) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3059_ = (((_e4481 - _e4487) / (_e4481 - _e4484)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3060_ = false;
+                                                    if ((_e4478 - _e4481) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2994_ = (((_e4478 - _e4484) / (_e4478 - _e4481)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2995_ = false;
                                                     } else {
-                                                        phi_3059_ = f32();
-                                                        phi_3060_ = true;
+                                                        phi_2994_ = f32();
+                                                        phi_2995_ = true;
                                                     }
-                                                    let _e4505 = phi_3059_;
-                                                    let _e4507 = phi_3060_;
-                                                    phi_3061_ = _e4505;
-                                                    phi_3062_ = _e4507;
+                                                    let _e4502 = phi_2994_;
+                                                    let _e4504 = phi_2995_;
+                                                    phi_2996_ = _e4502;
+                                                    phi_2997_ = _e4504;
                                                 }
-                                                let _e4509 = phi_3061_;
-                                                let _e4511 = phi_3062_;
-                                                phi_3063_ = _e4509;
-                                                phi_3064_ = _e4494;
-                                                phi_3065_ = _e4511;
+                                                let _e4506 = phi_2996_;
+                                                let _e4508 = phi_2997_;
+                                                phi_2998_ = _e4506;
+                                                phi_2999_ = _e4491;
+                                                phi_3000_ = _e4508;
                                             } else {
-                                                phi_3063_ = f32();
-                                                phi_3064_ = true;
-                                                phi_3065_ = false;
+                                                phi_2998_ = f32();
+                                                phi_2999_ = true;
+                                                phi_3000_ = false;
                                             }
-                                            let _e4513 = phi_3063_;
-                                            let _e4515 = phi_3064_;
-                                            let _e4517 = phi_3065_;
-                                            if _e4515 {
-                                                phi_3069_ = 2f;
-                                                phi_3070_ = true;
+                                            let _e4510 = phi_2998_;
+                                            let _e4512 = phi_2999_;
+                                            let _e4514 = phi_3000_;
+                                            if _e4512 {
+                                                phi_3004_ = 2f;
+                                                phi_3005_ = true;
                                             } else {
-                                                phi_3069_ = _e3760;
-                                                phi_3070_ = _e4517;
+                                                phi_3004_ = _e3800;
+                                                phi_3005_ = _e4514;
                                             }
-                                            let _e4519 = phi_3069_;
-                                            let _e4521 = phi_3070_;
-                                            if _e4521 {
-                                                phi_3074_ = _e4519;
+                                            let _e4516 = phi_3004_;
+                                            let _e4518 = phi_3005_;
+                                            if _e4518 {
+                                                phi_3009_ = _e4516;
                                             } else {
-                                                phi_3074_ = _e4513;
+                                                phi_3009_ = _e4510;
                                             }
-                                            let _e4523 = phi_3074_;
-                                            if (_e4478 < _e4523) {
-                                                phi_3079_ = _e4478;
-                                            } else {
-                                                phi_3079_ = _e4523;
-                                            }
-                                            let _e4526 = phi_3079_;
-                                            if (_e4433 < _e4526) {
-                                                phi_3084_ = _e4433;
-                                            } else {
-                                                phi_3084_ = _e4526;
-                                            }
-                                            let _e4529 = phi_3084_;
-                                            if (_e4529 > _e3760) {
-                                                phi_3089_ = _e4529;
-                                            } else {
-                                                phi_3089_ = _e3760;
-                                            }
-                                            let _e4532 = phi_3089_;
-                                            let _e4533 = (_e4532 > 1f);
-                                            if _e4533 {
-                                                phi_3100_ = f32();
-                                                phi_3101_ = false;
-                                            } else {
-                                                if _e3766 {
-                                                    phi_3099_ = (_e4080 + _e4080);
+                                            let _e4520 = phi_3009_;
+                                            let _e4523 = local_9.member[3u];
+                                            let _e4526 = local_9.member_1[3u];
+                                            let _e4529 = local_9.member_2[3u];
+                                            if (_e4523 > _e4529) {
+                                                if (_e4526 > _e4529) {
+                                                    phi_3041_ = false;
                                                 } else {
-                                                    phi_3099_ = (1f - _e3760);
+                                                    phi_3041_ = true;
                                                 }
-                                                let _e4537 = phi_3099_;
-                                                phi_3100_ = _e4537;
-                                                phi_3101_ = true;
-                                            }
-                                            let _e4539 = phi_3100_;
-                                            let _e4541 = phi_3101_;
-                                            phi_3102_ = _e4532;
-                                            phi_3103_ = _e4539;
-                                            phi_3104_ = _e4541;
-                                            phi_3105_ = _e4533;
-                                            phi_3106_ = false;
-                                        } else {
-                                            phi_3102_ = f32();
-                                            phi_3103_ = f32();
-                                            phi_3104_ = false;
-                                            phi_3105_ = false;
-                                            phi_3106_ = true;
-                                        }
-                                        let _e4543 = phi_3102_;
-                                        let _e4545 = phi_3103_;
-                                        let _e4547 = phi_3104_;
-                                        let _e4549 = phi_3105_;
-                                        let _e4551 = phi_3106_;
-                                        phi_3107_ = _e4543;
-                                        phi_3108_ = _e4545;
-                                        phi_3109_ = false;
-                                        phi_3110_ = _e4547;
-                                        phi_3111_ = _e4549;
-                                        phi_3112_ = _e4551;
-                                    } else {
-                                        phi_3107_ = f32();
-                                        phi_3108_ = f32();
-                                        phi_3109_ = true;
-                                        phi_3110_ = false;
-                                        phi_3111_ = false;
-                                        phi_3112_ = false;
-                                    }
-                                    let _e4553 = phi_3107_;
-                                    let _e4555 = phi_3108_;
-                                    let _e4557 = phi_3109_;
-                                    let _e4559 = phi_3110_;
-                                    let _e4561 = phi_3111_;
-                                    let _e4563 = phi_3112_;
-                                    phi_3113_ = _e4553;
-                                    phi_3114_ = _e4555;
-                                    phi_3115_ = _e4557;
-                                    phi_3116_ = _e4559;
-                                    phi_3117_ = _e4561;
-                                    phi_3118_ = _e4563;
-                                } else {
-                                    phi_3113_ = f32();
-                                    phi_3114_ = f32();
-                                    phi_3115_ = true;
-                                    phi_3116_ = false;
-                                    phi_3117_ = false;
-                                    phi_3118_ = false;
-                                }
-                                let _e4565 = phi_3113_;
-                                let _e4567 = phi_3114_;
-                                let _e4569 = phi_3115_;
-                                let _e4571 = phi_3116_;
-                                let _e4573 = phi_3117_;
-                                let _e4575 = phi_3118_;
-                                if _e4569 {
-                                    if (_e3760 <= _e3762) {
-                                        let _e4736 = (_e3768 + 1u);
-                                        let _e4737 = (_e4736 > 3u);
-                                        if _e4737 {
-                                            phi_3131_ = false;
-                                        } else {
-                                            phi_3131_ = true;
-                                        }
-                                        let _e4739 = phi_3131_;
-                                        phi_3453_ = _e4736;
-                                        phi_3454_ = f32();
-                                        phi_3455_ = false;
-                                        phi_3456_ = _e4739;
-                                        phi_3457_ = _e4737;
-                                    } else {
-                                        let _e4579 = local_9.member[0u];
-                                        let _e4582 = local_9.member_1[0u];
-                                        let _e4585 = local_9.member[0u];
-                                        let _e4591 = local_9.member_2[0u];
-                                        let _e4592 = ((_e4579 + ((_e4582 - _e4585) * _e3764)) - _e4591);
-                                        let _e4595 = local_9.member[1u];
-                                        let _e4598 = local_9.member_1[1u];
-                                        let _e4601 = local_9.member[1u];
-                                        let _e4607 = local_9.member_2[1u];
-                                        let _e4608 = ((_e4595 + ((_e4598 - _e4601) * _e3764)) - _e4607);
-                                        if (_e4592 < _e4608) {
-                                            phi_3204_ = _e4592;
-                                        } else {
-                                            phi_3204_ = _e4608;
-                                        }
-                                        let _e4611 = phi_3204_;
-                                        let _e4614 = local_9.member[2u];
-                                        let _e4617 = local_9.member_1[2u];
-                                        let _e4620 = local_9.member[2u];
-                                        let _e4626 = local_9.member_2[2u];
-                                        let _e4627 = ((_e4614 + ((_e4617 - _e4620) * _e3764)) - _e4626);
-                                        let _e4630 = local_9.member[3u];
-                                        let _e4633 = local_9.member_1[3u];
-                                        let _e4636 = local_9.member[3u];
-                                        let _e4642 = local_9.member_2[3u];
-                                        let _e4643 = ((_e4630 + ((_e4633 - _e4636) * _e3764)) - _e4642);
-                                        if (_e4627 < _e4643) {
-                                            phi_3277_ = _e4627;
-                                        } else {
-                                            phi_3277_ = _e4643;
-                                        }
-                                        let _e4646 = phi_3277_;
-                                        if (_e4611 < _e4646) {
-                                            phi_3282_ = _e4611;
-                                        } else {
-                                            phi_3282_ = _e4646;
-                                        }
-                                        let _e4649 = phi_3282_;
-                                        let _e4652 = local_10.member[0u];
-                                        let _e4655 = local_10.member_1[0u];
-                                        let _e4658 = local_10.member[0u];
-                                        let _e4664 = local_10.member_2[0u];
-                                        let _e4665 = ((_e4652 + ((_e4655 - _e4658) * _e3760)) - _e4664);
-                                        let _e4668 = local_10.member[1u];
-                                        let _e4671 = local_10.member_1[1u];
-                                        let _e4674 = local_10.member[1u];
-                                        let _e4680 = local_10.member_2[1u];
-                                        let _e4681 = ((_e4668 + ((_e4671 - _e4674) * _e3760)) - _e4680);
-                                        if (_e4665 < _e4681) {
-                                            phi_3355_ = _e4665;
-                                        } else {
-                                            phi_3355_ = _e4681;
-                                        }
-                                        let _e4684 = phi_3355_;
-                                        let _e4687 = local_10.member[2u];
-                                        let _e4690 = local_10.member_1[2u];
-                                        let _e4693 = local_10.member[2u];
-                                        let _e4699 = local_10.member_2[2u];
-                                        let _e4700 = ((_e4687 + ((_e4690 - _e4693) * _e3760)) - _e4699);
-                                        let _e4703 = local_10.member[3u];
-                                        let _e4706 = local_10.member_1[3u];
-                                        let _e4709 = local_10.member[3u];
-                                        let _e4715 = local_10.member_2[3u];
-                                        let _e4716 = ((_e4703 + ((_e4706 - _e4709) * _e3760)) - _e4715);
-                                        if (_e4700 < _e4716) {
-                                            phi_3428_ = _e4700;
-                                        } else {
-                                            phi_3428_ = _e4716;
-                                        }
-                                        let _e4719 = phi_3428_;
-                                        if (_e4684 < _e4719) {
-                                            phi_3433_ = _e4684;
-                                        } else {
-                                            phi_3433_ = _e4719;
-                                        }
-                                        let _e4722 = phi_3433_;
-                                        if (_e4722 > 0f) {
-                                            phi_3451_ = 0.5f;
-                                        } else {
-                                            let _e4726 = (0.95f * (_e4649 / (_e4649 - _e4722)));
-                                            if (_e4726 > 0.0625f) {
-                                                if (_e4726 < 0.9f) {
-                                                    phi_3449_ = _e4726;
-                                                } else {
-                                                    phi_3449_ = 0.9f;
-                                                }
-                                                let _e4730 = phi_3449_;
-                                                phi_3450_ = _e4730;
+                                                let _e4533 = phi_3041_;
+                                                phi_3042_ = _e4533;
                                             } else {
-                                                phi_3450_ = 0.0625f;
+                                                phi_3042_ = true;
                                             }
-                                            let _e4732 = phi_3450_;
-                                            phi_3451_ = _e4732;
+                                            let _e4535 = phi_3042_;
+                                            if _e4535 {
+                                                let _e4536 = (_e4526 >= _e4523);
+                                                if _e4536 {
+                                                    phi_3064_ = f32();
+                                                    phi_3065_ = false;
+                                                } else {
+                                                    if ((_e4523 - _e4526) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3062_ = (((_e4523 - _e4529) / (_e4523 - _e4526)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3063_ = false;
+                                                    } else {
+                                                        phi_3062_ = f32();
+                                                        phi_3063_ = true;
+                                                    }
+                                                    let _e4547 = phi_3062_;
+                                                    let _e4549 = phi_3063_;
+                                                    phi_3064_ = _e4547;
+                                                    phi_3065_ = _e4549;
+                                                }
+                                                let _e4551 = phi_3064_;
+                                                let _e4553 = phi_3065_;
+                                                phi_3066_ = _e4551;
+                                                phi_3067_ = _e4536;
+                                                phi_3068_ = _e4553;
+                                            } else {
+                                                phi_3066_ = f32();
+                                                phi_3067_ = true;
+                                                phi_3068_ = false;
+                                            }
+                                            let _e4555 = phi_3066_;
+                                            let _e4557 = phi_3067_;
+                                            let _e4559 = phi_3068_;
+                                            if _e4557 {
+                                                phi_3072_ = 2f;
+                                                phi_3073_ = true;
+                                            } else {
+                                                phi_3072_ = _e3800;
+                                                phi_3073_ = _e4559;
+                                            }
+                                            let _e4561 = phi_3072_;
+                                            let _e4563 = phi_3073_;
+                                            if _e4563 {
+                                                phi_3077_ = _e4561;
+                                            } else {
+                                                phi_3077_ = _e4555;
+                                            }
+                                            let _e4565 = phi_3077_;
+                                            if (_e4520 < _e4565) {
+                                                phi_3082_ = _e4520;
+                                            } else {
+                                                phi_3082_ = _e4565;
+                                            }
+                                            let _e4568 = phi_3082_;
+                                            if (_e4475 < _e4568) {
+                                                phi_3087_ = _e4475;
+                                            } else {
+                                                phi_3087_ = _e4568;
+                                            }
+                                            let _e4571 = phi_3087_;
+                                            if (_e4571 > _e3800) {
+                                                phi_3092_ = _e4571;
+                                            } else {
+                                                phi_3092_ = _e3800;
+                                            }
+                                            let _e4574 = phi_3092_;
+                                            let _e4575 = (_e4574 > 1f);
+                                            if _e4575 {
+                                                phi_3596_ = f32();
+                                                phi_3597_ = f32();
+                                                phi_3598_ = false;
+                                                phi_3599_ = false;
+                                            } else {
+                                                let _e4576 = (_e4574 - _e3800);
+                                                let _e4577 = (_e4576 <= 0.0000000037252903f);
+                                                let _e4578 = (_e4574 + 0.00000001f);
+                                                if (_e4578 < 1f) {
+                                                    phi_3104_ = _e4578;
+                                                } else {
+                                                    phi_3104_ = 1f;
+                                                }
+                                                let _e4581 = phi_3104_;
+                                                if _e4577 {
+                                                    if (_e455.member_1 > 0f) {
+                                                        let _e4585 = local_12.member[0u];
+                                                        let _e4591 = local_12.member[1u];
+                                                        let _e4607 = local_12.member_1[0u];
+                                                        let _e4613 = local_12.member_1[1u];
+                                                        let _e4629 = local_12.member_2[0u];
+                                                        let _e4635 = local_12.member_2[1u];
+                                                        let _e4649 = function_2(array<f32, 3>((_e4585[0] + ((_e4591[0] - _e4585[0]) * _e4581)), (_e4585[1] + ((_e4591[1] - _e4585[1]) * _e4581)), (_e4585[2] + ((_e4591[2] - _e4585[2]) * _e4581))), array<f32, 3>((_e4607[0] + ((_e4613[0] - _e4607[0]) * _e4581)), (_e4607[1] + ((_e4613[1] - _e4607[1]) * _e4581)), (_e4607[2] + ((_e4613[2] - _e4607[2]) * _e4581))), array<f32, 3>((_e4629[0] + ((_e4635[0] - _e4629[0]) * _e4581)), (_e4629[1] + ((_e4635[1] - _e4629[1]) * _e4581)), (_e4629[2] + ((_e4635[2] - _e4629[2]) * _e4581))), 1u);
+                                                        let _e4660 = (((_e4649[0] * _e4649[0]) + (_e4649[1] * _e4649[1])) + (_e4649[2] * _e4649[2]));
+                                                        if (_e4660 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            if (_e4660 > 0f) {
+                                                                phi_3234_ = (0.000000000000000000106433627f * 2f);
+                                                            } else {
+                                                                phi_3234_ = 0f;
+                                                            }
+                                                            let _e4713 = phi_3234_;
+                                                            phi_3298_ = _e4713;
+                                                        } else {
+                                                            phi_3241_ = type_14(0i, 5i);
+                                                            phi_3244_ = bitcast<f32>(((bitcast<u32>(_e4660) >> bitcast<u32>(1i)) + 532369198u));
+                                                            loop {
+                                                                let _e4668 = phi_3241_;
+                                                                let _e4670 = phi_3244_;
+                                                                local_25 = _e4670;
+                                                                if (_e4668.member < _e4668.member_1) {
+                                                                    let _e4677 = (_e4668.member + 1i);
+                                                                    if ((false == (_e4677 > _e4668.member)) != false) {
+                                                                        phi_3265_ = true;
+                                                                    } else {
+                                                                        phi_3265_ = false;
+                                                                    }
+                                                                    let _e4682 = phi_3265_;
+                                                                    if _e4682 {
+                                                                        phi_3271_ = type_15(0u, type_15().member_1);
+                                                                    } else {
+                                                                        phi_3271_ = type_15(1u, _e4677);
+                                                                    }
+                                                                    let _e4687 = phi_3271_;
+                                                                    phi_3242_ = type_14(_e4687.member_1, _e4668.member_1);
+                                                                    phi_3285_ = type_15(1u, _e4668.member);
+                                                                } else {
+                                                                    phi_3242_ = _e4668;
+                                                                    phi_3285_ = type_15(0u, type_15().member_1);
+                                                                }
+                                                                let _e4693 = phi_3242_;
+                                                                let _e4695 = phi_3285_;
+                                                                let _e4698 = (bitcast<i32>(_e4695.member) != 0i);
+                                                                if _e4698 {
+                                                                    phi_3245_ = (0.5f * (_e4670 + (_e4660 / _e4670)));
+                                                                } else {
+                                                                    phi_3245_ = f32();
+                                                                }
+                                                                let _e4703 = phi_3245_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_3241_ = _e4693;
+                                                                    phi_3244_ = _e4703;
+                                                                    break if !(_e4698);
+                                                                }
+                                                            }
+                                                            let _e4708 = local_25;
+                                                            phi_3298_ = (_e4708 * (1f + (8f * 0.000000059604645f)));
+                                                        }
+                                                        let _e4715 = phi_3298_;
+                                                        let _e4721 = local_12.member[0u];
+                                                        if (_e4721[0] < 0f) {
+                                                            phi_3314_ = -(_e4721[0]);
+                                                        } else {
+                                                            phi_3314_ = _e4721[0];
+                                                        }
+                                                        let _e4728 = phi_3314_;
+                                                        if (_e4721[1] < 0f) {
+                                                            phi_3321_ = -(_e4721[1]);
+                                                        } else {
+                                                            phi_3321_ = _e4721[1];
+                                                        }
+                                                        let _e4732 = phi_3321_;
+                                                        if (_e4728 > _e4732) {
+                                                            phi_3326_ = _e4728;
+                                                        } else {
+                                                            phi_3326_ = _e4732;
+                                                        }
+                                                        let _e4735 = phi_3326_;
+                                                        if (_e4721[2] < 0f) {
+                                                            phi_3333_ = -(_e4721[2]);
+                                                        } else {
+                                                            phi_3333_ = _e4721[2];
+                                                        }
+                                                        let _e4739 = phi_3333_;
+                                                        if (_e4735 > _e4739) {
+                                                            phi_3338_ = _e4735;
+                                                        } else {
+                                                            phi_3338_ = _e4739;
+                                                        }
+                                                        let _e4742 = phi_3338_;
+                                                        let _e4745 = local_12.member[1u];
+                                                        if (_e4745[0] < 0f) {
+                                                            phi_3351_ = -(_e4745[0]);
+                                                        } else {
+                                                            phi_3351_ = _e4745[0];
+                                                        }
+                                                        let _e4752 = phi_3351_;
+                                                        if (_e4745[1] < 0f) {
+                                                            phi_3358_ = -(_e4745[1]);
+                                                        } else {
+                                                            phi_3358_ = _e4745[1];
+                                                        }
+                                                        let _e4756 = phi_3358_;
+                                                        if (_e4752 > _e4756) {
+                                                            phi_3363_ = _e4752;
+                                                        } else {
+                                                            phi_3363_ = _e4756;
+                                                        }
+                                                        let _e4759 = phi_3363_;
+                                                        if (_e4745[2] < 0f) {
+                                                            phi_3370_ = -(_e4745[2]);
+                                                        } else {
+                                                            phi_3370_ = _e4745[2];
+                                                        }
+                                                        let _e4763 = phi_3370_;
+                                                        if (_e4759 > _e4763) {
+                                                            phi_3375_ = _e4759;
+                                                        } else {
+                                                            phi_3375_ = _e4763;
+                                                        }
+                                                        let _e4766 = phi_3375_;
+                                                        if (_e4742 > _e4766) {
+                                                            phi_3380_ = _e4742;
+                                                        } else {
+                                                            phi_3380_ = _e4766;
+                                                        }
+                                                        let _e4769 = phi_3380_;
+                                                        let _e4771 = local_12.member_3;
+                                                        let _e4775 = local_12.member_1[0u];
+                                                        if (_e4775[0] < 0f) {
+                                                            phi_3397_ = -(_e4775[0]);
+                                                        } else {
+                                                            phi_3397_ = _e4775[0];
+                                                        }
+                                                        let _e4782 = phi_3397_;
+                                                        if (_e4775[1] < 0f) {
+                                                            phi_3404_ = -(_e4775[1]);
+                                                        } else {
+                                                            phi_3404_ = _e4775[1];
+                                                        }
+                                                        let _e4786 = phi_3404_;
+                                                        if (_e4782 > _e4786) {
+                                                            phi_3409_ = _e4782;
+                                                        } else {
+                                                            phi_3409_ = _e4786;
+                                                        }
+                                                        let _e4789 = phi_3409_;
+                                                        if (_e4775[2] < 0f) {
+                                                            phi_3416_ = -(_e4775[2]);
+                                                        } else {
+                                                            phi_3416_ = _e4775[2];
+                                                        }
+                                                        let _e4793 = phi_3416_;
+                                                        if (_e4789 > _e4793) {
+                                                            phi_3421_ = _e4789;
+                                                        } else {
+                                                            phi_3421_ = _e4793;
+                                                        }
+                                                        let _e4796 = phi_3421_;
+                                                        let _e4799 = local_12.member_1[1u];
+                                                        if (_e4799[0] < 0f) {
+                                                            phi_3435_ = -(_e4799[0]);
+                                                        } else {
+                                                            phi_3435_ = _e4799[0];
+                                                        }
+                                                        let _e4806 = phi_3435_;
+                                                        if (_e4799[1] < 0f) {
+                                                            phi_3442_ = -(_e4799[1]);
+                                                        } else {
+                                                            phi_3442_ = _e4799[1];
+                                                        }
+                                                        let _e4810 = phi_3442_;
+                                                        if (_e4806 > _e4810) {
+                                                            phi_3447_ = _e4806;
+                                                        } else {
+                                                            phi_3447_ = _e4810;
+                                                        }
+                                                        let _e4813 = phi_3447_;
+                                                        if (_e4799[2] < 0f) {
+                                                            phi_3454_ = -(_e4799[2]);
+                                                        } else {
+                                                            phi_3454_ = _e4799[2];
+                                                        }
+                                                        let _e4817 = phi_3454_;
+                                                        if (_e4813 > _e4817) {
+                                                            phi_3459_ = _e4813;
+                                                        } else {
+                                                            phi_3459_ = _e4817;
+                                                        }
+                                                        let _e4820 = phi_3459_;
+                                                        if (_e4796 > _e4820) {
+                                                            phi_3464_ = _e4796;
+                                                        } else {
+                                                            phi_3464_ = _e4820;
+                                                        }
+                                                        let _e4823 = phi_3464_;
+                                                        let _e4825 = local_12.member_3;
+                                                        let _e4829 = local_12.member_2[0u];
+                                                        if (_e4829[0] < 0f) {
+                                                            phi_3481_ = -(_e4829[0]);
+                                                        } else {
+                                                            phi_3481_ = _e4829[0];
+                                                        }
+                                                        let _e4836 = phi_3481_;
+                                                        if (_e4829[1] < 0f) {
+                                                            phi_3488_ = -(_e4829[1]);
+                                                        } else {
+                                                            phi_3488_ = _e4829[1];
+                                                        }
+                                                        let _e4840 = phi_3488_;
+                                                        if (_e4836 > _e4840) {
+                                                            phi_3493_ = _e4836;
+                                                        } else {
+                                                            phi_3493_ = _e4840;
+                                                        }
+                                                        let _e4843 = phi_3493_;
+                                                        if (_e4829[2] < 0f) {
+                                                            phi_3500_ = -(_e4829[2]);
+                                                        } else {
+                                                            phi_3500_ = _e4829[2];
+                                                        }
+                                                        let _e4847 = phi_3500_;
+                                                        if (_e4843 > _e4847) {
+                                                            phi_3505_ = _e4843;
+                                                        } else {
+                                                            phi_3505_ = _e4847;
+                                                        }
+                                                        let _e4850 = phi_3505_;
+                                                        let _e4853 = local_12.member_2[1u];
+                                                        if (_e4853[0] < 0f) {
+                                                            phi_3519_ = -(_e4853[0]);
+                                                        } else {
+                                                            phi_3519_ = _e4853[0];
+                                                        }
+                                                        let _e4860 = phi_3519_;
+                                                        if (_e4853[1] < 0f) {
+                                                            phi_3526_ = -(_e4853[1]);
+                                                        } else {
+                                                            phi_3526_ = _e4853[1];
+                                                        }
+                                                        let _e4864 = phi_3526_;
+                                                        if (_e4860 > _e4864) {
+                                                            phi_3531_ = _e4860;
+                                                        } else {
+                                                            phi_3531_ = _e4864;
+                                                        }
+                                                        let _e4867 = phi_3531_;
+                                                        if (_e4853[2] < 0f) {
+                                                            phi_3538_ = -(_e4853[2]);
+                                                        } else {
+                                                            phi_3538_ = _e4853[2];
+                                                        }
+                                                        let _e4871 = phi_3538_;
+                                                        if (_e4867 > _e4871) {
+                                                            phi_3543_ = _e4867;
+                                                        } else {
+                                                            phi_3543_ = _e4871;
+                                                        }
+                                                        let _e4874 = phi_3543_;
+                                                        if (_e4850 > _e4874) {
+                                                            phi_3548_ = _e4850;
+                                                        } else {
+                                                            phi_3548_ = _e4874;
+                                                        }
+                                                        let _e4877 = phi_3548_;
+                                                        let _e4879 = local_12.member_3;
+                                                        let _e4886 = local_12.member_3;
+                                                        if (((_e4715 * (1f + (0.000000059604645f * 8f))) + (((((((_e4769 + _e4771) + (_e4823 + _e4825)) + (_e4877 + _e4879)) * (0.000000059604645f * 16f)) + (_e4886 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1) {
+                                                            phi_3568_ = false;
+                                                        } else {
+                                                            phi_3568_ = true;
+                                                        }
+                                                        let _e4895 = phi_3568_;
+                                                        phi_3569_ = _e4895;
+                                                    } else {
+                                                        phi_3569_ = true;
+                                                    }
+                                                    let _e4897 = phi_3569_;
+                                                    phi_3570_ = _e4897;
+                                                } else {
+                                                    phi_3570_ = true;
+                                                }
+                                                let _e4899 = phi_3570_;
+                                                if _e4899 {
+                                                    if _e3808 {
+                                                        if _e4577 {
+                                                            phi_3586_ = true;
+                                                        } else {
+                                                            if (_e4576 <= (_e3804 * 0.25f)) {
+                                                                phi_3585_ = false;
+                                                            } else {
+                                                                phi_3585_ = true;
+                                                            }
+                                                            let _e4904 = phi_3585_;
+                                                            phi_3586_ = _e4904;
+                                                        }
+                                                        let _e4906 = phi_3586_;
+                                                        if _e4906 {
+                                                            phi_3591_ = (_e4122 + _e4122);
+                                                        } else {
+                                                            phi_3591_ = 0f;
+                                                        }
+                                                        let _e4909 = phi_3591_;
+                                                        phi_3593_ = _e4909;
+                                                    } else {
+                                                        phi_3593_ = (1f - _e3800);
+                                                    }
+                                                    let _e4911 = phi_3593_;
+                                                    phi_3594_ = _e4911;
+                                                    phi_3595_ = false;
+                                                } else {
+                                                    phi_3594_ = f32();
+                                                    phi_3595_ = true;
+                                                }
+                                                let _e4913 = phi_3594_;
+                                                let _e4915 = phi_3595_;
+                                                phi_3596_ = _e4913;
+                                                phi_3597_ = _e4576;
+                                                phi_3598_ = _e4899;
+                                                phi_3599_ = _e4915;
+                                            }
+                                            let _e4917 = phi_3596_;
+                                            let _e4919 = phi_3597_;
+                                            let _e4921 = phi_3598_;
+                                            let _e4923 = phi_3599_;
+                                            phi_3600_ = _e4574;
+                                            phi_3601_ = _e4917;
+                                            phi_3602_ = _e4919;
+                                            phi_3603_ = _e4574;
+                                            phi_3604_ = _e4921;
+                                            phi_3605_ = _e4575;
+                                            phi_3606_ = _e4923;
+                                            phi_3607_ = false;
+                                        } else {
+                                            phi_3600_ = f32();
+                                            phi_3601_ = f32();
+                                            phi_3602_ = f32();
+                                            phi_3603_ = f32();
+                                            phi_3604_ = false;
+                                            phi_3605_ = false;
+                                            phi_3606_ = false;
+                                            phi_3607_ = true;
                                         }
-                                        let _e4734 = phi_3451_;
-                                        phi_3453_ = u32();
-                                        phi_3454_ = (_e4080 * _e4734);
-                                        phi_3455_ = true;
-                                        phi_3456_ = false;
-                                        phi_3457_ = false;
+                                        let _e4925 = phi_3600_;
+                                        let _e4927 = phi_3601_;
+                                        let _e4929 = phi_3602_;
+                                        let _e4931 = phi_3603_;
+                                        let _e4933 = phi_3604_;
+                                        let _e4935 = phi_3605_;
+                                        let _e4937 = phi_3606_;
+                                        let _e4939 = phi_3607_;
+                                        phi_3608_ = _e4925;
+                                        phi_3609_ = _e4927;
+                                        phi_3610_ = _e4929;
+                                        phi_3611_ = _e4931;
+                                        phi_3612_ = false;
+                                        phi_3613_ = _e4933;
+                                        phi_3614_ = _e4935;
+                                        phi_3615_ = _e4937;
+                                        phi_3616_ = _e4939;
+                                    } else {
+                                        phi_3608_ = f32();
+                                        phi_3609_ = f32();
+                                        phi_3610_ = f32();
+                                        phi_3611_ = f32();
+                                        phi_3612_ = true;
+                                        phi_3613_ = false;
+                                        phi_3614_ = false;
+                                        phi_3615_ = false;
+                                        phi_3616_ = false;
                                     }
-                                    let _e4741 = phi_3453_;
-                                    let _e4743 = phi_3454_;
-                                    let _e4745 = phi_3455_;
-                                    let _e4747 = phi_3456_;
-                                    let _e4749 = phi_3457_;
-                                    phi_3458_ = _e4741;
-                                    phi_3459_ = _e3762;
-                                    phi_3460_ = _e4743;
-                                    phi_3461_ = _e3764;
-                                    phi_3462_ = _e3766;
-                                    phi_3463_ = _e3768;
-                                    phi_3464_ = _e4745;
-                                    phi_3465_ = _e4747;
-                                    phi_3466_ = _e4749;
-                                    phi_3467_ = false;
-                                    phi_3468_ = false;
+                                    let _e4941 = phi_3608_;
+                                    let _e4943 = phi_3609_;
+                                    let _e4945 = phi_3610_;
+                                    let _e4947 = phi_3611_;
+                                    let _e4949 = phi_3612_;
+                                    let _e4951 = phi_3613_;
+                                    let _e4953 = phi_3614_;
+                                    let _e4955 = phi_3615_;
+                                    let _e4957 = phi_3616_;
+                                    phi_3617_ = _e4941;
+                                    phi_3618_ = _e4943;
+                                    phi_3619_ = _e4945;
+                                    phi_3620_ = _e4947;
+                                    phi_3621_ = _e4949;
+                                    phi_3622_ = _e4951;
+                                    phi_3623_ = _e4953;
+                                    phi_3624_ = _e4955;
+                                    phi_3625_ = _e4957;
                                 } else {
-                                    phi_3458_ = u32();
-                                    phi_3459_ = _e4565;
-                                    phi_3460_ = _e4567;
-                                    phi_3461_ = _e3760;
-                                    phi_3462_ = true;
-                                    phi_3463_ = 0u;
-                                    phi_3464_ = _e4571;
-                                    phi_3465_ = false;
-                                    phi_3466_ = false;
-                                    phi_3467_ = _e4573;
-                                    phi_3468_ = _e4575;
+                                    phi_3617_ = f32();
+                                    phi_3618_ = f32();
+                                    phi_3619_ = f32();
+                                    phi_3620_ = f32();
+                                    phi_3621_ = true;
+                                    phi_3622_ = false;
+                                    phi_3623_ = false;
+                                    phi_3624_ = false;
+                                    phi_3625_ = false;
                                 }
-                                let _e4751 = phi_3458_;
-                                let _e4753 = phi_3459_;
-                                let _e4755 = phi_3460_;
-                                let _e4757 = phi_3461_;
-                                let _e4759 = phi_3462_;
-                                let _e4761 = phi_3463_;
-                                let _e4763 = phi_3464_;
-                                let _e4765 = phi_3465_;
-                                let _e4767 = phi_3466_;
-                                let _e4769 = phi_3467_;
-                                let _e4771 = phi_3468_;
-                                if _e4763 {
-                                    let _e4772 = (_e4757 + _e4755);
-                                    if (_e4772 > _e4753) {
-                                        phi_3477_ = _e4772;
+                                let _e4959 = phi_3617_;
+                                let _e4961 = phi_3618_;
+                                let _e4963 = phi_3619_;
+                                let _e4965 = phi_3620_;
+                                let _e4967 = phi_3621_;
+                                let _e4969 = phi_3622_;
+                                let _e4971 = phi_3623_;
+                                let _e4973 = phi_3624_;
+                                let _e4975 = phi_3625_;
+                                if _e4967 {
+                                    if (_e3800 <= _e3802) {
+                                        let _e5136 = (_e3810 + 1u);
+                                        let _e5137 = (_e5136 > 3u);
+                                        if _e5137 {
+                                            phi_3638_ = false;
+                                        } else {
+                                            phi_3638_ = true;
+                                        }
+                                        let _e5139 = phi_3638_;
+                                        phi_3960_ = _e5136;
+                                        phi_3961_ = f32();
+                                        phi_3962_ = false;
+                                        phi_3963_ = _e5139;
+                                        phi_3964_ = _e5137;
                                     } else {
-                                        phi_3477_ = _e4753;
+                                        let _e4979 = local_9.member[0u];
+                                        let _e4982 = local_9.member_1[0u];
+                                        let _e4985 = local_9.member[0u];
+                                        let _e4991 = local_9.member_2[0u];
+                                        let _e4992 = ((_e4979 + ((_e4982 - _e4985) * _e3806)) - _e4991);
+                                        let _e4995 = local_9.member[1u];
+                                        let _e4998 = local_9.member_1[1u];
+                                        let _e5001 = local_9.member[1u];
+                                        let _e5007 = local_9.member_2[1u];
+                                        let _e5008 = ((_e4995 + ((_e4998 - _e5001) * _e3806)) - _e5007);
+                                        if (_e4992 < _e5008) {
+                                            phi_3711_ = _e4992;
+                                        } else {
+                                            phi_3711_ = _e5008;
+                                        }
+                                        let _e5011 = phi_3711_;
+                                        let _e5014 = local_9.member[2u];
+                                        let _e5017 = local_9.member_1[2u];
+                                        let _e5020 = local_9.member[2u];
+                                        let _e5026 = local_9.member_2[2u];
+                                        let _e5027 = ((_e5014 + ((_e5017 - _e5020) * _e3806)) - _e5026);
+                                        let _e5030 = local_9.member[3u];
+                                        let _e5033 = local_9.member_1[3u];
+                                        let _e5036 = local_9.member[3u];
+                                        let _e5042 = local_9.member_2[3u];
+                                        let _e5043 = ((_e5030 + ((_e5033 - _e5036) * _e3806)) - _e5042);
+                                        if (_e5027 < _e5043) {
+                                            phi_3784_ = _e5027;
+                                        } else {
+                                            phi_3784_ = _e5043;
+                                        }
+                                        let _e5046 = phi_3784_;
+                                        if (_e5011 < _e5046) {
+                                            phi_3789_ = _e5011;
+                                        } else {
+                                            phi_3789_ = _e5046;
+                                        }
+                                        let _e5049 = phi_3789_;
+                                        let _e5052 = local_10.member[0u];
+                                        let _e5055 = local_10.member_1[0u];
+                                        let _e5058 = local_10.member[0u];
+                                        let _e5064 = local_10.member_2[0u];
+                                        let _e5065 = ((_e5052 + ((_e5055 - _e5058) * _e3800)) - _e5064);
+                                        let _e5068 = local_10.member[1u];
+                                        let _e5071 = local_10.member_1[1u];
+                                        let _e5074 = local_10.member[1u];
+                                        let _e5080 = local_10.member_2[1u];
+                                        let _e5081 = ((_e5068 + ((_e5071 - _e5074) * _e3800)) - _e5080);
+                                        if (_e5065 < _e5081) {
+                                            phi_3862_ = _e5065;
+                                        } else {
+                                            phi_3862_ = _e5081;
+                                        }
+                                        let _e5084 = phi_3862_;
+                                        let _e5087 = local_10.member[2u];
+                                        let _e5090 = local_10.member_1[2u];
+                                        let _e5093 = local_10.member[2u];
+                                        let _e5099 = local_10.member_2[2u];
+                                        let _e5100 = ((_e5087 + ((_e5090 - _e5093) * _e3800)) - _e5099);
+                                        let _e5103 = local_10.member[3u];
+                                        let _e5106 = local_10.member_1[3u];
+                                        let _e5109 = local_10.member[3u];
+                                        let _e5115 = local_10.member_2[3u];
+                                        let _e5116 = ((_e5103 + ((_e5106 - _e5109) * _e3800)) - _e5115);
+                                        if (_e5100 < _e5116) {
+                                            phi_3935_ = _e5100;
+                                        } else {
+                                            phi_3935_ = _e5116;
+                                        }
+                                        let _e5119 = phi_3935_;
+                                        if (_e5084 < _e5119) {
+                                            phi_3940_ = _e5084;
+                                        } else {
+                                            phi_3940_ = _e5119;
+                                        }
+                                        let _e5122 = phi_3940_;
+                                        if (_e5122 > 0f) {
+                                            phi_3958_ = 0.5f;
+                                        } else {
+                                            let _e5126 = (0.95f * (_e5049 / (_e5049 - _e5122)));
+                                            if (_e5126 > 0.0625f) {
+                                                if (_e5126 < 0.9f) {
+                                                    phi_3956_ = _e5126;
+                                                } else {
+                                                    phi_3956_ = 0.9f;
+                                                }
+                                                let _e5130 = phi_3956_;
+                                                phi_3957_ = _e5130;
+                                            } else {
+                                                phi_3957_ = 0.0625f;
+                                            }
+                                            let _e5132 = phi_3957_;
+                                            phi_3958_ = _e5132;
+                                        }
+                                        let _e5134 = phi_3958_;
+                                        phi_3960_ = u32();
+                                        phi_3961_ = (_e4122 * _e5134);
+                                        phi_3962_ = true;
+                                        phi_3963_ = false;
+                                        phi_3964_ = false;
                                     }
-                                    let _e4775 = phi_3477_;
-                                    if (_e4775 < 1f) {
-                                        phi_3482_ = _e4775;
-                                    } else {
-                                        phi_3482_ = 1f;
-                                    }
-                                    let _e4778 = phi_3482_;
-                                    if !(_e3766) {
-                                        phi_3491_ = true;
-                                    } else {
-                                        phi_3491_ = ((_e4778 - _e4757) > 0.0000000037252903f);
-                                    }
-                                    let _e4782 = phi_3491_;
-                                    if _e4782 {
-                                        phi_3495_ = false;
-                                    } else {
-                                        phi_3495_ = true;
-                                    }
-                                    let _e4784 = phi_3495_;
-                                    phi_3496_ = _e4778;
-                                    phi_3497_ = _e4753;
-                                    phi_3498_ = _e4757;
-                                    phi_3499_ = _e4759;
-                                    phi_3500_ = _e4761;
-                                    phi_3501_ = _e4782;
-                                    phi_3502_ = _e4784;
-                                    phi_3503_ = false;
-                                    phi_3504_ = false;
-                                    phi_3505_ = false;
+                                    let _e5141 = phi_3960_;
+                                    let _e5143 = phi_3961_;
+                                    let _e5145 = phi_3962_;
+                                    let _e5147 = phi_3963_;
+                                    let _e5149 = phi_3964_;
+                                    phi_3965_ = _e5141;
+                                    phi_3966_ = _e3802;
+                                    phi_3967_ = _e5143;
+                                    phi_3968_ = _e3804;
+                                    phi_3969_ = _e3806;
+                                    phi_3970_ = _e3808;
+                                    phi_3971_ = _e3810;
+                                    phi_3972_ = _e5145;
+                                    phi_3973_ = _e5147;
+                                    phi_3974_ = _e5149;
+                                    phi_3975_ = false;
+                                    phi_3976_ = false;
+                                    phi_3977_ = false;
                                 } else {
-                                    phi_3496_ = _e3760;
-                                    phi_3497_ = _e3762;
-                                    phi_3498_ = _e3764;
-                                    phi_3499_ = _e3766;
-                                    phi_3500_ = _e4751;
-                                    phi_3501_ = _e4765;
-                                    phi_3502_ = false;
-                                    phi_3503_ = _e4767;
-                                    phi_3504_ = _e4769;
-                                    phi_3505_ = _e4771;
+                                    phi_3965_ = u32();
+                                    phi_3966_ = _e4959;
+                                    phi_3967_ = _e4961;
+                                    phi_3968_ = _e4963;
+                                    phi_3969_ = _e3800;
+                                    phi_3970_ = true;
+                                    phi_3971_ = 0u;
+                                    phi_3972_ = _e4969;
+                                    phi_3973_ = false;
+                                    phi_3974_ = false;
+                                    phi_3975_ = _e4971;
+                                    phi_3976_ = _e4973;
+                                    phi_3977_ = _e4975;
                                 }
-                                let _e4786 = phi_3496_;
-                                let _e4788 = phi_3497_;
-                                let _e4790 = phi_3498_;
-                                let _e4792 = phi_3499_;
-                                let _e4794 = phi_3500_;
-                                let _e4796 = phi_3501_;
-                                let _e4798 = phi_3502_;
-                                let _e4800 = phi_3503_;
-                                let _e4802 = phi_3504_;
-                                let _e4804 = phi_3505_;
-                                phi_1838_ = _e4786;
-                                phi_1840_ = _e4788;
-                                phi_1842_ = _e4790;
-                                phi_1844_ = _e4792;
-                                phi_1846_ = _e4794;
-                                phi_3506_ = _e4753;
-                                phi_3507_ = _e4796;
-                                phi_3508_ = _e4798;
-                                phi_3509_ = false;
-                                phi_3510_ = _e4800;
-                                phi_3511_ = _e4802;
-                                phi_3512_ = _e4804;
+                                let _e5151 = phi_3965_;
+                                let _e5153 = phi_3966_;
+                                let _e5155 = phi_3967_;
+                                let _e5157 = phi_3968_;
+                                let _e5159 = phi_3969_;
+                                let _e5161 = phi_3970_;
+                                let _e5163 = phi_3971_;
+                                let _e5165 = phi_3972_;
+                                let _e5167 = phi_3973_;
+                                let _e5169 = phi_3974_;
+                                let _e5171 = phi_3975_;
+                                let _e5173 = phi_3976_;
+                                let _e5175 = phi_3977_;
+                                if _e5165 {
+                                    let _e5176 = (_e5159 + _e5155);
+                                    if (_e5176 > _e5153) {
+                                        phi_3986_ = _e5176;
+                                    } else {
+                                        phi_3986_ = _e5153;
+                                    }
+                                    let _e5179 = phi_3986_;
+                                    if (_e5179 < 1f) {
+                                        phi_3991_ = _e5179;
+                                    } else {
+                                        phi_3991_ = 1f;
+                                    }
+                                    let _e5182 = phi_3991_;
+                                    if !(_e3808) {
+                                        phi_4000_ = true;
+                                    } else {
+                                        phi_4000_ = ((_e5182 - _e5159) > 0.0000000037252903f);
+                                    }
+                                    let _e5186 = phi_4000_;
+                                    if _e5186 {
+                                        phi_4004_ = false;
+                                    } else {
+                                        phi_4004_ = true;
+                                    }
+                                    let _e5188 = phi_4004_;
+                                    phi_4005_ = _e5182;
+                                    phi_4006_ = _e5153;
+                                    phi_4007_ = _e5157;
+                                    phi_4008_ = _e5159;
+                                    phi_4009_ = _e5161;
+                                    phi_4010_ = _e5163;
+                                    phi_4011_ = _e5186;
+                                    phi_4012_ = _e5188;
+                                    phi_4013_ = false;
+                                    phi_4014_ = false;
+                                    phi_4015_ = false;
+                                    phi_4016_ = false;
+                                } else {
+                                    phi_4005_ = _e3800;
+                                    phi_4006_ = _e3802;
+                                    phi_4007_ = _e3804;
+                                    phi_4008_ = _e3806;
+                                    phi_4009_ = _e3808;
+                                    phi_4010_ = _e5151;
+                                    phi_4011_ = _e5167;
+                                    phi_4012_ = false;
+                                    phi_4013_ = _e5169;
+                                    phi_4014_ = _e5171;
+                                    phi_4015_ = _e5173;
+                                    phi_4016_ = _e5175;
+                                }
+                                let _e5190 = phi_4005_;
+                                let _e5192 = phi_4006_;
+                                let _e5194 = phi_4007_;
+                                let _e5196 = phi_4008_;
+                                let _e5198 = phi_4009_;
+                                let _e5200 = phi_4010_;
+                                let _e5202 = phi_4011_;
+                                let _e5204 = phi_4012_;
+                                let _e5206 = phi_4013_;
+                                let _e5208 = phi_4014_;
+                                let _e5210 = phi_4015_;
+                                let _e5212 = phi_4016_;
+                                phi_1839_ = _e5190;
+                                phi_1841_ = _e5192;
+                                phi_1843_ = _e5194;
+                                phi_1845_ = _e5196;
+                                phi_1847_ = _e5198;
+                                phi_1849_ = _e5200;
+                                phi_4017_ = _e5153;
+                                phi_4018_ = _e4965;
+                                phi_4019_ = _e5202;
+                                phi_4020_ = _e5204;
+                                phi_4021_ = _e5206;
+                                phi_4022_ = _e5208;
+                                phi_4023_ = _e5210;
+                                phi_4024_ = false;
+                                phi_4025_ = _e5212;
                             } else {
-                                phi_1838_ = f32();
-                                phi_1840_ = f32();
-                                phi_1842_ = f32();
-                                phi_1844_ = bool();
-                                phi_1846_ = u32();
-                                phi_3506_ = f32();
-                                phi_3507_ = false;
-                                phi_3508_ = false;
-                                phi_3509_ = true;
-                                phi_3510_ = false;
-                                phi_3511_ = false;
-                                phi_3512_ = false;
+                                phi_1839_ = f32();
+                                phi_1841_ = f32();
+                                phi_1843_ = f32();
+                                phi_1845_ = f32();
+                                phi_1847_ = bool();
+                                phi_1849_ = u32();
+                                phi_4017_ = f32();
+                                phi_4018_ = f32();
+                                phi_4019_ = false;
+                                phi_4020_ = false;
+                                phi_4021_ = false;
+                                phi_4022_ = false;
+                                phi_4023_ = false;
+                                phi_4024_ = true;
+                                phi_4025_ = false;
                             }
-                            let _e4806 = phi_1838_;
-                            let _e4808 = phi_1840_;
-                            let _e4810 = phi_1842_;
-                            let _e4812 = phi_1844_;
-                            let _e4814 = phi_1846_;
-                            let _e4816 = phi_3506_;
-                            let _e4818 = phi_3507_;
-                            let _e4820 = phi_3508_;
-                            let _e4822 = phi_3509_;
-                            let _e4824 = phi_3510_;
-                            let _e4826 = phi_3511_;
-                            let _e4828 = phi_3512_;
-                            local_25 = _e4820;
-                            local_43 = _e4816;
-                            local_45 = _e4822;
-                            local_46 = _e4824;
-                            local_47 = _e4826;
-                            local_48 = _e4828;
+                            let _e5214 = phi_1839_;
+                            let _e5216 = phi_1841_;
+                            let _e5218 = phi_1843_;
+                            let _e5220 = phi_1845_;
+                            let _e5222 = phi_1847_;
+                            let _e5224 = phi_1849_;
+                            let _e5226 = phi_4017_;
+                            let _e5228 = phi_4018_;
+                            let _e5230 = phi_4019_;
+                            let _e5232 = phi_4020_;
+                            let _e5234 = phi_4021_;
+                            let _e5236 = phi_4022_;
+                            let _e5238 = phi_4023_;
+                            let _e5240 = phi_4024_;
+                            let _e5242 = phi_4025_;
+                            local_26 = _e5232;
+                            local_45 = _e5234;
+                            local_46 = _e5236;
+                            local_47 = _e5238;
+                            local_48 = _e5240;
+                            local_49 = _e5242;
+                            local_50 = _e5232;
+                            local_51 = _e5228;
+                            local_52 = _e5226;
                             continue;
                             continuing {
-                                phi_1834_ = _e3780;
-                                phi_1837_ = _e4806;
-                                phi_1839_ = _e4808;
-                                phi_1841_ = _e4810;
-                                phi_1843_ = _e4812;
-                                phi_1845_ = _e4814;
-                                break if !(_e4818);
+                                phi_1835_ = _e3822;
+                                phi_1838_ = _e5214;
+                                phi_1840_ = _e5216;
+                                phi_1842_ = _e5218;
+                                phi_1844_ = _e5220;
+                                phi_1846_ = _e5222;
+                                phi_1848_ = _e5224;
+                                break if !(_e5230);
                             }
                         }
-                        let _e4831 = local_25;
-                        if _e4831 {
-                            let _e6184 = local_43;
-                            phi_3516_ = _e6184;
-                            phi_3517_ = true;
-                            phi_3518_ = false;
-                            phi_3519_ = false;
-                            phi_3520_ = false;
+                        let _e5245 = local_26;
+                        if _e5245 {
+                            phi_4029_ = false;
+                            phi_4030_ = false;
+                            phi_4031_ = false;
+                            phi_4032_ = false;
+                            phi_4033_ = false;
                         } else {
-                            let _e6186 = local_44;
-                            phi_3516_ = _e6186;
-                            let _e6189 = local_45;
-                            phi_3517_ = _e6189;
-                            let _e6192 = local_46;
-                            phi_3518_ = _e6192;
-                            let _e6195 = local_47;
-                            phi_3519_ = _e6195;
-                            let _e6198 = local_48;
-                            phi_3520_ = _e6198;
+                            let _e6715 = local_45;
+                            phi_4029_ = _e6715;
+                            let _e6718 = local_46;
+                            phi_4030_ = _e6718;
+                            let _e6721 = local_47;
+                            phi_4031_ = _e6721;
+                            let _e6724 = local_48;
+                            phi_4032_ = _e6724;
+                            let _e6727 = local_49;
+                            phi_4033_ = _e6727;
                         }
-                        let _e4833 = phi_3516_;
-                        let _e4835 = phi_3517_;
-                        let _e4837 = phi_3518_;
-                        let _e4839 = phi_3519_;
-                        let _e4841 = phi_3520_;
-                        if _e4835 {
-                            phi_3525_ = type_35(1u, _e4833);
-                            phi_3526_ = false;
-                            phi_3527_ = false;
-                            phi_3528_ = false;
+                        let _e5247 = phi_4029_;
+                        let _e5249 = phi_4030_;
+                        let _e5251 = phi_4031_;
+                        let _e5253 = phi_4032_;
+                        let _e5255 = phi_4033_;
+                        if _e5247 {
+                            let _e5257 = local_27;
+                            phi_4038_ = type_30(1u, _e5257);
+                            phi_4039_ = false;
+                            phi_4040_ = false;
+                            phi_4041_ = false;
+                            phi_4042_ = false;
+                            phi_4043_ = false;
                         } else {
-                            phi_3525_ = type_35();
-                            phi_3526_ = _e4837;
-                            phi_3527_ = _e4839;
-                            phi_3528_ = _e4841;
+                            phi_4038_ = type_30();
+                            phi_4039_ = _e5249;
+                            phi_4040_ = _e5251;
+                            let _e6734 = local_50;
+                            phi_4041_ = _e6734;
+                            phi_4042_ = _e5253;
+                            phi_4043_ = _e5255;
                         }
-                        let _e4844 = phi_3525_;
-                        let _e4846 = phi_3526_;
-                        let _e4848 = phi_3527_;
-                        let _e4850 = phi_3528_;
-                        if _e4846 {
-                            let _e4852 = local_26;
-                            phi_3533_ = type_35(1u, _e4852);
-                            phi_3534_ = false;
-                            phi_3535_ = false;
+                        let _e5260 = phi_4038_;
+                        let _e5262 = phi_4039_;
+                        let _e5264 = phi_4040_;
+                        let _e5266 = phi_4041_;
+                        let _e5268 = phi_4042_;
+                        let _e5270 = phi_4043_;
+                        if _e5262 {
+                            phi_4048_ = type_30(0u, type_30().member_1);
+                            phi_4049_ = false;
+                            phi_4050_ = false;
+                            phi_4051_ = false;
+                            phi_4052_ = false;
+                            phi_4053_ = true;
                         } else {
-                            phi_3533_ = type_35();
-                            phi_3534_ = _e4848;
-                            phi_3535_ = _e4850;
+                            phi_4048_ = _e5260;
+                            phi_4049_ = _e5264;
+                            phi_4050_ = _e5266;
+                            phi_4051_ = _e5268;
+                            phi_4052_ = _e5270;
+                            phi_4053_ = _e5247;
                         }
-                        let _e4855 = phi_3533_;
-                        let _e4857 = phi_3534_;
-                        let _e4859 = phi_3535_;
-                        if _e4857 {
-                            phi_3540_ = type_35(0u, type_35().member_1);
-                            phi_3541_ = false;
-                            phi_3542_ = true;
+                        let _e5274 = phi_4048_;
+                        let _e5276 = phi_4049_;
+                        let _e5278 = phi_4050_;
+                        let _e5280 = phi_4051_;
+                        let _e5282 = phi_4052_;
+                        let _e5284 = phi_4053_;
+                        if _e5276 {
+                            let _e6745 = local_51;
+                            phi_4057_ = _e6745;
+                            phi_4058_ = true;
+                            phi_4059_ = false;
+                            phi_4060_ = false;
+                            phi_4061_ = false;
                         } else {
-                            phi_3540_ = _e4855;
-                            phi_3541_ = _e4859;
-                            phi_3542_ = _e4846;
+                            let _e6747 = local_52;
+                            phi_4057_ = _e6747;
+                            phi_4058_ = _e5278;
+                            phi_4059_ = _e5280;
+                            phi_4060_ = _e5282;
+                            phi_4061_ = _e5284;
                         }
-                        let _e4863 = phi_3540_;
-                        let _e4865 = phi_3541_;
-                        let _e4867 = phi_3542_;
-                        if _e4865 {
-                            phi_3547_ = type_35(0u, type_35().member_1);
-                            phi_3548_ = true;
+                        let _e5286 = phi_4057_;
+                        let _e5288 = phi_4058_;
+                        let _e5290 = phi_4059_;
+                        let _e5292 = phi_4060_;
+                        let _e5294 = phi_4061_;
+                        if _e5288 {
+                            phi_4065_ = _e5286;
+                            phi_4066_ = true;
+                            phi_4067_ = false;
+                            phi_4068_ = false;
                         } else {
-                            phi_3547_ = _e4863;
-                            phi_3548_ = _e4867;
+                            let _e6754 = local_53;
+                            phi_4065_ = _e6754;
+                            phi_4066_ = _e5290;
+                            phi_4067_ = _e5292;
+                            phi_4068_ = _e5294;
                         }
-                        let _e4871 = phi_3547_;
-                        let _e4873 = phi_3548_;
-                        if _e4873 {
-                            phi_3552_ = _e4871;
+                        let _e5296 = phi_4065_;
+                        let _e5298 = phi_4066_;
+                        let _e5300 = phi_4067_;
+                        let _e5302 = phi_4068_;
+                        if _e5298 {
+                            phi_4073_ = type_30(1u, _e5296);
+                            phi_4074_ = false;
+                            phi_4075_ = false;
                         } else {
-                            phi_3552_ = _e4844;
+                            phi_4073_ = type_30();
+                            phi_4074_ = _e5300;
+                            phi_4075_ = _e5302;
                         }
-                        let _e4875 = phi_3552_;
-                        if (_e4875.member != 0u) {
-                            local_11[0u] = 0f;
-                            local_11[1u] = (0.02f * 0.0000005f);
+                        let _e5305 = phi_4073_;
+                        let _e5307 = phi_4074_;
+                        let _e5309 = phi_4075_;
+                        if _e5307 {
+                            phi_4080_ = type_30(0u, type_30().member_1);
+                            phi_4081_ = true;
+                        } else {
+                            phi_4080_ = _e5274;
+                            phi_4081_ = _e5309;
+                        }
+                        let _e5313 = phi_4080_;
+                        let _e5315 = phi_4081_;
+                        if _e5315 {
+                            phi_4085_ = _e5313;
+                        } else {
+                            phi_4085_ = _e5305;
+                        }
+                        let _e5317 = phi_4085_;
+                        if (_e5317.member != 0u) {
+                            local_11[0u] = 0.00000001f;
+                            local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_3566_ = type_9(0u, 3u);
+                            phi_4098_ = type_9(0u, 3u);
                             loop {
-                                let _e4887 = phi_3566_;
-                                if (_e4887.member < _e4887.member_1) {
-                                    phi_3567_ = type_9((_e4887.member + 1u), _e4887.member_1);
-                                    phi_3590_ = type_9(1u, _e4887.member);
+                                let _e5328 = phi_4098_;
+                                if (_e5328.member < _e5328.member_1) {
+                                    phi_4099_ = type_9((_e5328.member + 1u), _e5328.member_1);
+                                    phi_4122_ = type_9(1u, _e5328.member);
                                 } else {
-                                    phi_3567_ = _e4887;
-                                    phi_3590_ = type_9(0u, type_9().member_1);
+                                    phi_4099_ = _e5328;
+                                    phi_4122_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e4899 = phi_3567_;
-                                let _e4901 = phi_3590_;
-                                if (bitcast<i32>(_e4901.member) != 0i) {
-                                    let _e4907 = local_11[_e4901.member_1];
-                                    let _e4908 = (_e4875.member_1 + _e4907);
-                                    if (_e4908 < 1f) {
-                                        phi_3610_ = _e4908;
+                                let _e5340 = phi_4099_;
+                                let _e5342 = phi_4122_;
+                                if (bitcast<i32>(_e5342.member) != 0i) {
+                                    let _e5348 = local_11[_e5342.member_1];
+                                    let _e5349 = (_e5317.member_1 + _e5348);
+                                    if (_e5349 < 1f) {
+                                        phi_4142_ = _e5349;
                                     } else {
-                                        phi_3610_ = 1f;
+                                        phi_4142_ = 1f;
                                     }
-                                    let _e4911 = phi_3610_;
-                                    let _e4914 = local_12.member[0u];
-                                    let _e4920 = local_12.member[1u];
-                                    let _e4936 = local_12.member_1[0u];
-                                    let _e4942 = local_12.member_1[1u];
-                                    let _e4958 = local_12.member_2[0u];
-                                    let _e4964 = local_12.member_2[1u];
-                                    let _e4978 = function_2(array<f32, 3>((_e4914[0] + ((_e4920[0] - _e4914[0]) * _e4911)), (_e4914[1] + ((_e4920[1] - _e4914[1]) * _e4911)), (_e4914[2] + ((_e4920[2] - _e4914[2]) * _e4911))), array<f32, 3>((_e4936[0] + ((_e4942[0] - _e4936[0]) * _e4911)), (_e4936[1] + ((_e4942[1] - _e4936[1]) * _e4911)), (_e4936[2] + ((_e4942[2] - _e4936[2]) * _e4911))), array<f32, 3>((_e4958[0] + ((_e4964[0] - _e4958[0]) * _e4911)), (_e4958[1] + ((_e4964[1] - _e4958[1]) * _e4911)), (_e4958[2] + ((_e4964[2] - _e4958[2]) * _e4911))), 1u);
-                                    let _e4989 = (((_e4978[0] * _e4978[0]) + (_e4978[1] * _e4978[1])) + (_e4978[2] * _e4978[2]));
-                                    if (_e4989 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e4989 > 0f) {
-                                            phi_3733_ = (0.000000000000000000106433627f * 2f);
+                                    let _e5352 = phi_4142_;
+                                    let _e5355 = local_12.member[0u];
+                                    let _e5361 = local_12.member[1u];
+                                    let _e5377 = local_12.member_1[0u];
+                                    let _e5383 = local_12.member_1[1u];
+                                    let _e5399 = local_12.member_2[0u];
+                                    let _e5405 = local_12.member_2[1u];
+                                    let _e5419 = function_2(array<f32, 3>((_e5355[0] + ((_e5361[0] - _e5355[0]) * _e5352)), (_e5355[1] + ((_e5361[1] - _e5355[1]) * _e5352)), (_e5355[2] + ((_e5361[2] - _e5355[2]) * _e5352))), array<f32, 3>((_e5377[0] + ((_e5383[0] - _e5377[0]) * _e5352)), (_e5377[1] + ((_e5383[1] - _e5377[1]) * _e5352)), (_e5377[2] + ((_e5383[2] - _e5377[2]) * _e5352))), array<f32, 3>((_e5399[0] + ((_e5405[0] - _e5399[0]) * _e5352)), (_e5399[1] + ((_e5405[1] - _e5399[1]) * _e5352)), (_e5399[2] + ((_e5405[2] - _e5399[2]) * _e5352))), 1u);
+                                    let _e5430 = (((_e5419[0] * _e5419[0]) + (_e5419[1] * _e5419[1])) + (_e5419[2] * _e5419[2]));
+                                    if (_e5430 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e5430 > 0f) {
+                                            phi_4265_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3733_ = 0f;
+                                            phi_4265_ = 0f;
                                         }
-                                        let _e5042 = phi_3733_;
-                                        phi_3797_ = _e5042;
+                                        let _e5483 = phi_4265_;
+                                        phi_4329_ = _e5483;
                                     } else {
-                                        phi_3740_ = type_14(0i, 5i);
-                                        phi_3743_ = bitcast<f32>(((bitcast<u32>(_e4989) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_4272_ = type_14(0i, 5i);
+                                        phi_4275_ = bitcast<f32>(((bitcast<u32>(_e5430) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4997 = phi_3740_;
-                                            let _e4999 = phi_3743_;
-                                            local_27 = _e4999;
-                                            if (_e4997.member < _e4997.member_1) {
-                                                let _e5006 = (_e4997.member + 1i);
-                                                if ((false == (_e5006 > _e4997.member)) != false) {
-                                                    phi_3764_ = true;
+                                            let _e5438 = phi_4272_;
+                                            let _e5440 = phi_4275_;
+                                            local_28 = _e5440;
+                                            if (_e5438.member < _e5438.member_1) {
+                                                let _e5447 = (_e5438.member + 1i);
+                                                if ((false == (_e5447 > _e5438.member)) != false) {
+                                                    phi_4296_ = true;
                                                 } else {
-                                                    phi_3764_ = false;
+                                                    phi_4296_ = false;
                                                 }
-                                                let _e5011 = phi_3764_;
-                                                if _e5011 {
-                                                    phi_3770_ = type_15(0u, type_15().member_1);
+                                                let _e5452 = phi_4296_;
+                                                if _e5452 {
+                                                    phi_4302_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3770_ = type_15(1u, _e5006);
+                                                    phi_4302_ = type_15(1u, _e5447);
                                                 }
-                                                let _e5016 = phi_3770_;
-                                                phi_3741_ = type_14(_e5016.member_1, _e4997.member_1);
-                                                phi_3784_ = type_15(1u, _e4997.member);
+                                                let _e5457 = phi_4302_;
+                                                phi_4273_ = type_14(_e5457.member_1, _e5438.member_1);
+                                                phi_4316_ = type_15(1u, _e5438.member);
                                             } else {
-                                                phi_3741_ = _e4997;
-                                                phi_3784_ = type_15(0u, type_15().member_1);
+                                                phi_4273_ = _e5438;
+                                                phi_4316_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e5022 = phi_3741_;
-                                            let _e5024 = phi_3784_;
-                                            let _e5027 = (bitcast<i32>(_e5024.member) != 0i);
-                                            if _e5027 {
-                                                phi_3744_ = (0.5f * (_e4999 + (_e4989 / _e4999)));
+                                            let _e5463 = phi_4273_;
+                                            let _e5465 = phi_4316_;
+                                            let _e5468 = (bitcast<i32>(_e5465.member) != 0i);
+                                            if _e5468 {
+                                                phi_4276_ = (0.5f * (_e5440 + (_e5430 / _e5440)));
                                             } else {
-                                                phi_3744_ = f32();
+                                                phi_4276_ = f32();
                                             }
-                                            let _e5032 = phi_3744_;
+                                            let _e5473 = phi_4276_;
                                             continue;
                                             continuing {
-                                                phi_3740_ = _e5022;
-                                                phi_3743_ = _e5032;
-                                                break if !(_e5027);
+                                                phi_4272_ = _e5463;
+                                                phi_4275_ = _e5473;
+                                                break if !(_e5468);
                                             }
                                         }
-                                        let _e5037 = local_27;
-                                        phi_3797_ = (_e5037 * (1f + (8f * 0.000000059604645f)));
+                                        let _e5478 = local_28;
+                                        phi_4329_ = (_e5478 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e5044 = phi_3797_;
-                                    let _e5050 = local_12.member[0u];
-                                    if (_e5050[0] < 0f) {
-                                        phi_3813_ = -(_e5050[0]);
+                                    let _e5485 = phi_4329_;
+                                    let _e5491 = local_12.member[0u];
+                                    if (_e5491[0] < 0f) {
+                                        phi_4345_ = -(_e5491[0]);
                                     } else {
-                                        phi_3813_ = _e5050[0];
+                                        phi_4345_ = _e5491[0];
                                     }
-                                    let _e5057 = phi_3813_;
-                                    if (_e5050[1] < 0f) {
-                                        phi_3820_ = -(_e5050[1]);
+                                    let _e5498 = phi_4345_;
+                                    if (_e5491[1] < 0f) {
+                                        phi_4352_ = -(_e5491[1]);
                                     } else {
-                                        phi_3820_ = _e5050[1];
+                                        phi_4352_ = _e5491[1];
                                     }
-                                    let _e5061 = phi_3820_;
-                                    if (_e5057 > _e5061) {
-                                        phi_3825_ = _e5057;
+                                    let _e5502 = phi_4352_;
+                                    if (_e5498 > _e5502) {
+                                        phi_4357_ = _e5498;
                                     } else {
-                                        phi_3825_ = _e5061;
+                                        phi_4357_ = _e5502;
                                     }
-                                    let _e5064 = phi_3825_;
-                                    if (_e5050[2] < 0f) {
-                                        phi_3832_ = -(_e5050[2]);
+                                    let _e5505 = phi_4357_;
+                                    if (_e5491[2] < 0f) {
+                                        phi_4364_ = -(_e5491[2]);
                                     } else {
-                                        phi_3832_ = _e5050[2];
+                                        phi_4364_ = _e5491[2];
                                     }
-                                    let _e5068 = phi_3832_;
-                                    if (_e5064 > _e5068) {
-                                        phi_3837_ = _e5064;
+                                    let _e5509 = phi_4364_;
+                                    if (_e5505 > _e5509) {
+                                        phi_4369_ = _e5505;
                                     } else {
-                                        phi_3837_ = _e5068;
+                                        phi_4369_ = _e5509;
                                     }
-                                    let _e5071 = phi_3837_;
-                                    let _e5074 = local_12.member[1u];
-                                    if (_e5074[0] < 0f) {
-                                        phi_3850_ = -(_e5074[0]);
+                                    let _e5512 = phi_4369_;
+                                    let _e5515 = local_12.member[1u];
+                                    if (_e5515[0] < 0f) {
+                                        phi_4382_ = -(_e5515[0]);
                                     } else {
-                                        phi_3850_ = _e5074[0];
+                                        phi_4382_ = _e5515[0];
                                     }
-                                    let _e5081 = phi_3850_;
-                                    if (_e5074[1] < 0f) {
-                                        phi_3857_ = -(_e5074[1]);
+                                    let _e5522 = phi_4382_;
+                                    if (_e5515[1] < 0f) {
+                                        phi_4389_ = -(_e5515[1]);
                                     } else {
-                                        phi_3857_ = _e5074[1];
+                                        phi_4389_ = _e5515[1];
                                     }
-                                    let _e5085 = phi_3857_;
-                                    if (_e5081 > _e5085) {
-                                        phi_3862_ = _e5081;
+                                    let _e5526 = phi_4389_;
+                                    if (_e5522 > _e5526) {
+                                        phi_4394_ = _e5522;
                                     } else {
-                                        phi_3862_ = _e5085;
+                                        phi_4394_ = _e5526;
                                     }
-                                    let _e5088 = phi_3862_;
-                                    if (_e5074[2] < 0f) {
-                                        phi_3869_ = -(_e5074[2]);
+                                    let _e5529 = phi_4394_;
+                                    if (_e5515[2] < 0f) {
+                                        phi_4401_ = -(_e5515[2]);
                                     } else {
-                                        phi_3869_ = _e5074[2];
+                                        phi_4401_ = _e5515[2];
                                     }
-                                    let _e5092 = phi_3869_;
-                                    if (_e5088 > _e5092) {
-                                        phi_3874_ = _e5088;
+                                    let _e5533 = phi_4401_;
+                                    if (_e5529 > _e5533) {
+                                        phi_4406_ = _e5529;
                                     } else {
-                                        phi_3874_ = _e5092;
+                                        phi_4406_ = _e5533;
                                     }
-                                    let _e5095 = phi_3874_;
-                                    if (_e5071 > _e5095) {
-                                        phi_3879_ = _e5071;
+                                    let _e5536 = phi_4406_;
+                                    if (_e5512 > _e5536) {
+                                        phi_4411_ = _e5512;
                                     } else {
-                                        phi_3879_ = _e5095;
+                                        phi_4411_ = _e5536;
                                     }
-                                    let _e5098 = phi_3879_;
-                                    let _e5100 = local_12.member_3;
-                                    let _e5104 = local_12.member_1[0u];
-                                    if (_e5104[0] < 0f) {
-                                        phi_3896_ = -(_e5104[0]);
+                                    let _e5539 = phi_4411_;
+                                    let _e5541 = local_12.member_3;
+                                    let _e5545 = local_12.member_1[0u];
+                                    if (_e5545[0] < 0f) {
+                                        phi_4428_ = -(_e5545[0]);
                                     } else {
-                                        phi_3896_ = _e5104[0];
+                                        phi_4428_ = _e5545[0];
                                     }
-                                    let _e5111 = phi_3896_;
-                                    if (_e5104[1] < 0f) {
-                                        phi_3903_ = -(_e5104[1]);
+                                    let _e5552 = phi_4428_;
+                                    if (_e5545[1] < 0f) {
+                                        phi_4435_ = -(_e5545[1]);
                                     } else {
-                                        phi_3903_ = _e5104[1];
+                                        phi_4435_ = _e5545[1];
                                     }
-                                    let _e5115 = phi_3903_;
-                                    if (_e5111 > _e5115) {
-                                        phi_3908_ = _e5111;
+                                    let _e5556 = phi_4435_;
+                                    if (_e5552 > _e5556) {
+                                        phi_4440_ = _e5552;
                                     } else {
-                                        phi_3908_ = _e5115;
+                                        phi_4440_ = _e5556;
                                     }
-                                    let _e5118 = phi_3908_;
-                                    if (_e5104[2] < 0f) {
-                                        phi_3915_ = -(_e5104[2]);
+                                    let _e5559 = phi_4440_;
+                                    if (_e5545[2] < 0f) {
+                                        phi_4447_ = -(_e5545[2]);
                                     } else {
-                                        phi_3915_ = _e5104[2];
+                                        phi_4447_ = _e5545[2];
                                     }
-                                    let _e5122 = phi_3915_;
-                                    if (_e5118 > _e5122) {
-                                        phi_3920_ = _e5118;
+                                    let _e5563 = phi_4447_;
+                                    if (_e5559 > _e5563) {
+                                        phi_4452_ = _e5559;
                                     } else {
-                                        phi_3920_ = _e5122;
+                                        phi_4452_ = _e5563;
                                     }
-                                    let _e5125 = phi_3920_;
-                                    let _e5128 = local_12.member_1[1u];
-                                    if (_e5128[0] < 0f) {
-                                        phi_3934_ = -(_e5128[0]);
+                                    let _e5566 = phi_4452_;
+                                    let _e5569 = local_12.member_1[1u];
+                                    if (_e5569[0] < 0f) {
+                                        phi_4466_ = -(_e5569[0]);
                                     } else {
-                                        phi_3934_ = _e5128[0];
+                                        phi_4466_ = _e5569[0];
                                     }
-                                    let _e5135 = phi_3934_;
-                                    if (_e5128[1] < 0f) {
-                                        phi_3941_ = -(_e5128[1]);
+                                    let _e5576 = phi_4466_;
+                                    if (_e5569[1] < 0f) {
+                                        phi_4473_ = -(_e5569[1]);
                                     } else {
-                                        phi_3941_ = _e5128[1];
+                                        phi_4473_ = _e5569[1];
                                     }
-                                    let _e5139 = phi_3941_;
-                                    if (_e5135 > _e5139) {
-                                        phi_3946_ = _e5135;
+                                    let _e5580 = phi_4473_;
+                                    if (_e5576 > _e5580) {
+                                        phi_4478_ = _e5576;
                                     } else {
-                                        phi_3946_ = _e5139;
+                                        phi_4478_ = _e5580;
                                     }
-                                    let _e5142 = phi_3946_;
-                                    if (_e5128[2] < 0f) {
-                                        phi_3953_ = -(_e5128[2]);
+                                    let _e5583 = phi_4478_;
+                                    if (_e5569[2] < 0f) {
+                                        phi_4485_ = -(_e5569[2]);
                                     } else {
-                                        phi_3953_ = _e5128[2];
+                                        phi_4485_ = _e5569[2];
                                     }
-                                    let _e5146 = phi_3953_;
-                                    if (_e5142 > _e5146) {
-                                        phi_3958_ = _e5142;
+                                    let _e5587 = phi_4485_;
+                                    if (_e5583 > _e5587) {
+                                        phi_4490_ = _e5583;
                                     } else {
-                                        phi_3958_ = _e5146;
+                                        phi_4490_ = _e5587;
                                     }
-                                    let _e5149 = phi_3958_;
-                                    if (_e5125 > _e5149) {
-                                        phi_3963_ = _e5125;
+                                    let _e5590 = phi_4490_;
+                                    if (_e5566 > _e5590) {
+                                        phi_4495_ = _e5566;
                                     } else {
-                                        phi_3963_ = _e5149;
+                                        phi_4495_ = _e5590;
                                     }
-                                    let _e5152 = phi_3963_;
-                                    let _e5154 = local_12.member_3;
-                                    let _e5158 = local_12.member_2[0u];
-                                    if (_e5158[0] < 0f) {
-                                        phi_3980_ = -(_e5158[0]);
+                                    let _e5593 = phi_4495_;
+                                    let _e5595 = local_12.member_3;
+                                    let _e5599 = local_12.member_2[0u];
+                                    if (_e5599[0] < 0f) {
+                                        phi_4512_ = -(_e5599[0]);
                                     } else {
-                                        phi_3980_ = _e5158[0];
+                                        phi_4512_ = _e5599[0];
                                     }
-                                    let _e5165 = phi_3980_;
-                                    if (_e5158[1] < 0f) {
-                                        phi_3987_ = -(_e5158[1]);
+                                    let _e5606 = phi_4512_;
+                                    if (_e5599[1] < 0f) {
+                                        phi_4519_ = -(_e5599[1]);
                                     } else {
-                                        phi_3987_ = _e5158[1];
+                                        phi_4519_ = _e5599[1];
                                     }
-                                    let _e5169 = phi_3987_;
-                                    if (_e5165 > _e5169) {
-                                        phi_3992_ = _e5165;
+                                    let _e5610 = phi_4519_;
+                                    if (_e5606 > _e5610) {
+                                        phi_4524_ = _e5606;
                                     } else {
-                                        phi_3992_ = _e5169;
+                                        phi_4524_ = _e5610;
                                     }
-                                    let _e5172 = phi_3992_;
-                                    if (_e5158[2] < 0f) {
-                                        phi_3999_ = -(_e5158[2]);
+                                    let _e5613 = phi_4524_;
+                                    if (_e5599[2] < 0f) {
+                                        phi_4531_ = -(_e5599[2]);
                                     } else {
-                                        phi_3999_ = _e5158[2];
+                                        phi_4531_ = _e5599[2];
                                     }
-                                    let _e5176 = phi_3999_;
-                                    if (_e5172 > _e5176) {
-                                        phi_4004_ = _e5172;
+                                    let _e5617 = phi_4531_;
+                                    if (_e5613 > _e5617) {
+                                        phi_4536_ = _e5613;
                                     } else {
-                                        phi_4004_ = _e5176;
+                                        phi_4536_ = _e5617;
                                     }
-                                    let _e5179 = phi_4004_;
-                                    let _e5182 = local_12.member_2[1u];
-                                    if (_e5182[0] < 0f) {
-                                        phi_4018_ = -(_e5182[0]);
+                                    let _e5620 = phi_4536_;
+                                    let _e5623 = local_12.member_2[1u];
+                                    if (_e5623[0] < 0f) {
+                                        phi_4550_ = -(_e5623[0]);
                                     } else {
-                                        phi_4018_ = _e5182[0];
+                                        phi_4550_ = _e5623[0];
                                     }
-                                    let _e5189 = phi_4018_;
-                                    if (_e5182[1] < 0f) {
-                                        phi_4025_ = -(_e5182[1]);
+                                    let _e5630 = phi_4550_;
+                                    if (_e5623[1] < 0f) {
+                                        phi_4557_ = -(_e5623[1]);
                                     } else {
-                                        phi_4025_ = _e5182[1];
+                                        phi_4557_ = _e5623[1];
                                     }
-                                    let _e5193 = phi_4025_;
-                                    if (_e5189 > _e5193) {
-                                        phi_4030_ = _e5189;
+                                    let _e5634 = phi_4557_;
+                                    if (_e5630 > _e5634) {
+                                        phi_4562_ = _e5630;
                                     } else {
-                                        phi_4030_ = _e5193;
+                                        phi_4562_ = _e5634;
                                     }
-                                    let _e5196 = phi_4030_;
-                                    if (_e5182[2] < 0f) {
-                                        phi_4037_ = -(_e5182[2]);
+                                    let _e5637 = phi_4562_;
+                                    if (_e5623[2] < 0f) {
+                                        phi_4569_ = -(_e5623[2]);
                                     } else {
-                                        phi_4037_ = _e5182[2];
+                                        phi_4569_ = _e5623[2];
                                     }
-                                    let _e5200 = phi_4037_;
-                                    if (_e5196 > _e5200) {
-                                        phi_4042_ = _e5196;
+                                    let _e5641 = phi_4569_;
+                                    if (_e5637 > _e5641) {
+                                        phi_4574_ = _e5637;
                                     } else {
-                                        phi_4042_ = _e5200;
+                                        phi_4574_ = _e5641;
                                     }
-                                    let _e5203 = phi_4042_;
-                                    if (_e5179 > _e5203) {
-                                        phi_4047_ = _e5179;
+                                    let _e5644 = phi_4574_;
+                                    if (_e5620 > _e5644) {
+                                        phi_4579_ = _e5620;
                                     } else {
-                                        phi_4047_ = _e5203;
+                                        phi_4579_ = _e5644;
                                     }
-                                    let _e5206 = phi_4047_;
-                                    let _e5208 = local_12.member_3;
-                                    let _e5215 = local_12.member_3;
-                                    let _e5222 = (((_e5044 * (1f + (0.000000059604645f * 8f))) + (((((((_e5098 + _e5100) + (_e5152 + _e5154)) + (_e5206 + _e5208)) * (0.000000059604645f * 16f)) + (_e5215 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1);
-                                    if _e5222 {
-                                        phi_4067_ = false;
+                                    let _e5647 = phi_4579_;
+                                    let _e5649 = local_12.member_3;
+                                    let _e5656 = local_12.member_3;
+                                    let _e5663 = (((_e5485 * (1f + (0.000000059604645f * 8f))) + (((((((_e5539 + _e5541) + (_e5593 + _e5595)) + (_e5647 + _e5649)) * (0.000000059604645f * 16f)) + (_e5656 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1);
+                                    if _e5663 {
+                                        phi_4599_ = false;
                                     } else {
-                                        phi_4067_ = true;
+                                        phi_4599_ = true;
                                     }
-                                    let _e5224 = phi_4067_;
-                                    phi_4068_ = _e5224;
-                                    phi_4069_ = _e5222;
+                                    let _e5665 = phi_4599_;
+                                    phi_4600_ = _e5665;
+                                    phi_4601_ = _e5663;
                                 } else {
-                                    phi_4068_ = false;
-                                    phi_4069_ = false;
+                                    phi_4600_ = false;
+                                    phi_4601_ = false;
                                 }
-                                let _e5226 = phi_4068_;
-                                let _e5228 = phi_4069_;
-                                local_28 = _e5228;
+                                let _e5667 = phi_4600_;
+                                let _e5669 = phi_4601_;
+                                local_29 = _e5669;
                                 continue;
                                 continuing {
-                                    phi_3566_ = _e4899;
-                                    break if !(_e5226);
+                                    phi_4098_ = _e5340;
+                                    break if !(_e5667);
                                 }
                             }
-                            let _e5231 = local_28;
-                            if _e5231 {
-                                phi_4074_ = type_35(1u, _e4875.member_1);
-                                phi_4075_ = false;
+                            let _e5672 = local_29;
+                            if _e5672 {
+                                phi_4606_ = type_30(1u, _e5317.member_1);
+                                phi_4607_ = false;
                             } else {
-                                phi_4074_ = type_35();
-                                phi_4075_ = true;
+                                phi_4606_ = type_30();
+                                phi_4607_ = true;
                             }
-                            let _e5234 = phi_4074_;
-                            let _e5236 = phi_4075_;
-                            if _e5236 {
-                                phi_4080_ = type_35(2u, _e4875.member_1);
-                                phi_4081_ = false;
+                            let _e5675 = phi_4606_;
+                            let _e5677 = phi_4607_;
+                            if _e5677 {
+                                phi_4612_ = type_30(2u, _e5317.member_1);
+                                phi_4613_ = false;
                             } else {
-                                phi_4080_ = type_35();
-                                phi_4081_ = true;
+                                phi_4612_ = type_30();
+                                phi_4613_ = true;
                             }
-                            let _e5239 = phi_4080_;
-                            let _e5241 = phi_4081_;
-                            phi_4083_ = _e5239;
-                            phi_4084_ = _e5234;
-                            phi_4085_ = _e5241;
+                            let _e5680 = phi_4612_;
+                            let _e5682 = phi_4613_;
+                            phi_4615_ = _e5680;
+                            phi_4616_ = _e5675;
+                            phi_4617_ = _e5682;
                         } else {
-                            phi_4083_ = type_35();
-                            phi_4084_ = type_35(0u, type_35().member_1);
-                            phi_4085_ = true;
+                            phi_4615_ = type_30();
+                            phi_4616_ = type_30(0u, type_30().member_1);
+                            phi_4617_ = true;
                         }
-                        let _e5243 = phi_4083_;
-                        let _e5245 = phi_4084_;
-                        let _e5247 = phi_4085_;
-                        if _e5247 {
-                            phi_4089_ = _e5245;
+                        let _e5684 = phi_4615_;
+                        let _e5686 = phi_4616_;
+                        let _e5688 = phi_4617_;
+                        if _e5688 {
+                            phi_4621_ = _e5686;
                         } else {
-                            phi_4089_ = _e5243;
+                            phi_4621_ = _e5684;
                         }
-                        let _e5249 = phi_4089_;
-                        phi_8025_ = _e5249;
+                        let _e5690 = phi_4621_;
+                        phi_9090_ = _e5690;
                     } else {
                         if (_e593 < 0f) {
-                            phi_4099_ = -(_e593);
+                            phi_4631_ = -(_e593);
                         } else {
-                            phi_4099_ = _e593;
+                            phi_4631_ = _e593;
                         }
-                        let _e936 = phi_4099_;
+                        let _e936 = phi_4631_;
                         if (_e616 < 0f) {
-                            phi_4105_ = -(_e616);
+                            phi_4637_ = -(_e616);
                         } else {
-                            phi_4105_ = _e616;
+                            phi_4637_ = _e616;
                         }
-                        let _e940 = phi_4105_;
+                        let _e940 = phi_4637_;
                         if (_e936 > _e940) {
-                            phi_4110_ = _e936;
+                            phi_4642_ = _e936;
                         } else {
-                            phi_4110_ = _e940;
+                            phi_4642_ = _e940;
                         }
-                        let _e943 = phi_4110_;
+                        let _e943 = phi_4642_;
                         if (_e639 < 0f) {
-                            phi_4116_ = -(_e639);
+                            phi_4648_ = -(_e639);
                         } else {
-                            phi_4116_ = _e639;
+                            phi_4648_ = _e639;
                         }
-                        let _e947 = phi_4116_;
+                        let _e947 = phi_4648_;
                         if (_e650 < 0f) {
-                            phi_4122_ = -(_e650);
+                            phi_4654_ = -(_e650);
                         } else {
-                            phi_4122_ = _e650;
+                            phi_4654_ = _e650;
                         }
-                        let _e951 = phi_4122_;
+                        let _e951 = phi_4654_;
                         if (_e947 > _e951) {
-                            phi_4127_ = _e947;
+                            phi_4659_ = _e947;
                         } else {
-                            phi_4127_ = _e951;
+                            phi_4659_ = _e951;
                         }
-                        let _e954 = phi_4127_;
+                        let _e954 = phi_4659_;
                         if (_e943 > _e954) {
-                            phi_4132_ = _e943;
+                            phi_4664_ = _e943;
                         } else {
-                            phi_4132_ = _e954;
+                            phi_4664_ = _e954;
                         }
-                        let _e957 = phi_4132_;
+                        let _e957 = phi_4664_;
                         let _e958 = (0.000000000000000000000000000000000000011754944f * 67108864f);
                         if (_e957 >= _e958) {
-                            phi_4140_ = (_e957 <= (1f / _e958));
+                            phi_4672_ = (_e957 <= (1f / _e958));
                         } else {
-                            phi_4140_ = false;
+                            phi_4672_ = false;
                         }
-                        let _e963 = phi_4140_;
+                        let _e963 = phi_4672_;
                         if _e963 {
-                            phi_4145_ = (0.000000059604645f * 256f);
+                            phi_4677_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_4145_ = 2f;
+                            phi_4677_ = 2f;
                         }
-                        let _e966 = phi_4145_;
+                        let _e966 = phi_4677_;
                         let _e968 = ((_e900 * 0.34f) + (_e957 * _e966));
                         if _e963 {
-                            phi_4152_ = (1f / _e957);
+                            phi_4684_ = (1f / _e957);
                         } else {
-                            phi_4152_ = 0f;
+                            phi_4684_ = 0f;
                         }
-                        let _e971 = phi_4152_;
+                        let _e971 = phi_4684_;
                         let _e977 = ((_e616 - (3f * _e593)) * _e971);
                         let _e978 = ((_e639 - _e616) * _e971);
                         let _e979 = (((3f * _e650) - _e639) * _e971);
@@ -3750,65 +4292,65 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e986 > 0f) {
                             if (_e986 <= 0.000000000000000000000000000000000000011754944f) {
                                 if (_e986 > 0f) {
-                                    phi_4185_ = (0.000000000000000000106433627f * 2f);
+                                    phi_4717_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_4185_ = 0f;
+                                    phi_4717_ = 0f;
                                 }
-                                let _e1040 = phi_4185_;
-                                phi_4249_ = _e1040;
+                                let _e1040 = phi_4717_;
+                                phi_4781_ = _e1040;
                             } else {
-                                phi_4192_ = type_14(0i, 5i);
-                                phi_4195_ = bitcast<f32>(((bitcast<u32>(_e986) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_4724_ = type_14(0i, 5i);
+                                phi_4727_ = bitcast<f32>(((bitcast<u32>(_e986) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e995 = phi_4192_;
-                                    let _e997 = phi_4195_;
+                                    let _e995 = phi_4724_;
+                                    let _e997 = phi_4727_;
                                     local_13 = _e997;
                                     if (_e995.member < _e995.member_1) {
                                         let _e1004 = (_e995.member + 1i);
                                         if ((false == (_e1004 > _e995.member)) != false) {
-                                            phi_4216_ = true;
+                                            phi_4748_ = true;
                                         } else {
-                                            phi_4216_ = false;
+                                            phi_4748_ = false;
                                         }
-                                        let _e1009 = phi_4216_;
+                                        let _e1009 = phi_4748_;
                                         if _e1009 {
-                                            phi_4222_ = type_15(0u, type_15().member_1);
+                                            phi_4754_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_4222_ = type_15(1u, _e1004);
+                                            phi_4754_ = type_15(1u, _e1004);
                                         }
-                                        let _e1014 = phi_4222_;
-                                        phi_4193_ = type_14(_e1014.member_1, _e995.member_1);
-                                        phi_4236_ = type_15(1u, _e995.member);
+                                        let _e1014 = phi_4754_;
+                                        phi_4725_ = type_14(_e1014.member_1, _e995.member_1);
+                                        phi_4768_ = type_15(1u, _e995.member);
                                     } else {
-                                        phi_4193_ = _e995;
-                                        phi_4236_ = type_15(0u, type_15().member_1);
+                                        phi_4725_ = _e995;
+                                        phi_4768_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e1020 = phi_4193_;
-                                    let _e1022 = phi_4236_;
+                                    let _e1020 = phi_4725_;
+                                    let _e1022 = phi_4768_;
                                     let _e1025 = (bitcast<i32>(_e1022.member) != 0i);
                                     if _e1025 {
-                                        phi_4196_ = (0.5f * (_e997 + (_e986 / _e997)));
+                                        phi_4728_ = (0.5f * (_e997 + (_e986 / _e997)));
                                     } else {
-                                        phi_4196_ = f32();
+                                        phi_4728_ = f32();
                                     }
-                                    let _e1030 = phi_4196_;
+                                    let _e1030 = phi_4728_;
                                     continue;
                                     continuing {
-                                        phi_4192_ = _e1020;
-                                        phi_4195_ = _e1030;
+                                        phi_4724_ = _e1020;
+                                        phi_4727_ = _e1030;
                                         break if !(_e1025);
                                     }
                                 }
                                 let _e1035 = local_13;
-                                phi_4249_ = (_e1035 * (1f + (8f * 0.000000059604645f)));
+                                phi_4781_ = (_e1035 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e1042 = phi_4249_;
+                            let _e1042 = phi_4781_;
                             if (_e978 < 0f) {
-                                phi_4255_ = -(_e1042);
+                                phi_4787_ = -(_e1042);
                             } else {
-                                phi_4255_ = _e1042;
+                                phi_4787_ = _e1042;
                             }
-                            let _e1046 = phi_4255_;
+                            let _e1046 = phi_4787_;
                             let _e1048 = -((_e978 + _e1046));
                             local_7[0u] = (_e1048 / (_e1048 + _e979));
                             local_7[1u] = (_e977 / (_e977 + _e1048));
@@ -3820,21 +4362,21 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1061;
                                 local_7[1u] = _e1063;
                             }
-                            phi_4280_ = type_9(0u, 2u);
-                            phi_4283_ = 1u;
+                            phi_4812_ = type_9(0u, 2u);
+                            phi_4815_ = 1u;
                             loop {
-                                let _e1067 = phi_4280_;
-                                let _e1069 = phi_4283_;
-                                local_29 = _e1069;
+                                let _e1067 = phi_4812_;
+                                let _e1069 = phi_4815_;
+                                local_30 = _e1069;
                                 if (_e1067.member < _e1067.member_1) {
-                                    phi_4281_ = type_9((_e1067.member + 1u), _e1067.member_1);
-                                    phi_4306_ = type_9(1u, _e1067.member);
+                                    phi_4813_ = type_9((_e1067.member + 1u), _e1067.member_1);
+                                    phi_4838_ = type_9(1u, _e1067.member);
                                 } else {
-                                    phi_4281_ = _e1067;
-                                    phi_4306_ = type_9(0u, type_9().member_1);
+                                    phi_4813_ = _e1067;
+                                    phi_4838_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1081 = phi_4281_;
-                                let _e1083 = phi_4306_;
+                                let _e1081 = phi_4813_;
+                                let _e1083 = phi_4838_;
                                 let _e1087 = (bitcast<i32>(_e1083.member) != 0i);
                                 if _e1087 {
                                     let _e1089 = local_7[_e1083.member_1];
@@ -3843,49 +4385,49 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1092 < 1f) {
                                             let _e1095 = local_7[_e1083.member_1];
                                             local_6[_e1069] = _e1095;
-                                            phi_4350_ = (_e1069 + 1u);
+                                            phi_4882_ = (_e1069 + 1u);
                                         } else {
-                                            phi_4350_ = _e1069;
+                                            phi_4882_ = _e1069;
                                         }
-                                        let _e1099 = phi_4350_;
-                                        phi_4351_ = _e1099;
+                                        let _e1099 = phi_4882_;
+                                        phi_4883_ = _e1099;
                                     } else {
-                                        phi_4351_ = _e1069;
+                                        phi_4883_ = _e1069;
                                     }
-                                    let _e1101 = phi_4351_;
-                                    phi_4284_ = _e1101;
+                                    let _e1101 = phi_4883_;
+                                    phi_4816_ = _e1101;
                                 } else {
-                                    phi_4284_ = u32();
+                                    phi_4816_ = u32();
                                 }
-                                let _e1103 = phi_4284_;
+                                let _e1103 = phi_4816_;
                                 continue;
                                 continuing {
-                                    phi_4280_ = _e1081;
-                                    phi_4283_ = _e1103;
+                                    phi_4812_ = _e1081;
+                                    phi_4815_ = _e1103;
                                     break if !(_e1087);
                                 }
                             }
-                            let _e5509 = local_29;
-                            phi_4352_ = _e5509;
+                            let _e5950 = local_30;
+                            phi_4884_ = _e5950;
                         } else {
-                            phi_4352_ = 1u;
+                            phi_4884_ = 1u;
                         }
-                        let _e1106 = phi_4352_;
+                        let _e1106 = phi_4884_;
                         local_6[_e1106] = 1f;
                         let _e1108 = local_6;
                         local_8 = _e1108;
-                        phi_4372_ = type_9(0u, _e1106);
+                        phi_4904_ = type_9(0u, _e1106);
                         loop {
-                            let _e1111 = phi_4372_;
+                            let _e1111 = phi_4904_;
                             if (_e1111.member < _e1111.member_1) {
-                                phi_4373_ = type_9((_e1111.member + 1u), _e1111.member_1);
-                                phi_4396_ = type_9(1u, _e1111.member);
+                                phi_4905_ = type_9((_e1111.member + 1u), _e1111.member_1);
+                                phi_4928_ = type_9(1u, _e1111.member);
                             } else {
-                                phi_4373_ = _e1111;
-                                phi_4396_ = type_9(0u, type_9().member_1);
+                                phi_4905_ = _e1111;
+                                phi_4928_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1123 = phi_4373_;
-                            let _e1125 = phi_4396_;
+                            let _e1123 = phi_4905_;
+                            let _e1125 = phi_4928_;
                             if (bitcast<i32>(_e1125.member) != 0i) {
                                 let _e1131 = local_8[_e1125.member_1];
                                 let _e1134 = local_8[(_e1125.member_1 + 1u)];
@@ -3894,322 +4436,322 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1147 = (1f - _e1134);
                                 let _e1158 = ((((_e593 * _e1147) + (_e616 * _e1134)) * (_e1147 * _e1147)) + (((_e639 * _e1147) + (_e650 * _e1134)) * (_e1134 * _e1134)));
                                 if (_e1146 < 0f) {
-                                    phi_4448_ = -(_e1146);
+                                    phi_4980_ = -(_e1146);
                                 } else {
-                                    phi_4448_ = _e1146;
+                                    phi_4980_ = _e1146;
                                 }
-                                let _e1162 = phi_4448_;
+                                let _e1162 = phi_4980_;
                                 let _e1163 = (_e1162 > _e968);
                                 if (_e1158 < 0f) {
-                                    phi_4455_ = -(_e1158);
+                                    phi_4987_ = -(_e1158);
                                 } else {
-                                    phi_4455_ = _e1158;
+                                    phi_4987_ = _e1158;
                                 }
-                                let _e1167 = phi_4455_;
+                                let _e1167 = phi_4987_;
                                 let _e1168 = (_e1167 > _e968);
                                 if _e1163 {
                                     if _e1168 {
-                                        phi_4466_ = ((_e1146 > 0f) != (_e1158 > 0f));
-                                        phi_4467_ = false;
+                                        phi_4998_ = ((_e1146 > 0f) != (_e1158 > 0f));
+                                        phi_4999_ = false;
                                     } else {
-                                        phi_4466_ = bool();
-                                        phi_4467_ = true;
+                                        phi_4998_ = bool();
+                                        phi_4999_ = true;
                                     }
-                                    let _e1173 = phi_4466_;
-                                    let _e1175 = phi_4467_;
-                                    phi_4468_ = _e1173;
-                                    phi_4469_ = _e1175;
+                                    let _e1173 = phi_4998_;
+                                    let _e1175 = phi_4999_;
+                                    phi_5000_ = _e1173;
+                                    phi_5001_ = _e1175;
                                 } else {
-                                    phi_4468_ = bool();
-                                    phi_4469_ = true;
+                                    phi_5000_ = bool();
+                                    phi_5001_ = true;
                                 }
-                                let _e1177 = phi_4468_;
-                                let _e1179 = phi_4469_;
+                                let _e1177 = phi_5000_;
+                                let _e1179 = phi_5001_;
                                 if _e1179 {
-                                    phi_4473_ = false;
+                                    phi_5005_ = false;
                                 } else {
-                                    phi_4473_ = _e1177;
+                                    phi_5005_ = _e1177;
                                 }
-                                let _e1181 = phi_4473_;
+                                let _e1181 = phi_5005_;
                                 if _e1163 {
                                     if _e1168 {
                                         if _e1181 {
-                                            phi_4484_ = type_37();
+                                            phi_5016_ = type_37();
                                         } else {
-                                            phi_4484_ = type_37(1f, 0f, _e1181);
+                                            phi_5016_ = type_37(1f, 0f, _e1181);
                                         }
-                                        let _e1184 = phi_4484_;
-                                        phi_4485_ = _e1184;
-                                        phi_4486_ = _e1181;
+                                        let _e1184 = phi_5016_;
+                                        phi_5017_ = _e1184;
+                                        phi_5018_ = _e1181;
                                     } else {
-                                        phi_4485_ = type_37();
-                                        phi_4486_ = true;
+                                        phi_5017_ = type_37();
+                                        phi_5018_ = true;
                                     }
-                                    let _e1186 = phi_4485_;
-                                    let _e1188 = phi_4486_;
-                                    phi_4487_ = _e1186;
-                                    phi_4488_ = _e1188;
+                                    let _e1186 = phi_5017_;
+                                    let _e1188 = phi_5018_;
+                                    phi_5019_ = _e1186;
+                                    phi_5020_ = _e1188;
                                 } else {
-                                    phi_4487_ = type_37();
-                                    phi_4488_ = true;
+                                    phi_5019_ = type_37();
+                                    phi_5020_ = true;
                                 }
-                                let _e1190 = phi_4487_;
-                                let _e1192 = phi_4488_;
+                                let _e1190 = phi_5019_;
+                                let _e1192 = phi_5020_;
                                 if _e1192 {
                                     if _e1163 {
                                         if (_e1146 < 0f) {
-                                            phi_4499_ = -1f;
+                                            phi_5031_ = -1f;
                                         } else {
-                                            phi_4499_ = 1f;
+                                            phi_5031_ = 1f;
                                         }
-                                        let _e1195 = phi_4499_;
+                                        let _e1195 = phi_5031_;
                                         let _e1198 = (_e639 - _e616);
-                                        phi_4509_ = type_9(0u, 64u);
-                                        phi_4512_ = _e1134;
-                                        phi_4514_ = _e1131;
-                                        phi_4516_ = (0.5f * (_e1131 + _e1134));
+                                        phi_5041_ = type_9(0u, 64u);
+                                        phi_5044_ = _e1134;
+                                        phi_5046_ = _e1131;
+                                        phi_5048_ = (0.5f * (_e1131 + _e1134));
                                         loop {
-                                            let _e1204 = phi_4509_;
-                                            let _e1206 = phi_4512_;
-                                            let _e1208 = phi_4514_;
-                                            let _e1210 = phi_4516_;
-                                            local_31 = _e1208;
+                                            let _e1204 = phi_5041_;
+                                            let _e1206 = phi_5044_;
+                                            let _e1208 = phi_5046_;
+                                            let _e1210 = phi_5048_;
+                                            local_32 = _e1208;
                                             if (_e1204.member < _e1204.member_1) {
-                                                phi_4510_ = type_9((_e1204.member + 1u), _e1204.member_1);
-                                                phi_4539_ = type_9(1u, _e1204.member);
+                                                phi_5042_ = type_9((_e1204.member + 1u), _e1204.member_1);
+                                                phi_5071_ = type_9(1u, _e1204.member);
                                             } else {
-                                                phi_4510_ = _e1204;
-                                                phi_4539_ = type_9(0u, type_9().member_1);
+                                                phi_5042_ = _e1204;
+                                                phi_5071_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1222 = phi_4510_;
-                                            let _e1224 = phi_4539_;
+                                            let _e1222 = phi_5042_;
+                                            let _e1224 = phi_5071_;
                                             if (bitcast<i32>(_e1224.member) != 0i) {
                                                 let _e1228 = (1f - _e1210);
                                                 let _e1241 = ((_e1195 * ((((_e593 * _e1228) + (_e616 * _e1210)) * (_e1228 * _e1228)) + (((_e639 * _e1228) + (_e650 * _e1210)) * (_e1210 * _e1210)))) - _e968);
                                                 if (_e1241 > 0f) {
-                                                    phi_4564_ = _e1206;
-                                                    phi_4565_ = _e1210;
+                                                    phi_5096_ = _e1206;
+                                                    phi_5097_ = _e1210;
                                                 } else {
-                                                    phi_4564_ = _e1210;
-                                                    phi_4565_ = _e1208;
+                                                    phi_5096_ = _e1210;
+                                                    phi_5097_ = _e1208;
                                                 }
-                                                let _e1244 = phi_4564_;
-                                                let _e1246 = phi_4565_;
+                                                let _e1244 = phi_5096_;
+                                                let _e1246 = phi_5097_;
                                                 let _e1248 = ((_e1244 - _e1246) > 0.00000000000022737368f);
                                                 if _e1248 {
                                                     let _e1249 = (1f - _e1210);
                                                     let _e1261 = (-(_e1241) / (_e1195 * (((((_e616 - (3f * _e593)) * _e1249) + (_e1198 * _e1210)) * _e1249) + (((_e1198 * _e1249) + (((3f * _e650) - _e639) * _e1210)) * _e1210))));
                                                     if (_e1241 > 0f) {
-                                                        phi_4591_ = (0.5f * 0.00000000000022737368f);
+                                                        phi_5123_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_4591_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_5123_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1267 = phi_4591_;
+                                                    let _e1267 = phi_5123_;
                                                     let _e1269 = ((_e1210 + _e1261) + _e1267);
                                                     if (_e1269 > _e1246) {
                                                         if (_e1269 < _e1244) {
                                                             if (_e1261 < 0f) {
-                                                                phi_4607_ = -(_e1261);
+                                                                phi_5139_ = -(_e1261);
                                                             } else {
-                                                                phi_4607_ = _e1261;
+                                                                phi_5139_ = _e1261;
                                                             }
-                                                            let _e1275 = phi_4607_;
+                                                            let _e1275 = phi_5139_;
                                                             if (_e1275 < (0.5f * (_e1244 - _e1246))) {
-                                                                phi_4614_ = false;
+                                                                phi_5146_ = false;
                                                             } else {
-                                                                phi_4614_ = true;
+                                                                phi_5146_ = true;
                                                             }
-                                                            let _e1280 = phi_4614_;
-                                                            phi_4615_ = _e1280;
+                                                            let _e1280 = phi_5146_;
+                                                            phi_5147_ = _e1280;
                                                         } else {
-                                                            phi_4615_ = true;
+                                                            phi_5147_ = true;
                                                         }
-                                                        let _e1282 = phi_4615_;
-                                                        phi_4616_ = _e1282;
+                                                        let _e1282 = phi_5147_;
+                                                        phi_5148_ = _e1282;
                                                     } else {
-                                                        phi_4616_ = true;
+                                                        phi_5148_ = true;
                                                     }
-                                                    let _e1284 = phi_4616_;
+                                                    let _e1284 = phi_5148_;
                                                     if _e1284 {
-                                                        phi_4622_ = (0.5f * (_e1246 + _e1244));
+                                                        phi_5154_ = (0.5f * (_e1246 + _e1244));
                                                     } else {
-                                                        phi_4622_ = _e1269;
+                                                        phi_5154_ = _e1269;
                                                     }
-                                                    let _e1288 = phi_4622_;
-                                                    phi_4623_ = _e1288;
-                                                    phi_4624_ = false;
+                                                    let _e1288 = phi_5154_;
+                                                    phi_5155_ = _e1288;
+                                                    phi_5156_ = false;
                                                 } else {
-                                                    phi_4623_ = f32();
-                                                    phi_4624_ = true;
+                                                    phi_5155_ = f32();
+                                                    phi_5156_ = true;
                                                 }
-                                                let _e1290 = phi_4623_;
-                                                let _e1292 = phi_4624_;
-                                                phi_4513_ = _e1244;
-                                                phi_4515_ = _e1246;
-                                                phi_4517_ = _e1290;
-                                                phi_4625_ = _e1246;
-                                                phi_4626_ = _e1248;
-                                                phi_4627_ = _e1292;
+                                                let _e1290 = phi_5155_;
+                                                let _e1292 = phi_5156_;
+                                                phi_5045_ = _e1244;
+                                                phi_5047_ = _e1246;
+                                                phi_5049_ = _e1290;
+                                                phi_5157_ = _e1246;
+                                                phi_5158_ = _e1248;
+                                                phi_5159_ = _e1292;
                                             } else {
-                                                phi_4513_ = f32();
-                                                phi_4515_ = f32();
-                                                phi_4517_ = f32();
-                                                phi_4625_ = f32();
-                                                phi_4626_ = false;
-                                                phi_4627_ = false;
+                                                phi_5045_ = f32();
+                                                phi_5047_ = f32();
+                                                phi_5049_ = f32();
+                                                phi_5157_ = f32();
+                                                phi_5158_ = false;
+                                                phi_5159_ = false;
                                             }
-                                            let _e1294 = phi_4513_;
-                                            let _e1296 = phi_4515_;
-                                            let _e1298 = phi_4517_;
-                                            let _e1300 = phi_4625_;
-                                            let _e1302 = phi_4626_;
-                                            let _e1304 = phi_4627_;
+                                            let _e1294 = phi_5045_;
+                                            let _e1296 = phi_5047_;
+                                            let _e1298 = phi_5049_;
+                                            let _e1300 = phi_5157_;
+                                            let _e1302 = phi_5158_;
+                                            let _e1304 = phi_5159_;
                                             local_14 = _e1304;
-                                            local_30 = _e1300;
+                                            local_31 = _e1300;
                                             continue;
                                             continuing {
-                                                phi_4509_ = _e1222;
-                                                phi_4512_ = _e1294;
-                                                phi_4514_ = _e1296;
-                                                phi_4516_ = _e1298;
+                                                phi_5041_ = _e1222;
+                                                phi_5044_ = _e1294;
+                                                phi_5046_ = _e1296;
+                                                phi_5048_ = _e1298;
                                                 break if !(_e1302);
                                             }
                                         }
                                         let _e1307 = local_14;
                                         if _e1307 {
-                                            let _e5551 = local_30;
-                                            phi_4631_ = _e5551;
+                                            let _e5992 = local_31;
+                                            phi_5163_ = _e5992;
                                         } else {
-                                            let _e5553 = local_31;
-                                            phi_4631_ = _e5553;
+                                            let _e5994 = local_32;
+                                            phi_5163_ = _e5994;
                                         }
-                                        let _e1309 = phi_4631_;
-                                        phi_4632_ = _e1309;
+                                        let _e1309 = phi_5163_;
+                                        phi_5164_ = _e1309;
                                     } else {
-                                        phi_4632_ = _e1131;
+                                        phi_5164_ = _e1131;
                                     }
-                                    let _e1311 = phi_4632_;
+                                    let _e1311 = phi_5164_;
                                     if _e1168 {
                                         if (_e1158 < 0f) {
-                                            phi_4640_ = -1f;
+                                            phi_5172_ = -1f;
                                         } else {
-                                            phi_4640_ = 1f;
+                                            phi_5172_ = 1f;
                                         }
-                                        let _e1314 = phi_4640_;
-                                        phi_4644_ = type_9(0u, 64u);
-                                        phi_4647_ = (2f * 0.00000000000022737368f);
+                                        let _e1314 = phi_5172_;
+                                        phi_5176_ = type_9(0u, 64u);
+                                        phi_5179_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1317 = phi_4644_;
-                                            let _e1319 = phi_4647_;
+                                            let _e1317 = phi_5176_;
+                                            let _e1319 = phi_5179_;
                                             if (_e1317.member < _e1317.member_1) {
-                                                phi_4645_ = type_9((_e1317.member + 1u), _e1317.member_1);
-                                                phi_4670_ = type_9(1u, _e1317.member);
+                                                phi_5177_ = type_9((_e1317.member + 1u), _e1317.member_1);
+                                                phi_5202_ = type_9(1u, _e1317.member);
                                             } else {
-                                                phi_4645_ = _e1317;
-                                                phi_4670_ = type_9(0u, type_9().member_1);
+                                                phi_5177_ = _e1317;
+                                                phi_5202_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1331 = phi_4645_;
-                                            let _e1333 = phi_4670_;
+                                            let _e1331 = phi_5177_;
+                                            let _e1333 = phi_5202_;
                                             if (bitcast<i32>(_e1333.member) != 0i) {
                                                 let _e1337 = (_e1311 + _e1319);
                                                 if (_e1337 < _e1134) {
                                                     let _e1339 = (1f - _e1337);
                                                     let _e1352 = ((_e1314 * ((((_e593 * _e1339) + (_e616 * _e1337)) * (_e1339 * _e1339)) + (((_e639 * _e1339) + (_e650 * _e1337)) * (_e1337 * _e1337)))) > _e968);
                                                     if _e1352 {
-                                                        phi_4700_ = f32();
-                                                        phi_4701_ = false;
+                                                        phi_5232_ = f32();
+                                                        phi_5233_ = false;
                                                     } else {
-                                                        phi_4700_ = (_e1319 + _e1319);
-                                                        phi_4701_ = true;
+                                                        phi_5232_ = (_e1319 + _e1319);
+                                                        phi_5233_ = true;
                                                     }
-                                                    let _e1355 = phi_4700_;
-                                                    let _e1357 = phi_4701_;
-                                                    phi_4702_ = _e1355;
-                                                    phi_4703_ = _e1357;
-                                                    phi_4704_ = _e1352;
-                                                    phi_4705_ = false;
+                                                    let _e1355 = phi_5232_;
+                                                    let _e1357 = phi_5233_;
+                                                    phi_5234_ = _e1355;
+                                                    phi_5235_ = _e1357;
+                                                    phi_5236_ = _e1352;
+                                                    phi_5237_ = false;
                                                 } else {
-                                                    phi_4702_ = f32();
-                                                    phi_4703_ = false;
-                                                    phi_4704_ = false;
-                                                    phi_4705_ = true;
+                                                    phi_5234_ = f32();
+                                                    phi_5235_ = false;
+                                                    phi_5236_ = false;
+                                                    phi_5237_ = true;
                                                 }
-                                                let _e1359 = phi_4702_;
-                                                let _e1361 = phi_4703_;
-                                                let _e1363 = phi_4704_;
-                                                let _e1365 = phi_4705_;
-                                                phi_4706_ = _e1337;
-                                                phi_4648_ = _e1359;
-                                                phi_4707_ = _e1361;
-                                                phi_4708_ = _e1363;
-                                                phi_4709_ = _e1365;
-                                                phi_4710_ = false;
+                                                let _e1359 = phi_5234_;
+                                                let _e1361 = phi_5235_;
+                                                let _e1363 = phi_5236_;
+                                                let _e1365 = phi_5237_;
+                                                phi_5238_ = _e1337;
+                                                phi_5180_ = _e1359;
+                                                phi_5239_ = _e1361;
+                                                phi_5240_ = _e1363;
+                                                phi_5241_ = _e1365;
+                                                phi_5242_ = false;
                                             } else {
-                                                phi_4706_ = f32();
-                                                phi_4648_ = f32();
-                                                phi_4707_ = false;
-                                                phi_4708_ = false;
-                                                phi_4709_ = false;
-                                                phi_4710_ = true;
+                                                phi_5238_ = f32();
+                                                phi_5180_ = f32();
+                                                phi_5239_ = false;
+                                                phi_5240_ = false;
+                                                phi_5241_ = false;
+                                                phi_5242_ = true;
                                             }
-                                            let _e1367 = phi_4706_;
-                                            let _e1369 = phi_4648_;
-                                            let _e1371 = phi_4707_;
-                                            let _e1373 = phi_4708_;
-                                            let _e1375 = phi_4709_;
-                                            let _e1377 = phi_4710_;
+                                            let _e1367 = phi_5238_;
+                                            let _e1369 = phi_5180_;
+                                            let _e1371 = phi_5239_;
+                                            let _e1373 = phi_5240_;
+                                            let _e1375 = phi_5241_;
+                                            let _e1377 = phi_5242_;
                                             local_15 = _e1373;
-                                            local_32 = _e1375;
-                                            local_33 = _e1377;
-                                            local_34 = _e1367;
+                                            local_33 = _e1375;
+                                            local_34 = _e1377;
+                                            local_35 = _e1367;
                                             continue;
                                             continuing {
-                                                phi_4644_ = _e1331;
-                                                phi_4647_ = _e1369;
+                                                phi_5176_ = _e1331;
+                                                phi_5179_ = _e1369;
                                                 break if !(_e1371);
                                             }
                                         }
                                         let _e1380 = local_15;
                                         if _e1380 {
-                                            phi_4714_ = false;
-                                            phi_4715_ = false;
+                                            phi_5246_ = false;
+                                            phi_5247_ = false;
                                         } else {
-                                            let _e5575 = local_32;
-                                            phi_4714_ = _e5575;
-                                            let _e5578 = local_33;
-                                            phi_4715_ = _e5578;
+                                            let _e6016 = local_33;
+                                            phi_5246_ = _e6016;
+                                            let _e6019 = local_34;
+                                            phi_5247_ = _e6019;
                                         }
-                                        let _e1382 = phi_4714_;
-                                        let _e1384 = phi_4715_;
+                                        let _e1382 = phi_5246_;
+                                        let _e1384 = phi_5247_;
                                         if _e1382 {
-                                            phi_4719_ = true;
+                                            phi_5251_ = true;
                                         } else {
-                                            phi_4719_ = _e1384;
+                                            phi_5251_ = _e1384;
                                         }
-                                        let _e1386 = phi_4719_;
+                                        let _e1386 = phi_5251_;
                                         if _e1386 {
-                                            phi_4723_ = _e1134;
+                                            phi_5255_ = _e1134;
                                         } else {
-                                            let _e5582 = local_34;
-                                            phi_4723_ = _e5582;
+                                            let _e6023 = local_35;
+                                            phi_5255_ = _e6023;
                                         }
-                                        let _e1388 = phi_4723_;
-                                        phi_4724_ = _e1388;
+                                        let _e1388 = phi_5255_;
+                                        phi_5256_ = _e1388;
                                     } else {
-                                        phi_4724_ = _e1134;
+                                        phi_5256_ = _e1134;
                                     }
-                                    let _e1390 = phi_4724_;
-                                    phi_4726_ = type_37(_e1311, _e1390, _e1181);
+                                    let _e1390 = phi_5256_;
+                                    phi_5258_ = type_37(_e1311, _e1390, _e1181);
                                 } else {
-                                    phi_4726_ = _e1190;
+                                    phi_5258_ = _e1190;
                                 }
-                                let _e1393 = phi_4726_;
+                                let _e1393 = phi_5258_;
                                 if (_e1393.member > _e1393.member_1) {
-                                    phi_7981_ = f32();
-                                    phi_7982_ = true;
-                                    phi_7983_ = false;
-                                    phi_7984_ = false;
-                                    phi_7985_ = false;
+                                    phi_9046_ = f32();
+                                    phi_9047_ = true;
+                                    phi_9048_ = false;
+                                    phi_9049_ = false;
+                                    phi_9050_ = false;
                                 } else {
                                     let _e1400 = ((_e1393.member_1 - _e1393.member) * 0.5f);
                                     let _e1401 = (_e1393.member + _e1400);
@@ -4217,72 +4759,72 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1405 = local_12.member_3;
                                     let _e1408 = local_12.member[0u];
                                     if (_e1408[0] < 0f) {
-                                        phi_4755_ = -(_e1408[0]);
+                                        phi_5287_ = -(_e1408[0]);
                                     } else {
-                                        phi_4755_ = _e1408[0];
+                                        phi_5287_ = _e1408[0];
                                     }
-                                    let _e1415 = phi_4755_;
+                                    let _e1415 = phi_5287_;
                                     if (_e1408[1] < 0f) {
-                                        phi_4762_ = -(_e1408[1]);
+                                        phi_5294_ = -(_e1408[1]);
                                     } else {
-                                        phi_4762_ = _e1408[1];
+                                        phi_5294_ = _e1408[1];
                                     }
-                                    let _e1419 = phi_4762_;
+                                    let _e1419 = phi_5294_;
                                     if (_e1415 > _e1419) {
-                                        phi_4767_ = _e1415;
+                                        phi_5299_ = _e1415;
                                     } else {
-                                        phi_4767_ = _e1419;
+                                        phi_5299_ = _e1419;
                                     }
-                                    let _e1422 = phi_4767_;
+                                    let _e1422 = phi_5299_;
                                     if (_e1408[2] < 0f) {
-                                        phi_4774_ = -(_e1408[2]);
+                                        phi_5306_ = -(_e1408[2]);
                                     } else {
-                                        phi_4774_ = _e1408[2];
+                                        phi_5306_ = _e1408[2];
                                     }
-                                    let _e1426 = phi_4774_;
+                                    let _e1426 = phi_5306_;
                                     if (_e1422 > _e1426) {
-                                        phi_4779_ = _e1422;
+                                        phi_5311_ = _e1422;
                                     } else {
-                                        phi_4779_ = _e1426;
+                                        phi_5311_ = _e1426;
                                     }
-                                    let _e1429 = phi_4779_;
+                                    let _e1429 = phi_5311_;
                                     let _e1431 = local_12.member[1u];
                                     if (_e1431[0] < 0f) {
-                                        phi_4792_ = -(_e1431[0]);
+                                        phi_5324_ = -(_e1431[0]);
                                     } else {
-                                        phi_4792_ = _e1431[0];
+                                        phi_5324_ = _e1431[0];
                                     }
-                                    let _e1438 = phi_4792_;
+                                    let _e1438 = phi_5324_;
                                     if (_e1431[1] < 0f) {
-                                        phi_4799_ = -(_e1431[1]);
+                                        phi_5331_ = -(_e1431[1]);
                                     } else {
-                                        phi_4799_ = _e1431[1];
+                                        phi_5331_ = _e1431[1];
                                     }
-                                    let _e1442 = phi_4799_;
+                                    let _e1442 = phi_5331_;
                                     if (_e1438 > _e1442) {
-                                        phi_4804_ = _e1438;
+                                        phi_5336_ = _e1438;
                                     } else {
-                                        phi_4804_ = _e1442;
+                                        phi_5336_ = _e1442;
                                     }
-                                    let _e1445 = phi_4804_;
+                                    let _e1445 = phi_5336_;
                                     if (_e1431[2] < 0f) {
-                                        phi_4811_ = -(_e1431[2]);
+                                        phi_5343_ = -(_e1431[2]);
                                     } else {
-                                        phi_4811_ = _e1431[2];
+                                        phi_5343_ = _e1431[2];
                                     }
-                                    let _e1449 = phi_4811_;
+                                    let _e1449 = phi_5343_;
                                     if (_e1445 > _e1449) {
-                                        phi_4816_ = _e1445;
+                                        phi_5348_ = _e1445;
                                     } else {
-                                        phi_4816_ = _e1449;
+                                        phi_5348_ = _e1449;
                                     }
-                                    let _e1452 = phi_4816_;
+                                    let _e1452 = phi_5348_;
                                     if (_e1429 > _e1452) {
-                                        phi_4821_ = _e1429;
+                                        phi_5353_ = _e1429;
                                     } else {
-                                        phi_4821_ = _e1452;
+                                        phi_5353_ = _e1452;
                                     }
-                                    let _e1455 = phi_4821_;
+                                    let _e1455 = phi_5353_;
                                     let _e1458 = local_12.member[0u];
                                     let _e1463 = local_12.member[1u];
                                     let _e1473 = (_e1458[0] + ((_e1463[0] - _e1458[0]) * _e1401));
@@ -4294,136 +4836,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1487 = (_e1477[1] - _e1482[1]);
                                     let _e1488 = (_e1477[2] - _e1482[2]);
                                     if (_e1486 < 0f) {
-                                        phi_4880_ = -(_e1486);
+                                        phi_5412_ = -(_e1486);
                                     } else {
-                                        phi_4880_ = _e1486;
+                                        phi_5412_ = _e1486;
                                     }
-                                    let _e1492 = phi_4880_;
+                                    let _e1492 = phi_5412_;
                                     if (_e1487 < 0f) {
-                                        phi_4886_ = -(_e1487);
+                                        phi_5418_ = -(_e1487);
                                     } else {
-                                        phi_4886_ = _e1487;
+                                        phi_5418_ = _e1487;
                                     }
-                                    let _e1496 = phi_4886_;
+                                    let _e1496 = phi_5418_;
                                     if (_e1492 > _e1496) {
-                                        phi_4891_ = _e1492;
+                                        phi_5423_ = _e1492;
                                     } else {
-                                        phi_4891_ = _e1496;
+                                        phi_5423_ = _e1496;
                                     }
-                                    let _e1499 = phi_4891_;
+                                    let _e1499 = phi_5423_;
                                     if (_e1488 < 0f) {
-                                        phi_4897_ = -(_e1488);
+                                        phi_5429_ = -(_e1488);
                                     } else {
-                                        phi_4897_ = _e1488;
+                                        phi_5429_ = _e1488;
                                     }
-                                    let _e1503 = phi_4897_;
+                                    let _e1503 = phi_5429_;
                                     if (_e1499 > _e1503) {
-                                        phi_4902_ = _e1499;
+                                        phi_5434_ = _e1499;
                                     } else {
-                                        phi_4902_ = _e1503;
+                                        phi_5434_ = _e1503;
                                     }
-                                    let _e1506 = phi_4902_;
+                                    let _e1506 = phi_5434_;
                                     let _e1512 = ((((_e1403 * _e1506) * 1.01f) + ((_e1455 + _e1405) * (0.000000059604645f * 8f))) + _e1405);
                                     if (_e1473 < 0f) {
-                                        phi_4914_ = -(_e1473);
+                                        phi_5446_ = -(_e1473);
                                     } else {
-                                        phi_4914_ = _e1473;
+                                        phi_5446_ = _e1473;
                                     }
-                                    let _e1516 = phi_4914_;
+                                    let _e1516 = phi_5446_;
                                     if (_e1474 < 0f) {
-                                        phi_4920_ = -(_e1474);
+                                        phi_5452_ = -(_e1474);
                                     } else {
-                                        phi_4920_ = _e1474;
+                                        phi_5452_ = _e1474;
                                     }
-                                    let _e1520 = phi_4920_;
+                                    let _e1520 = phi_5452_;
                                     if (_e1516 > _e1520) {
-                                        phi_4925_ = _e1516;
+                                        phi_5457_ = _e1516;
                                     } else {
-                                        phi_4925_ = _e1520;
+                                        phi_5457_ = _e1520;
                                     }
-                                    let _e1523 = phi_4925_;
+                                    let _e1523 = phi_5457_;
                                     if (_e1475 < 0f) {
-                                        phi_4931_ = -(_e1475);
+                                        phi_5463_ = -(_e1475);
                                     } else {
-                                        phi_4931_ = _e1475;
+                                        phi_5463_ = _e1475;
                                     }
-                                    let _e1527 = phi_4931_;
+                                    let _e1527 = phi_5463_;
                                     if (_e1523 > _e1527) {
-                                        phi_4936_ = _e1523;
+                                        phi_5468_ = _e1523;
                                     } else {
-                                        phi_4936_ = _e1527;
+                                        phi_5468_ = _e1527;
                                     }
-                                    let _e1530 = phi_4936_;
-                                    local_2 = type_29(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
+                                    let _e1530 = phi_5468_;
+                                    local_2 = type_26(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
                                     let _e1536 = local_12.member_3;
                                     let _e1538 = local_12.member_1[0u];
                                     if (_e1538[0] < 0f) {
-                                        phi_4962_ = -(_e1538[0]);
+                                        phi_5494_ = -(_e1538[0]);
                                     } else {
-                                        phi_4962_ = _e1538[0];
+                                        phi_5494_ = _e1538[0];
                                     }
-                                    let _e1545 = phi_4962_;
+                                    let _e1545 = phi_5494_;
                                     if (_e1538[1] < 0f) {
-                                        phi_4969_ = -(_e1538[1]);
+                                        phi_5501_ = -(_e1538[1]);
                                     } else {
-                                        phi_4969_ = _e1538[1];
+                                        phi_5501_ = _e1538[1];
                                     }
-                                    let _e1549 = phi_4969_;
+                                    let _e1549 = phi_5501_;
                                     if (_e1545 > _e1549) {
-                                        phi_4974_ = _e1545;
+                                        phi_5506_ = _e1545;
                                     } else {
-                                        phi_4974_ = _e1549;
+                                        phi_5506_ = _e1549;
                                     }
-                                    let _e1552 = phi_4974_;
+                                    let _e1552 = phi_5506_;
                                     if (_e1538[2] < 0f) {
-                                        phi_4981_ = -(_e1538[2]);
+                                        phi_5513_ = -(_e1538[2]);
                                     } else {
-                                        phi_4981_ = _e1538[2];
+                                        phi_5513_ = _e1538[2];
                                     }
-                                    let _e1556 = phi_4981_;
+                                    let _e1556 = phi_5513_;
                                     if (_e1552 > _e1556) {
-                                        phi_4986_ = _e1552;
+                                        phi_5518_ = _e1552;
                                     } else {
-                                        phi_4986_ = _e1556;
+                                        phi_5518_ = _e1556;
                                     }
-                                    let _e1559 = phi_4986_;
+                                    let _e1559 = phi_5518_;
                                     let _e1561 = local_12.member_1[1u];
                                     if (_e1561[0] < 0f) {
-                                        phi_4999_ = -(_e1561[0]);
+                                        phi_5531_ = -(_e1561[0]);
                                     } else {
-                                        phi_4999_ = _e1561[0];
+                                        phi_5531_ = _e1561[0];
                                     }
-                                    let _e1568 = phi_4999_;
+                                    let _e1568 = phi_5531_;
                                     if (_e1561[1] < 0f) {
-                                        phi_5006_ = -(_e1561[1]);
+                                        phi_5538_ = -(_e1561[1]);
                                     } else {
-                                        phi_5006_ = _e1561[1];
+                                        phi_5538_ = _e1561[1];
                                     }
-                                    let _e1572 = phi_5006_;
+                                    let _e1572 = phi_5538_;
                                     if (_e1568 > _e1572) {
-                                        phi_5011_ = _e1568;
+                                        phi_5543_ = _e1568;
                                     } else {
-                                        phi_5011_ = _e1572;
+                                        phi_5543_ = _e1572;
                                     }
-                                    let _e1575 = phi_5011_;
+                                    let _e1575 = phi_5543_;
                                     if (_e1561[2] < 0f) {
-                                        phi_5018_ = -(_e1561[2]);
+                                        phi_5550_ = -(_e1561[2]);
                                     } else {
-                                        phi_5018_ = _e1561[2];
+                                        phi_5550_ = _e1561[2];
                                     }
-                                    let _e1579 = phi_5018_;
+                                    let _e1579 = phi_5550_;
                                     if (_e1575 > _e1579) {
-                                        phi_5023_ = _e1575;
+                                        phi_5555_ = _e1575;
                                     } else {
-                                        phi_5023_ = _e1579;
+                                        phi_5555_ = _e1579;
                                     }
-                                    let _e1582 = phi_5023_;
+                                    let _e1582 = phi_5555_;
                                     if (_e1559 > _e1582) {
-                                        phi_5028_ = _e1559;
+                                        phi_5560_ = _e1559;
                                     } else {
-                                        phi_5028_ = _e1582;
+                                        phi_5560_ = _e1582;
                                     }
-                                    let _e1585 = phi_5028_;
+                                    let _e1585 = phi_5560_;
                                     let _e1588 = local_12.member_1[0u];
                                     let _e1593 = local_12.member_1[1u];
                                     let _e1603 = (_e1588[0] + ((_e1593[0] - _e1588[0]) * _e1401));
@@ -4435,136 +4977,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1617 = (_e1607[1] - _e1612[1]);
                                     let _e1618 = (_e1607[2] - _e1612[2]);
                                     if (_e1616 < 0f) {
-                                        phi_5087_ = -(_e1616);
+                                        phi_5619_ = -(_e1616);
                                     } else {
-                                        phi_5087_ = _e1616;
+                                        phi_5619_ = _e1616;
                                     }
-                                    let _e1622 = phi_5087_;
+                                    let _e1622 = phi_5619_;
                                     if (_e1617 < 0f) {
-                                        phi_5093_ = -(_e1617);
+                                        phi_5625_ = -(_e1617);
                                     } else {
-                                        phi_5093_ = _e1617;
+                                        phi_5625_ = _e1617;
                                     }
-                                    let _e1626 = phi_5093_;
+                                    let _e1626 = phi_5625_;
                                     if (_e1622 > _e1626) {
-                                        phi_5098_ = _e1622;
+                                        phi_5630_ = _e1622;
                                     } else {
-                                        phi_5098_ = _e1626;
+                                        phi_5630_ = _e1626;
                                     }
-                                    let _e1629 = phi_5098_;
+                                    let _e1629 = phi_5630_;
                                     if (_e1618 < 0f) {
-                                        phi_5104_ = -(_e1618);
+                                        phi_5636_ = -(_e1618);
                                     } else {
-                                        phi_5104_ = _e1618;
+                                        phi_5636_ = _e1618;
                                     }
-                                    let _e1633 = phi_5104_;
+                                    let _e1633 = phi_5636_;
                                     if (_e1629 > _e1633) {
-                                        phi_5109_ = _e1629;
+                                        phi_5641_ = _e1629;
                                     } else {
-                                        phi_5109_ = _e1633;
+                                        phi_5641_ = _e1633;
                                     }
-                                    let _e1636 = phi_5109_;
+                                    let _e1636 = phi_5641_;
                                     let _e1642 = ((((_e1403 * _e1636) * 1.01f) + ((_e1585 + _e1536) * (0.000000059604645f * 8f))) + _e1536);
                                     if (_e1603 < 0f) {
-                                        phi_5121_ = -(_e1603);
+                                        phi_5653_ = -(_e1603);
                                     } else {
-                                        phi_5121_ = _e1603;
+                                        phi_5653_ = _e1603;
                                     }
-                                    let _e1646 = phi_5121_;
+                                    let _e1646 = phi_5653_;
                                     if (_e1604 < 0f) {
-                                        phi_5127_ = -(_e1604);
+                                        phi_5659_ = -(_e1604);
                                     } else {
-                                        phi_5127_ = _e1604;
+                                        phi_5659_ = _e1604;
                                     }
-                                    let _e1650 = phi_5127_;
+                                    let _e1650 = phi_5659_;
                                     if (_e1646 > _e1650) {
-                                        phi_5132_ = _e1646;
+                                        phi_5664_ = _e1646;
                                     } else {
-                                        phi_5132_ = _e1650;
+                                        phi_5664_ = _e1650;
                                     }
-                                    let _e1653 = phi_5132_;
+                                    let _e1653 = phi_5664_;
                                     if (_e1605 < 0f) {
-                                        phi_5138_ = -(_e1605);
+                                        phi_5670_ = -(_e1605);
                                     } else {
-                                        phi_5138_ = _e1605;
+                                        phi_5670_ = _e1605;
                                     }
-                                    let _e1657 = phi_5138_;
+                                    let _e1657 = phi_5670_;
                                     if (_e1653 > _e1657) {
-                                        phi_5143_ = _e1653;
+                                        phi_5675_ = _e1653;
                                     } else {
-                                        phi_5143_ = _e1657;
+                                        phi_5675_ = _e1657;
                                     }
-                                    let _e1660 = phi_5143_;
-                                    local_3 = type_29(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
+                                    let _e1660 = phi_5675_;
+                                    local_3 = type_26(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
                                     let _e1666 = local_12.member_3;
                                     let _e1668 = local_12.member_2[0u];
                                     if (_e1668[0] < 0f) {
-                                        phi_5169_ = -(_e1668[0]);
+                                        phi_5701_ = -(_e1668[0]);
                                     } else {
-                                        phi_5169_ = _e1668[0];
+                                        phi_5701_ = _e1668[0];
                                     }
-                                    let _e1675 = phi_5169_;
+                                    let _e1675 = phi_5701_;
                                     if (_e1668[1] < 0f) {
-                                        phi_5176_ = -(_e1668[1]);
+                                        phi_5708_ = -(_e1668[1]);
                                     } else {
-                                        phi_5176_ = _e1668[1];
+                                        phi_5708_ = _e1668[1];
                                     }
-                                    let _e1679 = phi_5176_;
+                                    let _e1679 = phi_5708_;
                                     if (_e1675 > _e1679) {
-                                        phi_5181_ = _e1675;
+                                        phi_5713_ = _e1675;
                                     } else {
-                                        phi_5181_ = _e1679;
+                                        phi_5713_ = _e1679;
                                     }
-                                    let _e1682 = phi_5181_;
+                                    let _e1682 = phi_5713_;
                                     if (_e1668[2] < 0f) {
-                                        phi_5188_ = -(_e1668[2]);
+                                        phi_5720_ = -(_e1668[2]);
                                     } else {
-                                        phi_5188_ = _e1668[2];
+                                        phi_5720_ = _e1668[2];
                                     }
-                                    let _e1686 = phi_5188_;
+                                    let _e1686 = phi_5720_;
                                     if (_e1682 > _e1686) {
-                                        phi_5193_ = _e1682;
+                                        phi_5725_ = _e1682;
                                     } else {
-                                        phi_5193_ = _e1686;
+                                        phi_5725_ = _e1686;
                                     }
-                                    let _e1689 = phi_5193_;
+                                    let _e1689 = phi_5725_;
                                     let _e1691 = local_12.member_2[1u];
                                     if (_e1691[0] < 0f) {
-                                        phi_5206_ = -(_e1691[0]);
+                                        phi_5738_ = -(_e1691[0]);
                                     } else {
-                                        phi_5206_ = _e1691[0];
+                                        phi_5738_ = _e1691[0];
                                     }
-                                    let _e1698 = phi_5206_;
+                                    let _e1698 = phi_5738_;
                                     if (_e1691[1] < 0f) {
-                                        phi_5213_ = -(_e1691[1]);
+                                        phi_5745_ = -(_e1691[1]);
                                     } else {
-                                        phi_5213_ = _e1691[1];
+                                        phi_5745_ = _e1691[1];
                                     }
-                                    let _e1702 = phi_5213_;
+                                    let _e1702 = phi_5745_;
                                     if (_e1698 > _e1702) {
-                                        phi_5218_ = _e1698;
+                                        phi_5750_ = _e1698;
                                     } else {
-                                        phi_5218_ = _e1702;
+                                        phi_5750_ = _e1702;
                                     }
-                                    let _e1705 = phi_5218_;
+                                    let _e1705 = phi_5750_;
                                     if (_e1691[2] < 0f) {
-                                        phi_5225_ = -(_e1691[2]);
+                                        phi_5757_ = -(_e1691[2]);
                                     } else {
-                                        phi_5225_ = _e1691[2];
+                                        phi_5757_ = _e1691[2];
                                     }
-                                    let _e1709 = phi_5225_;
+                                    let _e1709 = phi_5757_;
                                     if (_e1705 > _e1709) {
-                                        phi_5230_ = _e1705;
+                                        phi_5762_ = _e1705;
                                     } else {
-                                        phi_5230_ = _e1709;
+                                        phi_5762_ = _e1709;
                                     }
-                                    let _e1712 = phi_5230_;
+                                    let _e1712 = phi_5762_;
                                     if (_e1689 > _e1712) {
-                                        phi_5235_ = _e1689;
+                                        phi_5767_ = _e1689;
                                     } else {
-                                        phi_5235_ = _e1712;
+                                        phi_5767_ = _e1712;
                                     }
-                                    let _e1715 = phi_5235_;
+                                    let _e1715 = phi_5767_;
                                     let _e1718 = local_12.member_2[0u];
                                     let _e1723 = local_12.member_2[1u];
                                     let _e1733 = (_e1718[0] + ((_e1723[0] - _e1718[0]) * _e1401));
@@ -4576,135 +5118,135 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1747 = (_e1737[1] - _e1742[1]);
                                     let _e1748 = (_e1737[2] - _e1742[2]);
                                     if (_e1746 < 0f) {
-                                        phi_5294_ = -(_e1746);
+                                        phi_5826_ = -(_e1746);
                                     } else {
-                                        phi_5294_ = _e1746;
+                                        phi_5826_ = _e1746;
                                     }
-                                    let _e1752 = phi_5294_;
+                                    let _e1752 = phi_5826_;
                                     if (_e1747 < 0f) {
-                                        phi_5300_ = -(_e1747);
+                                        phi_5832_ = -(_e1747);
                                     } else {
-                                        phi_5300_ = _e1747;
+                                        phi_5832_ = _e1747;
                                     }
-                                    let _e1756 = phi_5300_;
+                                    let _e1756 = phi_5832_;
                                     if (_e1752 > _e1756) {
-                                        phi_5305_ = _e1752;
+                                        phi_5837_ = _e1752;
                                     } else {
-                                        phi_5305_ = _e1756;
+                                        phi_5837_ = _e1756;
                                     }
-                                    let _e1759 = phi_5305_;
+                                    let _e1759 = phi_5837_;
                                     if (_e1748 < 0f) {
-                                        phi_5311_ = -(_e1748);
+                                        phi_5843_ = -(_e1748);
                                     } else {
-                                        phi_5311_ = _e1748;
+                                        phi_5843_ = _e1748;
                                     }
-                                    let _e1763 = phi_5311_;
+                                    let _e1763 = phi_5843_;
                                     if (_e1759 > _e1763) {
-                                        phi_5316_ = _e1759;
+                                        phi_5848_ = _e1759;
                                     } else {
-                                        phi_5316_ = _e1763;
+                                        phi_5848_ = _e1763;
                                     }
-                                    let _e1766 = phi_5316_;
+                                    let _e1766 = phi_5848_;
                                     let _e1772 = ((((_e1403 * _e1766) * 1.01f) + ((_e1715 + _e1666) * (0.000000059604645f * 8f))) + _e1666);
                                     if (_e1733 < 0f) {
-                                        phi_5328_ = -(_e1733);
+                                        phi_5860_ = -(_e1733);
                                     } else {
-                                        phi_5328_ = _e1733;
+                                        phi_5860_ = _e1733;
                                     }
-                                    let _e1776 = phi_5328_;
+                                    let _e1776 = phi_5860_;
                                     if (_e1734 < 0f) {
-                                        phi_5334_ = -(_e1734);
+                                        phi_5866_ = -(_e1734);
                                     } else {
-                                        phi_5334_ = _e1734;
+                                        phi_5866_ = _e1734;
                                     }
-                                    let _e1780 = phi_5334_;
+                                    let _e1780 = phi_5866_;
                                     if (_e1776 > _e1780) {
-                                        phi_5339_ = _e1776;
+                                        phi_5871_ = _e1776;
                                     } else {
-                                        phi_5339_ = _e1780;
+                                        phi_5871_ = _e1780;
                                     }
-                                    let _e1783 = phi_5339_;
+                                    let _e1783 = phi_5871_;
                                     if (_e1735 < 0f) {
-                                        phi_5345_ = -(_e1735);
+                                        phi_5877_ = -(_e1735);
                                     } else {
-                                        phi_5345_ = _e1735;
+                                        phi_5877_ = _e1735;
                                     }
-                                    let _e1787 = phi_5345_;
+                                    let _e1787 = phi_5877_;
                                     if (_e1783 > _e1787) {
-                                        phi_5350_ = _e1783;
+                                        phi_5882_ = _e1783;
                                     } else {
-                                        phi_5350_ = _e1787;
+                                        phi_5882_ = _e1787;
                                     }
-                                    let _e1790 = phi_5350_;
-                                    local_4 = type_29(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
+                                    let _e1790 = phi_5882_;
+                                    local_4 = type_26(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
                                     let _e1795 = local_3.member;
                                     let _e1800 = local_4.member;
                                     let _e1806 = ((_e1795[1] * _e1800[2]) - (_e1795[2] * _e1800[1]));
                                     let _e1809 = ((_e1795[2] * _e1800[0]) - (_e1795[0] * _e1800[2]));
                                     let _e1812 = ((_e1795[0] * _e1800[1]) - (_e1795[1] * _e1800[0]));
                                     if (_e1806 < 0f) {
-                                        phi_5399_ = -(_e1806);
+                                        phi_5931_ = -(_e1806);
                                     } else {
-                                        phi_5399_ = _e1806;
+                                        phi_5931_ = _e1806;
                                     }
-                                    let _e1816 = phi_5399_;
+                                    let _e1816 = phi_5931_;
                                     if (_e1809 < 0f) {
-                                        phi_5405_ = -(_e1809);
+                                        phi_5937_ = -(_e1809);
                                     } else {
-                                        phi_5405_ = _e1809;
+                                        phi_5937_ = _e1809;
                                     }
-                                    let _e1820 = phi_5405_;
+                                    let _e1820 = phi_5937_;
                                     if (_e1816 > _e1820) {
                                         if (_e1806 < 0f) {
-                                            phi_5415_ = -(_e1806);
+                                            phi_5947_ = -(_e1806);
                                         } else {
-                                            phi_5415_ = _e1806;
+                                            phi_5947_ = _e1806;
                                         }
-                                        let _e1838 = phi_5415_;
+                                        let _e1838 = phi_5947_;
                                         if (_e1812 < 0f) {
-                                            phi_5421_ = -(_e1812);
+                                            phi_5953_ = -(_e1812);
                                         } else {
-                                            phi_5421_ = _e1812;
+                                            phi_5953_ = _e1812;
                                         }
-                                        let _e1842 = phi_5421_;
+                                        let _e1842 = phi_5953_;
                                         if (_e1838 > _e1842) {
-                                            phi_5426_ = 2u;
-                                            phi_5427_ = 1u;
+                                            phi_5958_ = 2u;
+                                            phi_5959_ = 1u;
                                         } else {
-                                            phi_5426_ = 1u;
-                                            phi_5427_ = 0u;
+                                            phi_5958_ = 1u;
+                                            phi_5959_ = 0u;
                                         }
-                                        let _e1845 = phi_5426_;
-                                        let _e1847 = phi_5427_;
-                                        phi_5446_ = _e1845;
-                                        phi_5447_ = _e1847;
+                                        let _e1845 = phi_5958_;
+                                        let _e1847 = phi_5959_;
+                                        phi_5978_ = _e1845;
+                                        phi_5979_ = _e1847;
                                     } else {
                                         if (_e1809 < 0f) {
-                                            phi_5433_ = -(_e1809);
+                                            phi_5965_ = -(_e1809);
                                         } else {
-                                            phi_5433_ = _e1809;
+                                            phi_5965_ = _e1809;
                                         }
-                                        let _e1825 = phi_5433_;
+                                        let _e1825 = phi_5965_;
                                         if (_e1812 < 0f) {
-                                            phi_5439_ = -(_e1812);
+                                            phi_5971_ = -(_e1812);
                                         } else {
-                                            phi_5439_ = _e1812;
+                                            phi_5971_ = _e1812;
                                         }
-                                        let _e1829 = phi_5439_;
+                                        let _e1829 = phi_5971_;
                                         if (_e1825 > _e1829) {
-                                            phi_5444_ = 0u;
-                                            phi_5445_ = 2u;
+                                            phi_5976_ = 0u;
+                                            phi_5977_ = 2u;
                                         } else {
-                                            phi_5444_ = 1u;
-                                            phi_5445_ = 0u;
+                                            phi_5976_ = 1u;
+                                            phi_5977_ = 0u;
                                         }
-                                        let _e1832 = phi_5444_;
-                                        let _e1834 = phi_5445_;
-                                        phi_5446_ = _e1832;
-                                        phi_5447_ = _e1834;
+                                        let _e1832 = phi_5976_;
+                                        let _e1834 = phi_5977_;
+                                        phi_5978_ = _e1832;
+                                        phi_5979_ = _e1834;
                                     }
-                                    let _e1849 = phi_5446_;
-                                    let _e1851 = phi_5447_;
+                                    let _e1849 = phi_5978_;
+                                    let _e1851 = phi_5979_;
                                     let _e1854 = local_3.member[_e1851];
                                     let _e1857 = local_4.member[_e1849];
                                     let _e1861 = local_3.member[_e1849];
@@ -4720,18 +5262,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1894 = local_4.member_2;
                                     let _e1898 = (((((_e1868 * _e1870) + (_e1873 * _e1875)) * 2.01f) + (((_e1880 * 2f) * (_e1883 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1891) * (1f + _e1894))));
                                     if (_e1866 < 0f) {
-                                        phi_5516_ = -(_e1866);
+                                        phi_6048_ = -(_e1866);
                                     } else {
-                                        phi_5516_ = _e1866;
+                                        phi_6048_ = _e1866;
                                     }
-                                    let _e1902 = phi_5516_;
+                                    let _e1902 = phi_6048_;
                                     if (_e1902 > _e1898) {
                                         if (_e1866 < 0f) {
-                                            phi_5525_ = -1f;
+                                            phi_6057_ = -1f;
                                         } else {
-                                            phi_5525_ = 1f;
+                                            phi_6057_ = 1f;
                                         }
-                                        let _e1906 = phi_5525_;
+                                        let _e1906 = phi_6057_;
                                         let _e1909 = local_2.member[_e1851];
                                         let _e1912 = local_4.member[_e1849];
                                         let _e1916 = local_2.member[_e1849];
@@ -4762,137 +5304,137 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2002 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1906);
                                         let _e2003 = (((_e1956 * _e1959) - (_e1963 * _e1966)) * _e1906);
                                         if (_e2001 < 0f) {
-                                            phi_5660_ = -(_e2001);
+                                            phi_6192_ = -(_e2001);
                                         } else {
-                                            phi_5660_ = _e2001;
+                                            phi_6192_ = _e2001;
                                         }
-                                        let _e2007 = phi_5660_;
+                                        let _e2007 = phi_6192_;
                                         if (_e2002 < 0f) {
-                                            phi_5666_ = -(_e2002);
+                                            phi_6198_ = -(_e2002);
                                         } else {
-                                            phi_5666_ = _e2002;
+                                            phi_6198_ = _e2002;
                                         }
-                                        let _e2011 = phi_5666_;
+                                        let _e2011 = phi_6198_;
                                         if (_e2003 < 0f) {
-                                            phi_5673_ = -(_e2003);
+                                            phi_6205_ = -(_e2003);
                                         } else {
-                                            phi_5673_ = _e2003;
+                                            phi_6205_ = _e2003;
                                         }
-                                        let _e2016 = phi_5673_;
+                                        let _e2016 = phi_6205_;
                                         let _e2019 = (((_e2007 + _e2011) + _e2016) * (0.000000059604645f * 4f));
-                                        local_5 = array<type_31, 4>(type_31(_e2002, _e1953), type_31(_e2003, _e2000), type_31((_e2001 - _e2002), ((_e1898 + _e1953) + _e2019)), type_31((_e2001 - _e2003), ((_e1898 + _e2000) + _e2019)));
-                                        phi_5728_ = type_9(0u, 4u);
-                                        phi_5731_ = true;
+                                        local_5 = array<type_32, 4>(type_32(_e2002, _e1953), type_32(_e2003, _e2000), type_32((_e2001 - _e2002), ((_e1898 + _e1953) + _e2019)), type_32((_e2001 - _e2003), ((_e1898 + _e2000) + _e2019)));
+                                        phi_6260_ = type_9(0u, 4u);
+                                        phi_6263_ = true;
                                         loop {
-                                            let _e2032 = phi_5728_;
-                                            let _e2034 = phi_5731_;
+                                            let _e2032 = phi_6260_;
+                                            let _e2034 = phi_6263_;
                                             local_17 = _e2034;
                                             if (_e2032.member < _e2032.member_1) {
-                                                phi_5729_ = type_9((_e2032.member + 1u), _e2032.member_1);
-                                                phi_5754_ = type_9(1u, _e2032.member);
+                                                phi_6261_ = type_9((_e2032.member + 1u), _e2032.member_1);
+                                                phi_6286_ = type_9(1u, _e2032.member);
                                             } else {
-                                                phi_5729_ = _e2032;
-                                                phi_5754_ = type_9(0u, type_9().member_1);
+                                                phi_6261_ = _e2032;
+                                                phi_6286_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2046 = phi_5729_;
-                                            let _e2048 = phi_5754_;
+                                            let _e2046 = phi_6261_;
+                                            let _e2048 = phi_6286_;
                                             if (bitcast<i32>(_e2048.member) != 0i) {
                                                 let _e2055 = local_5[_e2048.member_1].member;
                                                 let _e2058 = local_5[_e2048.member_1].member_1;
                                                 let _e2060 = (_e2055 < -(_e2058));
                                                 if _e2060 {
-                                                    phi_5781_ = bool();
-                                                    phi_5782_ = false;
+                                                    phi_6313_ = bool();
+                                                    phi_6314_ = false;
                                                 } else {
-                                                    phi_5781_ = (_e2034 && (_e2055 > _e2058));
-                                                    phi_5782_ = true;
+                                                    phi_6313_ = (_e2034 && (_e2055 > _e2058));
+                                                    phi_6314_ = true;
                                                 }
-                                                let _e2064 = phi_5781_;
-                                                let _e2066 = phi_5782_;
-                                                phi_5732_ = _e2064;
-                                                phi_5783_ = _e2066;
-                                                phi_5784_ = _e2060;
+                                                let _e2064 = phi_6313_;
+                                                let _e2066 = phi_6314_;
+                                                phi_6264_ = _e2064;
+                                                phi_6315_ = _e2066;
+                                                phi_6316_ = _e2060;
                                             } else {
-                                                phi_5732_ = bool();
-                                                phi_5783_ = false;
-                                                phi_5784_ = false;
+                                                phi_6264_ = bool();
+                                                phi_6315_ = false;
+                                                phi_6316_ = false;
                                             }
-                                            let _e2068 = phi_5732_;
-                                            let _e2070 = phi_5783_;
-                                            let _e2072 = phi_5784_;
+                                            let _e2068 = phi_6264_;
+                                            let _e2070 = phi_6315_;
+                                            let _e2072 = phi_6316_;
                                             local_16 = _e2072;
                                             continue;
                                             continuing {
-                                                phi_5728_ = _e2046;
-                                                phi_5731_ = _e2068;
+                                                phi_6260_ = _e2046;
+                                                phi_6263_ = _e2068;
                                                 break if !(_e2070);
                                             }
                                         }
                                         let _e2075 = local_16;
                                         if _e2075 {
-                                            phi_5788_ = false;
+                                            phi_6320_ = false;
                                         } else {
-                                            phi_5788_ = true;
+                                            phi_6320_ = true;
                                         }
-                                        let _e2077 = phi_5788_;
+                                        let _e2077 = phi_6320_;
                                         if _e2077 {
                                             let _e2079 = local_17;
                                             if _e2079 {
-                                                phi_5795_ = 1u;
+                                                phi_6327_ = 1u;
                                             } else {
-                                                phi_5795_ = 2u;
+                                                phi_6327_ = 2u;
                                             }
-                                            let _e2081 = phi_5795_;
-                                            phi_5796_ = _e2081;
-                                            phi_5797_ = false;
+                                            let _e2081 = phi_6327_;
+                                            phi_6328_ = _e2081;
+                                            phi_6329_ = false;
                                         } else {
-                                            phi_5796_ = u32();
-                                            phi_5797_ = true;
+                                            phi_6328_ = u32();
+                                            phi_6329_ = true;
                                         }
-                                        let _e2083 = phi_5796_;
-                                        let _e2085 = phi_5797_;
-                                        phi_5798_ = _e2083;
-                                        phi_5799_ = 0u;
-                                        phi_5800_ = _e2085;
+                                        let _e2083 = phi_6328_;
+                                        let _e2085 = phi_6329_;
+                                        phi_6330_ = _e2083;
+                                        phi_6331_ = 0u;
+                                        phi_6332_ = _e2085;
                                     } else {
-                                        phi_5798_ = u32();
-                                        phi_5799_ = 2u;
-                                        phi_5800_ = true;
+                                        phi_6330_ = u32();
+                                        phi_6331_ = 2u;
+                                        phi_6332_ = true;
                                     }
-                                    let _e2087 = phi_5798_;
-                                    let _e2089 = phi_5799_;
-                                    let _e2091 = phi_5800_;
+                                    let _e2087 = phi_6330_;
+                                    let _e2089 = phi_6331_;
+                                    let _e2091 = phi_6332_;
                                     if _e2091 {
-                                        phi_5804_ = _e2089;
+                                        phi_6336_ = _e2089;
                                     } else {
-                                        phi_5804_ = _e2087;
+                                        phi_6336_ = _e2087;
                                     }
-                                    let _e2093 = phi_5804_;
+                                    let _e2093 = phi_6336_;
                                     let _e2094 = (_e2093 == 0u);
                                     if _e2094 {
-                                        phi_7977_ = f32();
-                                        phi_7978_ = false;
-                                        phi_7979_ = false;
-                                        phi_7980_ = false;
+                                        phi_9042_ = f32();
+                                        phi_9043_ = false;
+                                        phi_9044_ = false;
+                                        phi_9045_ = false;
                                     } else {
                                         if (_e2093 == 1u) {
                                             if _e1393.member_2 {
                                                 if ((_e1393.member_1 - _e1393.member) <= 0.0000005f) {
-                                                    phi_5824_ = false;
+                                                    phi_6356_ = false;
                                                 } else {
-                                                    phi_5824_ = true;
+                                                    phi_6356_ = true;
                                                 }
-                                                let _e2102 = phi_5824_;
-                                                phi_5825_ = _e2102;
+                                                let _e2102 = phi_6356_;
+                                                phi_6357_ = _e2102;
                                             } else {
-                                                phi_5825_ = true;
+                                                phi_6357_ = true;
                                             }
-                                            let _e2104 = phi_5825_;
-                                            phi_5826_ = _e2104;
+                                            let _e2104 = phi_6357_;
+                                            phi_6358_ = _e2104;
                                         } else {
-                                            phi_5826_ = true;
+                                            phi_6358_ = true;
                                         }
-                                        let _e2106 = phi_5826_;
+                                        let _e2106 = phi_6358_;
                                         if _e2106 {
                                             let _e2111 = local_12.member[0u];
                                             let _e2117 = local_12.member_1[0u];
@@ -4908,1472 +5450,1538 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2156 = (_e2138[2] - _e2144[2]);
                                             let _e2165 = local_12.member[0u];
                                             if (_e2165[0] < 0f) {
-                                                phi_5974_ = -(_e2165[0]);
+                                                phi_6506_ = -(_e2165[0]);
                                             } else {
-                                                phi_5974_ = _e2165[0];
+                                                phi_6506_ = _e2165[0];
                                             }
-                                            let _e2172 = phi_5974_;
+                                            let _e2172 = phi_6506_;
                                             if (_e2165[1] < 0f) {
-                                                phi_5981_ = -(_e2165[1]);
+                                                phi_6513_ = -(_e2165[1]);
                                             } else {
-                                                phi_5981_ = _e2165[1];
+                                                phi_6513_ = _e2165[1];
                                             }
-                                            let _e2176 = phi_5981_;
+                                            let _e2176 = phi_6513_;
                                             if (_e2172 > _e2176) {
-                                                phi_5986_ = _e2172;
+                                                phi_6518_ = _e2172;
                                             } else {
-                                                phi_5986_ = _e2176;
+                                                phi_6518_ = _e2176;
                                             }
-                                            let _e2179 = phi_5986_;
+                                            let _e2179 = phi_6518_;
                                             if (_e2165[2] < 0f) {
-                                                phi_5993_ = -(_e2165[2]);
+                                                phi_6525_ = -(_e2165[2]);
                                             } else {
-                                                phi_5993_ = _e2165[2];
+                                                phi_6525_ = _e2165[2];
                                             }
-                                            let _e2183 = phi_5993_;
+                                            let _e2183 = phi_6525_;
                                             if (_e2179 > _e2183) {
-                                                phi_5998_ = _e2179;
+                                                phi_6530_ = _e2179;
                                             } else {
-                                                phi_5998_ = _e2183;
+                                                phi_6530_ = _e2183;
                                             }
-                                            let _e2186 = phi_5998_;
+                                            let _e2186 = phi_6530_;
                                             let _e2189 = local_12.member[1u];
                                             if (_e2189[0] < 0f) {
-                                                phi_6011_ = -(_e2189[0]);
+                                                phi_6543_ = -(_e2189[0]);
                                             } else {
-                                                phi_6011_ = _e2189[0];
+                                                phi_6543_ = _e2189[0];
                                             }
-                                            let _e2196 = phi_6011_;
+                                            let _e2196 = phi_6543_;
                                             if (_e2189[1] < 0f) {
-                                                phi_6018_ = -(_e2189[1]);
+                                                phi_6550_ = -(_e2189[1]);
                                             } else {
-                                                phi_6018_ = _e2189[1];
+                                                phi_6550_ = _e2189[1];
                                             }
-                                            let _e2200 = phi_6018_;
+                                            let _e2200 = phi_6550_;
                                             if (_e2196 > _e2200) {
-                                                phi_6023_ = _e2196;
+                                                phi_6555_ = _e2196;
                                             } else {
-                                                phi_6023_ = _e2200;
+                                                phi_6555_ = _e2200;
                                             }
-                                            let _e2203 = phi_6023_;
+                                            let _e2203 = phi_6555_;
                                             if (_e2189[2] < 0f) {
-                                                phi_6030_ = -(_e2189[2]);
+                                                phi_6562_ = -(_e2189[2]);
                                             } else {
-                                                phi_6030_ = _e2189[2];
+                                                phi_6562_ = _e2189[2];
                                             }
-                                            let _e2207 = phi_6030_;
+                                            let _e2207 = phi_6562_;
                                             if (_e2203 > _e2207) {
-                                                phi_6035_ = _e2203;
+                                                phi_6567_ = _e2203;
                                             } else {
-                                                phi_6035_ = _e2207;
+                                                phi_6567_ = _e2207;
                                             }
-                                            let _e2210 = phi_6035_;
+                                            let _e2210 = phi_6567_;
                                             if (_e2186 > _e2210) {
-                                                phi_6040_ = _e2186;
+                                                phi_6572_ = _e2186;
                                             } else {
-                                                phi_6040_ = _e2210;
+                                                phi_6572_ = _e2210;
                                             }
-                                            let _e2213 = phi_6040_;
+                                            let _e2213 = phi_6572_;
                                             let _e2215 = local_12.member_3;
                                             let _e2219 = local_12.member_1[0u];
                                             if (_e2219[0] < 0f) {
-                                                phi_6057_ = -(_e2219[0]);
+                                                phi_6589_ = -(_e2219[0]);
                                             } else {
-                                                phi_6057_ = _e2219[0];
+                                                phi_6589_ = _e2219[0];
                                             }
-                                            let _e2226 = phi_6057_;
+                                            let _e2226 = phi_6589_;
                                             if (_e2219[1] < 0f) {
-                                                phi_6064_ = -(_e2219[1]);
+                                                phi_6596_ = -(_e2219[1]);
                                             } else {
-                                                phi_6064_ = _e2219[1];
+                                                phi_6596_ = _e2219[1];
                                             }
-                                            let _e2230 = phi_6064_;
+                                            let _e2230 = phi_6596_;
                                             if (_e2226 > _e2230) {
-                                                phi_6069_ = _e2226;
+                                                phi_6601_ = _e2226;
                                             } else {
-                                                phi_6069_ = _e2230;
+                                                phi_6601_ = _e2230;
                                             }
-                                            let _e2233 = phi_6069_;
+                                            let _e2233 = phi_6601_;
                                             if (_e2219[2] < 0f) {
-                                                phi_6076_ = -(_e2219[2]);
+                                                phi_6608_ = -(_e2219[2]);
                                             } else {
-                                                phi_6076_ = _e2219[2];
+                                                phi_6608_ = _e2219[2];
                                             }
-                                            let _e2237 = phi_6076_;
+                                            let _e2237 = phi_6608_;
                                             if (_e2233 > _e2237) {
-                                                phi_6081_ = _e2233;
+                                                phi_6613_ = _e2233;
                                             } else {
-                                                phi_6081_ = _e2237;
+                                                phi_6613_ = _e2237;
                                             }
-                                            let _e2240 = phi_6081_;
+                                            let _e2240 = phi_6613_;
                                             let _e2243 = local_12.member_1[1u];
                                             if (_e2243[0] < 0f) {
-                                                phi_6095_ = -(_e2243[0]);
+                                                phi_6627_ = -(_e2243[0]);
                                             } else {
-                                                phi_6095_ = _e2243[0];
+                                                phi_6627_ = _e2243[0];
                                             }
-                                            let _e2250 = phi_6095_;
+                                            let _e2250 = phi_6627_;
                                             if (_e2243[1] < 0f) {
-                                                phi_6102_ = -(_e2243[1]);
+                                                phi_6634_ = -(_e2243[1]);
                                             } else {
-                                                phi_6102_ = _e2243[1];
+                                                phi_6634_ = _e2243[1];
                                             }
-                                            let _e2254 = phi_6102_;
+                                            let _e2254 = phi_6634_;
                                             if (_e2250 > _e2254) {
-                                                phi_6107_ = _e2250;
+                                                phi_6639_ = _e2250;
                                             } else {
-                                                phi_6107_ = _e2254;
+                                                phi_6639_ = _e2254;
                                             }
-                                            let _e2257 = phi_6107_;
+                                            let _e2257 = phi_6639_;
                                             if (_e2243[2] < 0f) {
-                                                phi_6114_ = -(_e2243[2]);
+                                                phi_6646_ = -(_e2243[2]);
                                             } else {
-                                                phi_6114_ = _e2243[2];
+                                                phi_6646_ = _e2243[2];
                                             }
-                                            let _e2261 = phi_6114_;
+                                            let _e2261 = phi_6646_;
                                             if (_e2257 > _e2261) {
-                                                phi_6119_ = _e2257;
+                                                phi_6651_ = _e2257;
                                             } else {
-                                                phi_6119_ = _e2261;
+                                                phi_6651_ = _e2261;
                                             }
-                                            let _e2264 = phi_6119_;
+                                            let _e2264 = phi_6651_;
                                             if (_e2240 > _e2264) {
-                                                phi_6124_ = _e2240;
+                                                phi_6656_ = _e2240;
                                             } else {
-                                                phi_6124_ = _e2264;
+                                                phi_6656_ = _e2264;
                                             }
-                                            let _e2267 = phi_6124_;
+                                            let _e2267 = phi_6656_;
                                             let _e2269 = local_12.member_3;
                                             let _e2273 = local_12.member_2[0u];
                                             if (_e2273[0] < 0f) {
-                                                phi_6141_ = -(_e2273[0]);
+                                                phi_6673_ = -(_e2273[0]);
                                             } else {
-                                                phi_6141_ = _e2273[0];
+                                                phi_6673_ = _e2273[0];
                                             }
-                                            let _e2280 = phi_6141_;
+                                            let _e2280 = phi_6673_;
                                             if (_e2273[1] < 0f) {
-                                                phi_6148_ = -(_e2273[1]);
+                                                phi_6680_ = -(_e2273[1]);
                                             } else {
-                                                phi_6148_ = _e2273[1];
+                                                phi_6680_ = _e2273[1];
                                             }
-                                            let _e2284 = phi_6148_;
+                                            let _e2284 = phi_6680_;
                                             if (_e2280 > _e2284) {
-                                                phi_6153_ = _e2280;
+                                                phi_6685_ = _e2280;
                                             } else {
-                                                phi_6153_ = _e2284;
+                                                phi_6685_ = _e2284;
                                             }
-                                            let _e2287 = phi_6153_;
+                                            let _e2287 = phi_6685_;
                                             if (_e2273[2] < 0f) {
-                                                phi_6160_ = -(_e2273[2]);
+                                                phi_6692_ = -(_e2273[2]);
                                             } else {
-                                                phi_6160_ = _e2273[2];
+                                                phi_6692_ = _e2273[2];
                                             }
-                                            let _e2291 = phi_6160_;
+                                            let _e2291 = phi_6692_;
                                             if (_e2287 > _e2291) {
-                                                phi_6165_ = _e2287;
+                                                phi_6697_ = _e2287;
                                             } else {
-                                                phi_6165_ = _e2291;
+                                                phi_6697_ = _e2291;
                                             }
-                                            let _e2294 = phi_6165_;
+                                            let _e2294 = phi_6697_;
                                             let _e2297 = local_12.member_2[1u];
                                             if (_e2297[0] < 0f) {
-                                                phi_6179_ = -(_e2297[0]);
+                                                phi_6711_ = -(_e2297[0]);
                                             } else {
-                                                phi_6179_ = _e2297[0];
+                                                phi_6711_ = _e2297[0];
                                             }
-                                            let _e2304 = phi_6179_;
+                                            let _e2304 = phi_6711_;
                                             if (_e2297[1] < 0f) {
-                                                phi_6186_ = -(_e2297[1]);
+                                                phi_6718_ = -(_e2297[1]);
                                             } else {
-                                                phi_6186_ = _e2297[1];
+                                                phi_6718_ = _e2297[1];
                                             }
-                                            let _e2308 = phi_6186_;
+                                            let _e2308 = phi_6718_;
                                             if (_e2304 > _e2308) {
-                                                phi_6191_ = _e2304;
+                                                phi_6723_ = _e2304;
                                             } else {
-                                                phi_6191_ = _e2308;
+                                                phi_6723_ = _e2308;
                                             }
-                                            let _e2311 = phi_6191_;
+                                            let _e2311 = phi_6723_;
                                             if (_e2297[2] < 0f) {
-                                                phi_6198_ = -(_e2297[2]);
+                                                phi_6730_ = -(_e2297[2]);
                                             } else {
-                                                phi_6198_ = _e2297[2];
+                                                phi_6730_ = _e2297[2];
                                             }
-                                            let _e2315 = phi_6198_;
+                                            let _e2315 = phi_6730_;
                                             if (_e2311 > _e2315) {
-                                                phi_6203_ = _e2311;
+                                                phi_6735_ = _e2311;
                                             } else {
-                                                phi_6203_ = _e2315;
+                                                phi_6735_ = _e2315;
                                             }
-                                            let _e2318 = phi_6203_;
+                                            let _e2318 = phi_6735_;
                                             if (_e2294 > _e2318) {
-                                                phi_6208_ = _e2294;
+                                                phi_6740_ = _e2294;
                                             } else {
-                                                phi_6208_ = _e2318;
+                                                phi_6740_ = _e2318;
                                             }
-                                            let _e2321 = phi_6208_;
+                                            let _e2321 = phi_6740_;
                                             let _e2323 = local_12.member_3;
                                             let _e2330 = local_12.member_3;
-                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                            phi_6247_ = type_9(0u, 96u);
-                                            phi_6250_ = _e1393.member;
-                                            phi_6252_ = _e1393.member;
-                                            phi_6254_ = _e1393.member;
-                                            phi_6256_ = false;
-                                            phi_6258_ = 0u;
+                                            local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            phi_6780_ = type_9(0u, 96u);
+                                            phi_6783_ = _e1393.member;
+                                            phi_6785_ = _e1393.member;
+                                            phi_6787_ = (_e1393.member_1 - _e1393.member);
+                                            phi_6789_ = _e1393.member;
+                                            phi_6791_ = false;
+                                            phi_6793_ = 0u;
                                             loop {
-                                                let _e2336 = phi_6247_;
-                                                let _e2338 = phi_6250_;
-                                                let _e2340 = phi_6252_;
-                                                let _e2342 = phi_6254_;
-                                                let _e2344 = phi_6256_;
-                                                let _e2346 = phi_6258_;
-                                                local_36 = _e2340;
-                                                local_20 = _e2338;
-                                                if (_e2336.member < _e2336.member_1) {
-                                                    phi_6248_ = type_9((_e2336.member + 1u), _e2336.member_1);
-                                                    phi_6281_ = type_9(1u, _e2336.member);
+                                                let _e2337 = phi_6780_;
+                                                let _e2339 = phi_6783_;
+                                                let _e2341 = phi_6785_;
+                                                let _e2343 = phi_6787_;
+                                                let _e2345 = phi_6789_;
+                                                let _e2347 = phi_6791_;
+                                                let _e2349 = phi_6793_;
+                                                local_20 = _e2339;
+                                                local_42 = _e2341;
+                                                if (_e2337.member < _e2337.member_1) {
+                                                    phi_6781_ = type_9((_e2337.member + 1u), _e2337.member_1);
+                                                    phi_6816_ = type_9(1u, _e2337.member);
                                                 } else {
-                                                    phi_6248_ = _e2336;
-                                                    phi_6281_ = type_9(0u, type_9().member_1);
+                                                    phi_6781_ = _e2337;
+                                                    phi_6816_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2358 = phi_6248_;
-                                                let _e2360 = phi_6281_;
-                                                if (bitcast<i32>(_e2360.member) != 0i) {
-                                                    let _e2366 = local_12.member[0u];
-                                                    let _e2372 = local_12.member[1u];
-                                                    let _e2388 = local_12.member_1[0u];
-                                                    let _e2394 = local_12.member_1[1u];
-                                                    let _e2410 = local_12.member_2[0u];
-                                                    let _e2416 = local_12.member_2[1u];
-                                                    let _e2430 = function_2(array<f32, 3>((_e2366[0] + ((_e2372[0] - _e2366[0]) * _e2338)), (_e2366[1] + ((_e2372[1] - _e2366[1]) * _e2338)), (_e2366[2] + ((_e2372[2] - _e2366[2]) * _e2338))), array<f32, 3>((_e2388[0] + ((_e2394[0] - _e2388[0]) * _e2338)), (_e2388[1] + ((_e2394[1] - _e2388[1]) * _e2338)), (_e2388[2] + ((_e2394[2] - _e2388[2]) * _e2338))), array<f32, 3>((_e2410[0] + ((_e2416[0] - _e2410[0]) * _e2338)), (_e2410[1] + ((_e2416[1] - _e2410[1]) * _e2338)), (_e2410[2] + ((_e2416[2] - _e2410[2]) * _e2338))), 1u);
-                                                    if (_e2346 == 0u) {
-                                                        phi_6409_ = _e2430;
+                                                let _e2361 = phi_6781_;
+                                                let _e2363 = phi_6816_;
+                                                if (bitcast<i32>(_e2363.member) != 0i) {
+                                                    let _e2369 = local_12.member[0u];
+                                                    let _e2375 = local_12.member[1u];
+                                                    let _e2391 = local_12.member_1[0u];
+                                                    let _e2397 = local_12.member_1[1u];
+                                                    let _e2413 = local_12.member_2[0u];
+                                                    let _e2419 = local_12.member_2[1u];
+                                                    let _e2433 = function_2(array<f32, 3>((_e2369[0] + ((_e2375[0] - _e2369[0]) * _e2339)), (_e2369[1] + ((_e2375[1] - _e2369[1]) * _e2339)), (_e2369[2] + ((_e2375[2] - _e2369[2]) * _e2339))), array<f32, 3>((_e2391[0] + ((_e2397[0] - _e2391[0]) * _e2339)), (_e2391[1] + ((_e2397[1] - _e2391[1]) * _e2339)), (_e2391[2] + ((_e2397[2] - _e2391[2]) * _e2339))), array<f32, 3>((_e2413[0] + ((_e2419[0] - _e2413[0]) * _e2339)), (_e2413[1] + ((_e2419[1] - _e2413[1]) * _e2339)), (_e2413[2] + ((_e2419[2] - _e2413[2]) * _e2339))), 1u);
+                                                    if (_e2349 == 0u) {
+                                                        phi_6944_ = _e2433;
                                                     } else {
-                                                        if (_e2346 == 1u) {
-                                                            phi_6395_ = _e2430[0];
+                                                        if (_e2349 == 1u) {
+                                                            phi_6930_ = _e2433[0];
                                                         } else {
-                                                            phi_6395_ = 0f;
+                                                            phi_6930_ = 0f;
                                                         }
-                                                        let _e2435 = phi_6395_;
-                                                        if (_e2346 == 2u) {
-                                                            phi_6401_ = _e2430[1];
+                                                        let _e2438 = phi_6930_;
+                                                        if (_e2349 == 2u) {
+                                                            phi_6936_ = _e2433[1];
                                                         } else {
-                                                            phi_6401_ = 0f;
+                                                            phi_6936_ = 0f;
                                                         }
-                                                        let _e2439 = phi_6401_;
-                                                        if (_e2346 == 3u) {
-                                                            phi_6407_ = _e2430[2];
+                                                        let _e2442 = phi_6936_;
+                                                        if (_e2349 == 3u) {
+                                                            phi_6942_ = _e2433[2];
                                                         } else {
-                                                            phi_6407_ = 0f;
+                                                            phi_6942_ = 0f;
                                                         }
-                                                        let _e2443 = phi_6407_;
-                                                        phi_6409_ = array<f32, 3>(_e2435, _e2439, _e2443);
+                                                        let _e2446 = phi_6942_;
+                                                        phi_6944_ = array<f32, 3>(_e2438, _e2442, _e2446);
                                                     }
-                                                    let _e2446 = phi_6409_;
-                                                    if (_e2446[0] < 0f) {
-                                                        phi_6416_ = -(_e2446[0]);
+                                                    let _e2449 = phi_6944_;
+                                                    if (_e2449[0] < 0f) {
+                                                        phi_6951_ = -(_e2449[0]);
                                                     } else {
-                                                        phi_6416_ = _e2446[0];
+                                                        phi_6951_ = _e2449[0];
                                                     }
-                                                    let _e2451 = phi_6416_;
-                                                    if (_e2446[1] < 0f) {
-                                                        phi_6423_ = -(_e2446[1]);
+                                                    let _e2454 = phi_6951_;
+                                                    if (_e2449[1] < 0f) {
+                                                        phi_6958_ = -(_e2449[1]);
                                                     } else {
-                                                        phi_6423_ = _e2446[1];
+                                                        phi_6958_ = _e2449[1];
                                                     }
-                                                    let _e2456 = phi_6423_;
-                                                    if (_e2446[2] < 0f) {
-                                                        phi_6431_ = -(_e2446[2]);
+                                                    let _e2459 = phi_6958_;
+                                                    if (_e2449[2] < 0f) {
+                                                        phi_6966_ = -(_e2449[2]);
                                                     } else {
-                                                        phi_6431_ = _e2446[2];
+                                                        phi_6966_ = _e2449[2];
                                                     }
-                                                    let _e2462 = phi_6431_;
-                                                    let _e2463 = ((_e2451 + _e2456) + _e2462);
-                                                    if (_e2463 > 0f) {
-                                                        if ((bitcast<u32>(_e2463) & 2139095040u) != 2139095040u) {
-                                                            let _e2468 = (1f / _e2463);
-                                                            let _e2470 = (_e2446[0] * _e2468);
-                                                            let _e2472 = (_e2446[1] * _e2468);
-                                                            let _e2474 = (_e2446[2] * _e2468);
-                                                            let _e2479 = (((_e2470 * _e2470) + (_e2472 * _e2472)) + (_e2474 * _e2474));
-                                                            if (_e2479 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2479 > 0f) {
-                                                                    phi_6468_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2465 = phi_6966_;
+                                                    let _e2466 = ((_e2454 + _e2459) + _e2465);
+                                                    if (_e2466 > 0f) {
+                                                        if ((bitcast<u32>(_e2466) & 2139095040u) != 2139095040u) {
+                                                            let _e2471 = (1f / _e2466);
+                                                            let _e2473 = (_e2449[0] * _e2471);
+                                                            let _e2475 = (_e2449[1] * _e2471);
+                                                            let _e2477 = (_e2449[2] * _e2471);
+                                                            let _e2482 = (((_e2473 * _e2473) + (_e2475 * _e2475)) + (_e2477 * _e2477));
+                                                            if (_e2482 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2482 > 0f) {
+                                                                    phi_7003_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_6468_ = 0f;
+                                                                    phi_7003_ = 0f;
                                                                 }
-                                                                let _e2532 = phi_6468_;
-                                                                phi_6532_ = _e2532;
+                                                                let _e2535 = phi_7003_;
+                                                                phi_7067_ = _e2535;
                                                             } else {
-                                                                phi_6475_ = type_14(0i, 5i);
-                                                                phi_6478_ = bitcast<f32>(((bitcast<u32>(_e2479) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_7010_ = type_14(0i, 5i);
+                                                                phi_7013_ = bitcast<f32>(((bitcast<u32>(_e2482) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2487 = phi_6475_;
-                                                                    let _e2489 = phi_6478_;
-                                                                    local_18 = _e2489;
-                                                                    if (_e2487.member < _e2487.member_1) {
-                                                                        let _e2496 = (_e2487.member + 1i);
-                                                                        if ((false == (_e2496 > _e2487.member)) != false) {
-                                                                            phi_6499_ = true;
+                                                                    let _e2490 = phi_7010_;
+                                                                    let _e2492 = phi_7013_;
+                                                                    local_18 = _e2492;
+                                                                    if (_e2490.member < _e2490.member_1) {
+                                                                        let _e2499 = (_e2490.member + 1i);
+                                                                        if ((false == (_e2499 > _e2490.member)) != false) {
+                                                                            phi_7034_ = true;
                                                                         } else {
-                                                                            phi_6499_ = false;
+                                                                            phi_7034_ = false;
                                                                         }
-                                                                        let _e2501 = phi_6499_;
-                                                                        if _e2501 {
-                                                                            phi_6505_ = type_15(0u, type_15().member_1);
+                                                                        let _e2504 = phi_7034_;
+                                                                        if _e2504 {
+                                                                            phi_7040_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_6505_ = type_15(1u, _e2496);
+                                                                            phi_7040_ = type_15(1u, _e2499);
                                                                         }
-                                                                        let _e2506 = phi_6505_;
-                                                                        phi_6476_ = type_14(_e2506.member_1, _e2487.member_1);
-                                                                        phi_6519_ = type_15(1u, _e2487.member);
+                                                                        let _e2509 = phi_7040_;
+                                                                        phi_7011_ = type_14(_e2509.member_1, _e2490.member_1);
+                                                                        phi_7054_ = type_15(1u, _e2490.member);
                                                                     } else {
-                                                                        phi_6476_ = _e2487;
-                                                                        phi_6519_ = type_15(0u, type_15().member_1);
+                                                                        phi_7011_ = _e2490;
+                                                                        phi_7054_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2512 = phi_6476_;
-                                                                    let _e2514 = phi_6519_;
-                                                                    let _e2517 = (bitcast<i32>(_e2514.member) != 0i);
-                                                                    if _e2517 {
-                                                                        phi_6479_ = (0.5f * (_e2489 + (_e2479 / _e2489)));
+                                                                    let _e2515 = phi_7011_;
+                                                                    let _e2517 = phi_7054_;
+                                                                    let _e2520 = (bitcast<i32>(_e2517.member) != 0i);
+                                                                    if _e2520 {
+                                                                        phi_7014_ = (0.5f * (_e2492 + (_e2482 / _e2492)));
                                                                     } else {
-                                                                        phi_6479_ = f32();
+                                                                        phi_7014_ = f32();
                                                                     }
-                                                                    let _e2522 = phi_6479_;
+                                                                    let _e2525 = phi_7014_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_6475_ = _e2512;
-                                                                        phi_6478_ = _e2522;
-                                                                        break if !(_e2517);
+                                                                        phi_7010_ = _e2515;
+                                                                        phi_7013_ = _e2525;
+                                                                        break if !(_e2520);
                                                                     }
                                                                 }
-                                                                let _e2527 = local_18;
-                                                                phi_6532_ = (_e2527 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2530 = local_18;
+                                                                phi_7067_ = (_e2530 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2534 = phi_6532_;
-                                                            let _e2535 = (0.000000059604645f * 12f);
-                                                            let _e2540 = ((((((((_e2213 + _e2215) + (_e2267 + _e2269)) + (_e2321 + _e2323)) * (0.000000059604645f * 16f)) + (_e2330 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2534) * (1f + _e2535)));
-                                                            let _e2545 = (((_e2470 * _e2111[0]) + (_e2472 * _e2111[1])) + (_e2474 * _e2111[2]));
-                                                            let _e2550 = (((_e2470 * _e2127) + (_e2472 * _e2128)) + (_e2474 * _e2129));
-                                                            let _e2555 = (((_e2470 * (_e2111[0] - _e2123[0])) + (_e2472 * (_e2111[1] - _e2123[1]))) + (_e2474 * (_e2111[2] - _e2123[2])));
-                                                            let _e2560 = (((_e2470 * (_e2127 - _e2123[0])) + (_e2472 * (_e2128 - _e2123[1]))) + (_e2474 * (_e2129 - _e2123[2])));
-                                                            let _e2566 = (((_e2470 * _e2138[0]) + (_e2472 * _e2138[1])) + (_e2474 * _e2138[2]));
-                                                            let _e2571 = (((_e2470 * _e2154) + (_e2472 * _e2155)) + (_e2474 * _e2156));
-                                                            let _e2576 = (((_e2470 * (_e2138[0] - _e2150[0])) + (_e2472 * (_e2138[1] - _e2150[1]))) + (_e2474 * (_e2138[2] - _e2150[2])));
-                                                            let _e2581 = (((_e2470 * (_e2154 - _e2150[0])) + (_e2472 * (_e2155 - _e2150[1]))) + (_e2474 * (_e2156 - _e2150[2])));
-                                                            if (_e2545 < 0f) {
-                                                                phi_6598_ = -(_e2545);
+                                                            let _e2537 = phi_7067_;
+                                                            let _e2538 = (0.000000059604645f * 12f);
+                                                            let _e2543 = ((((((((_e2213 + _e2215) + (_e2267 + _e2269)) + (_e2321 + _e2323)) * (0.000000059604645f * 16f)) + (_e2330 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2537) * (1f + _e2538)));
+                                                            let _e2548 = (((_e2473 * _e2111[0]) + (_e2475 * _e2111[1])) + (_e2477 * _e2111[2]));
+                                                            let _e2553 = (((_e2473 * _e2127) + (_e2475 * _e2128)) + (_e2477 * _e2129));
+                                                            let _e2558 = (((_e2473 * (_e2111[0] - _e2123[0])) + (_e2475 * (_e2111[1] - _e2123[1]))) + (_e2477 * (_e2111[2] - _e2123[2])));
+                                                            let _e2563 = (((_e2473 * (_e2127 - _e2123[0])) + (_e2475 * (_e2128 - _e2123[1]))) + (_e2477 * (_e2129 - _e2123[2])));
+                                                            let _e2569 = (((_e2473 * _e2138[0]) + (_e2475 * _e2138[1])) + (_e2477 * _e2138[2]));
+                                                            let _e2574 = (((_e2473 * _e2154) + (_e2475 * _e2155)) + (_e2477 * _e2156));
+                                                            let _e2579 = (((_e2473 * (_e2138[0] - _e2150[0])) + (_e2475 * (_e2138[1] - _e2150[1]))) + (_e2477 * (_e2138[2] - _e2150[2])));
+                                                            let _e2584 = (((_e2473 * (_e2154 - _e2150[0])) + (_e2475 * (_e2155 - _e2150[1]))) + (_e2477 * (_e2156 - _e2150[2])));
+                                                            if (_e2548 < 0f) {
+                                                                phi_7133_ = -(_e2548);
                                                             } else {
-                                                                phi_6598_ = _e2545;
+                                                                phi_7133_ = _e2548;
                                                             }
-                                                            let _e2586 = phi_6598_;
-                                                            if (_e2566 < 0f) {
-                                                                phi_6604_ = -(_e2566);
+                                                            let _e2589 = phi_7133_;
+                                                            if (_e2569 < 0f) {
+                                                                phi_7139_ = -(_e2569);
                                                             } else {
-                                                                phi_6604_ = _e2566;
+                                                                phi_7139_ = _e2569;
                                                             }
-                                                            let _e2590 = phi_6604_;
-                                                            if (_e2550 < 0f) {
-                                                                phi_6613_ = -(_e2550);
+                                                            let _e2593 = phi_7139_;
+                                                            if (_e2553 < 0f) {
+                                                                phi_7148_ = -(_e2553);
                                                             } else {
-                                                                phi_6613_ = _e2550;
+                                                                phi_7148_ = _e2553;
                                                             }
-                                                            let _e2597 = phi_6613_;
-                                                            if (_e2571 < 0f) {
-                                                                phi_6619_ = -(_e2571);
+                                                            let _e2600 = phi_7148_;
+                                                            if (_e2574 < 0f) {
+                                                                phi_7154_ = -(_e2574);
                                                             } else {
-                                                                phi_6619_ = _e2571;
+                                                                phi_7154_ = _e2574;
                                                             }
-                                                            let _e2601 = phi_6619_;
-                                                            if (_e2555 < 0f) {
-                                                                phi_6628_ = -(_e2555);
+                                                            let _e2604 = phi_7154_;
+                                                            if (_e2558 < 0f) {
+                                                                phi_7163_ = -(_e2558);
                                                             } else {
-                                                                phi_6628_ = _e2555;
+                                                                phi_7163_ = _e2558;
                                                             }
-                                                            let _e2608 = phi_6628_;
-                                                            if (_e2576 < 0f) {
-                                                                phi_6634_ = -(_e2576);
+                                                            let _e2611 = phi_7163_;
+                                                            if (_e2579 < 0f) {
+                                                                phi_7169_ = -(_e2579);
                                                             } else {
-                                                                phi_6634_ = _e2576;
+                                                                phi_7169_ = _e2579;
                                                             }
-                                                            let _e2612 = phi_6634_;
-                                                            if (_e2560 < 0f) {
-                                                                phi_6643_ = -(_e2560);
+                                                            let _e2615 = phi_7169_;
+                                                            if (_e2563 < 0f) {
+                                                                phi_7178_ = -(_e2563);
                                                             } else {
-                                                                phi_6643_ = _e2560;
+                                                                phi_7178_ = _e2563;
                                                             }
-                                                            let _e2619 = phi_6643_;
-                                                            if (_e2581 < 0f) {
-                                                                phi_6649_ = -(_e2581);
+                                                            let _e2622 = phi_7178_;
+                                                            if (_e2584 < 0f) {
+                                                                phi_7184_ = -(_e2584);
                                                             } else {
-                                                                phi_6649_ = _e2581;
+                                                                phi_7184_ = _e2584;
                                                             }
-                                                            let _e2623 = phi_6649_;
-                                                            phi_6655_ = type_30(array<f32, 4>(_e2545, _e2550, _e2555, _e2560), array<f32, 4>(_e2566, _e2571, _e2576, _e2581), array<f32, 4>((_e2540 + ((_e2586 + _e2590) * _e2535)), (_e2540 + ((_e2597 + _e2601) * _e2535)), (_e2540 + ((_e2608 + _e2612) * _e2535)), (_e2540 + ((_e2619 + _e2623) * _e2535))));
-                                                            phi_6656_ = false;
+                                                            let _e2626 = phi_7184_;
+                                                            phi_7190_ = type_31(array<f32, 4>(_e2548, _e2553, _e2558, _e2563), array<f32, 4>(_e2569, _e2574, _e2579, _e2584), array<f32, 4>((_e2543 + ((_e2589 + _e2593) * _e2538)), (_e2543 + ((_e2600 + _e2604) * _e2538)), (_e2543 + ((_e2611 + _e2615) * _e2538)), (_e2543 + ((_e2622 + _e2626) * _e2538))));
+                                                            phi_7191_ = false;
                                                         } else {
-                                                            phi_6655_ = type_30();
-                                                            phi_6656_ = true;
+                                                            phi_7190_ = type_31();
+                                                            phi_7191_ = true;
                                                         }
-                                                        let _e2630 = phi_6655_;
-                                                        let _e2632 = phi_6656_;
-                                                        phi_6657_ = _e2630;
-                                                        phi_6658_ = _e2632;
+                                                        let _e2633 = phi_7190_;
+                                                        let _e2635 = phi_7191_;
+                                                        phi_7192_ = _e2633;
+                                                        phi_7193_ = _e2635;
                                                     } else {
-                                                        phi_6657_ = type_30();
-                                                        phi_6658_ = true;
+                                                        phi_7192_ = type_31();
+                                                        phi_7193_ = true;
                                                     }
-                                                    let _e2634 = phi_6657_;
-                                                    let _e2636 = phi_6658_;
-                                                    if _e2636 {
-                                                        phi_6666_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                    let _e2637 = phi_7192_;
+                                                    let _e2639 = phi_7193_;
+                                                    if _e2639 {
+                                                        phi_7201_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                                     } else {
-                                                        phi_6666_ = _e2634;
+                                                        phi_7201_ = _e2637;
                                                     }
-                                                    let _e2638 = phi_6666_;
-                                                    local_1 = type_30(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
-                                                    let _e2658 = (_e2338 - _e2342);
-                                                    let _e2662 = local_1.member[0u];
-                                                    let _e2665 = local_1.member_1[0u];
-                                                    let _e2668 = local_1.member[0u];
-                                                    let _e2674 = local_1.member_2[0u];
-                                                    if (((_e2662 + ((_e2665 - _e2668) * _e2338)) - _e2674) > 0f) {
-                                                        let _e2679 = local_1.member[1u];
-                                                        let _e2682 = local_1.member_1[1u];
-                                                        let _e2685 = local_1.member[1u];
-                                                        let _e2691 = local_1.member_2[1u];
-                                                        if (((_e2679 + ((_e2682 - _e2685) * _e2338)) - _e2691) > 0f) {
-                                                            let _e2696 = local_1.member[2u];
-                                                            let _e2699 = local_1.member_1[2u];
-                                                            let _e2702 = local_1.member[2u];
-                                                            let _e2708 = local_1.member_2[2u];
-                                                            if (((_e2696 + ((_e2699 - _e2702) * _e2338)) - _e2708) > 0f) {
-                                                                let _e2713 = local_1.member[3u];
-                                                                let _e2716 = local_1.member_1[3u];
-                                                                let _e2719 = local_1.member[3u];
-                                                                let _e2725 = local_1.member_2[3u];
-                                                                phi_6837_ = (((_e2713 + ((_e2716 - _e2719) * _e2338)) - _e2725) > 0f);
-                                                                phi_6838_ = false;
+                                                    let _e2641 = phi_7201_;
+                                                    local_1 = type_31(array<f32, 4>(_e2641.member[0], _e2641.member[1], _e2641.member[2], _e2641.member[3]), array<f32, 4>(_e2641.member_1[0], _e2641.member_1[1], _e2641.member_1[2], _e2641.member_1[3]), array<f32, 4>(_e2641.member_2[0], _e2641.member_2[1], _e2641.member_2[2], _e2641.member_2[3]));
+                                                    let _e2661 = (_e2339 - _e2345);
+                                                    let _e2665 = local_1.member[0u];
+                                                    let _e2668 = local_1.member_1[0u];
+                                                    let _e2671 = local_1.member[0u];
+                                                    let _e2677 = local_1.member_2[0u];
+                                                    if (((_e2665 + ((_e2668 - _e2671) * _e2339)) - _e2677) > 0f) {
+                                                        let _e2682 = local_1.member[1u];
+                                                        let _e2685 = local_1.member_1[1u];
+                                                        let _e2688 = local_1.member[1u];
+                                                        let _e2694 = local_1.member_2[1u];
+                                                        if (((_e2682 + ((_e2685 - _e2688) * _e2339)) - _e2694) > 0f) {
+                                                            let _e2699 = local_1.member[2u];
+                                                            let _e2702 = local_1.member_1[2u];
+                                                            let _e2705 = local_1.member[2u];
+                                                            let _e2711 = local_1.member_2[2u];
+                                                            if (((_e2699 + ((_e2702 - _e2705) * _e2339)) - _e2711) > 0f) {
+                                                                let _e2716 = local_1.member[3u];
+                                                                let _e2719 = local_1.member_1[3u];
+                                                                let _e2722 = local_1.member[3u];
+                                                                let _e2728 = local_1.member_2[3u];
+                                                                phi_7372_ = (((_e2716 + ((_e2719 - _e2722) * _e2339)) - _e2728) > 0f);
+                                                                phi_7373_ = false;
                                                             } else {
-                                                                phi_6837_ = bool();
-                                                                phi_6838_ = true;
+                                                                phi_7372_ = bool();
+                                                                phi_7373_ = true;
                                                             }
-                                                            let _e2729 = phi_6837_;
-                                                            let _e2731 = phi_6838_;
-                                                            phi_6839_ = _e2729;
-                                                            phi_6840_ = _e2731;
+                                                            let _e2732 = phi_7372_;
+                                                            let _e2734 = phi_7373_;
+                                                            phi_7374_ = _e2732;
+                                                            phi_7375_ = _e2734;
                                                         } else {
-                                                            phi_6839_ = bool();
-                                                            phi_6840_ = true;
+                                                            phi_7374_ = bool();
+                                                            phi_7375_ = true;
                                                         }
-                                                        let _e2733 = phi_6839_;
-                                                        let _e2735 = phi_6840_;
-                                                        phi_6841_ = _e2733;
-                                                        phi_6842_ = _e2735;
+                                                        let _e2736 = phi_7374_;
+                                                        let _e2738 = phi_7375_;
+                                                        phi_7376_ = _e2736;
+                                                        phi_7377_ = _e2738;
                                                     } else {
-                                                        phi_6841_ = bool();
-                                                        phi_6842_ = true;
+                                                        phi_7376_ = bool();
+                                                        phi_7377_ = true;
                                                     }
-                                                    let _e2737 = phi_6841_;
-                                                    let _e2739 = phi_6842_;
-                                                    if _e2739 {
-                                                        phi_6846_ = false;
+                                                    let _e2740 = phi_7376_;
+                                                    let _e2742 = phi_7377_;
+                                                    if _e2742 {
+                                                        phi_7381_ = false;
                                                     } else {
-                                                        phi_6846_ = _e2737;
+                                                        phi_7381_ = _e2740;
                                                     }
-                                                    let _e2741 = phi_6846_;
-                                                    if _e2741 {
-                                                        if (_e2338 <= _e2340) {
-                                                            phi_7156_ = true;
+                                                    let _e2744 = phi_7381_;
+                                                    if _e2744 {
+                                                        if (_e2339 <= _e2341) {
+                                                            phi_7691_ = true;
                                                         } else {
-                                                            let _e2745 = local.member[0u];
-                                                            let _e2748 = local.member_1[0u];
-                                                            let _e2751 = local.member[0u];
-                                                            let _e2757 = local.member_2[0u];
-                                                            let _e2761 = local_1.member[0u];
-                                                            let _e2764 = local_1.member_1[0u];
-                                                            let _e2767 = local_1.member[0u];
-                                                            let _e2773 = local_1.member_2[0u];
-                                                            if ((((_e2745 + ((_e2748 - _e2751) * _e2338)) - _e2757) + ((_e2761 + ((_e2764 - _e2767) * _e2342)) - _e2773)) > 0f) {
-                                                                let _e2779 = local.member[1u];
-                                                                let _e2782 = local.member_1[1u];
-                                                                let _e2785 = local.member[1u];
-                                                                let _e2791 = local.member_2[1u];
-                                                                let _e2795 = local_1.member[1u];
-                                                                let _e2798 = local_1.member_1[1u];
-                                                                let _e2801 = local_1.member[1u];
-                                                                let _e2807 = local_1.member_2[1u];
-                                                                if ((((_e2779 + ((_e2782 - _e2785) * _e2338)) - _e2791) + ((_e2795 + ((_e2798 - _e2801) * _e2342)) - _e2807)) > 0f) {
-                                                                    let _e2813 = local.member[2u];
-                                                                    let _e2816 = local.member_1[2u];
-                                                                    let _e2819 = local.member[2u];
-                                                                    let _e2825 = local.member_2[2u];
-                                                                    let _e2829 = local_1.member[2u];
-                                                                    let _e2832 = local_1.member_1[2u];
-                                                                    let _e2835 = local_1.member[2u];
-                                                                    let _e2841 = local_1.member_2[2u];
-                                                                    if ((((_e2813 + ((_e2816 - _e2819) * _e2338)) - _e2825) + ((_e2829 + ((_e2832 - _e2835) * _e2342)) - _e2841)) > 0f) {
-                                                                        let _e2847 = local.member[3u];
-                                                                        let _e2850 = local.member_1[3u];
-                                                                        let _e2853 = local.member[3u];
-                                                                        let _e2859 = local.member_2[3u];
-                                                                        let _e2863 = local_1.member[3u];
-                                                                        let _e2866 = local_1.member_1[3u];
-                                                                        let _e2869 = local_1.member[3u];
-                                                                        let _e2875 = local_1.member_2[3u];
-                                                                        phi_7143_ = ((((_e2847 + ((_e2850 - _e2853) * _e2338)) - _e2859) + ((_e2863 + ((_e2866 - _e2869) * _e2342)) - _e2875)) > 0f);
-                                                                        phi_7144_ = false;
+                                                            let _e2748 = local.member[0u];
+                                                            let _e2751 = local.member_1[0u];
+                                                            let _e2754 = local.member[0u];
+                                                            let _e2760 = local.member_2[0u];
+                                                            let _e2764 = local_1.member[0u];
+                                                            let _e2767 = local_1.member_1[0u];
+                                                            let _e2770 = local_1.member[0u];
+                                                            let _e2776 = local_1.member_2[0u];
+                                                            if ((((_e2748 + ((_e2751 - _e2754) * _e2339)) - _e2760) + ((_e2764 + ((_e2767 - _e2770) * _e2345)) - _e2776)) > 0f) {
+                                                                let _e2782 = local.member[1u];
+                                                                let _e2785 = local.member_1[1u];
+                                                                let _e2788 = local.member[1u];
+                                                                let _e2794 = local.member_2[1u];
+                                                                let _e2798 = local_1.member[1u];
+                                                                let _e2801 = local_1.member_1[1u];
+                                                                let _e2804 = local_1.member[1u];
+                                                                let _e2810 = local_1.member_2[1u];
+                                                                if ((((_e2782 + ((_e2785 - _e2788) * _e2339)) - _e2794) + ((_e2798 + ((_e2801 - _e2804) * _e2345)) - _e2810)) > 0f) {
+                                                                    let _e2816 = local.member[2u];
+                                                                    let _e2819 = local.member_1[2u];
+                                                                    let _e2822 = local.member[2u];
+                                                                    let _e2828 = local.member_2[2u];
+                                                                    let _e2832 = local_1.member[2u];
+                                                                    let _e2835 = local_1.member_1[2u];
+                                                                    let _e2838 = local_1.member[2u];
+                                                                    let _e2844 = local_1.member_2[2u];
+                                                                    if ((((_e2816 + ((_e2819 - _e2822) * _e2339)) - _e2828) + ((_e2832 + ((_e2835 - _e2838) * _e2345)) - _e2844)) > 0f) {
+                                                                        let _e2850 = local.member[3u];
+                                                                        let _e2853 = local.member_1[3u];
+                                                                        let _e2856 = local.member[3u];
+                                                                        let _e2862 = local.member_2[3u];
+                                                                        let _e2866 = local_1.member[3u];
+                                                                        let _e2869 = local_1.member_1[3u];
+                                                                        let _e2872 = local_1.member[3u];
+                                                                        let _e2878 = local_1.member_2[3u];
+                                                                        phi_7678_ = ((((_e2850 + ((_e2853 - _e2856) * _e2339)) - _e2862) + ((_e2866 + ((_e2869 - _e2872) * _e2345)) - _e2878)) > 0f);
+                                                                        phi_7679_ = false;
                                                                     } else {
-                                                                        phi_7143_ = bool();
-                                                                        phi_7144_ = true;
+                                                                        phi_7678_ = bool();
+                                                                        phi_7679_ = true;
                                                                     }
-                                                                    let _e2880 = phi_7143_;
-                                                                    let _e2882 = phi_7144_;
-                                                                    phi_7145_ = _e2880;
-                                                                    phi_7146_ = _e2882;
+                                                                    let _e2883 = phi_7678_;
+                                                                    let _e2885 = phi_7679_;
+                                                                    phi_7680_ = _e2883;
+                                                                    phi_7681_ = _e2885;
                                                                 } else {
-                                                                    phi_7145_ = bool();
-                                                                    phi_7146_ = true;
+                                                                    phi_7680_ = bool();
+                                                                    phi_7681_ = true;
                                                                 }
-                                                                let _e2884 = phi_7145_;
-                                                                let _e2886 = phi_7146_;
-                                                                phi_7147_ = _e2884;
-                                                                phi_7148_ = _e2886;
+                                                                let _e2887 = phi_7680_;
+                                                                let _e2889 = phi_7681_;
+                                                                phi_7682_ = _e2887;
+                                                                phi_7683_ = _e2889;
                                                             } else {
-                                                                phi_7147_ = bool();
-                                                                phi_7148_ = true;
+                                                                phi_7682_ = bool();
+                                                                phi_7683_ = true;
                                                             }
-                                                            let _e2888 = phi_7147_;
-                                                            let _e2890 = phi_7148_;
-                                                            if _e2890 {
-                                                                phi_7152_ = false;
+                                                            let _e2891 = phi_7682_;
+                                                            let _e2893 = phi_7683_;
+                                                            if _e2893 {
+                                                                phi_7687_ = false;
                                                             } else {
-                                                                phi_7152_ = _e2888;
+                                                                phi_7687_ = _e2891;
                                                             }
-                                                            let _e2892 = phi_7152_;
-                                                            phi_7156_ = _e2892;
+                                                            let _e2895 = phi_7687_;
+                                                            phi_7691_ = _e2895;
                                                         }
-                                                        let _e2894 = phi_7156_;
-                                                        if _e2894 {
-                                                            if _e2344 {
-                                                                if (_e2338 >= _e1393.member_1) {
-                                                                    phi_7167_ = false;
+                                                        let _e2897 = phi_7691_;
+                                                        if _e2897 {
+                                                            if _e2347 {
+                                                                if (_e2339 >= _e1393.member_1) {
+                                                                    phi_7702_ = false;
                                                                 } else {
-                                                                    phi_7167_ = true;
+                                                                    phi_7702_ = true;
                                                                 }
-                                                                let _e2897 = phi_7167_;
-                                                                phi_7168_ = _e2897;
+                                                                let _e2900 = phi_7702_;
+                                                                phi_7703_ = _e2900;
                                                             } else {
-                                                                phi_7168_ = true;
+                                                                phi_7703_ = true;
                                                             }
-                                                            let _e2899 = phi_7168_;
-                                                            if _e2899 {
-                                                                local = type_30(array<f32, 4>(_e2638.member[0], _e2638.member[1], _e2638.member[2], _e2638.member[3]), array<f32, 4>(_e2638.member_1[0], _e2638.member_1[1], _e2638.member_1[2], _e2638.member_1[3]), array<f32, 4>(_e2638.member_2[0], _e2638.member_2[1], _e2638.member_2[2], _e2638.member_2[3]));
-                                                                let _e2921 = local.member[0u];
-                                                                let _e2924 = local.member_1[0u];
-                                                                let _e2927 = local.member_2[0u];
-                                                                if (_e2921 > _e2927) {
-                                                                    if (_e2924 > _e2927) {
-                                                                        phi_7242_ = false;
+                                                            let _e2902 = phi_7703_;
+                                                            if _e2902 {
+                                                                local = type_31(array<f32, 4>(_e2641.member[0], _e2641.member[1], _e2641.member[2], _e2641.member[3]), array<f32, 4>(_e2641.member_1[0], _e2641.member_1[1], _e2641.member_1[2], _e2641.member_1[3]), array<f32, 4>(_e2641.member_2[0], _e2641.member_2[1], _e2641.member_2[2], _e2641.member_2[3]));
+                                                                let _e2924 = local.member[0u];
+                                                                let _e2927 = local.member_1[0u];
+                                                                let _e2930 = local.member_2[0u];
+                                                                if (_e2924 > _e2930) {
+                                                                    if (_e2927 > _e2930) {
+                                                                        phi_7777_ = false;
                                                                     } else {
-                                                                        phi_7242_ = true;
+                                                                        phi_7777_ = true;
                                                                     }
-                                                                    let _e2931 = phi_7242_;
-                                                                    phi_7243_ = _e2931;
+                                                                    let _e2934 = phi_7777_;
+                                                                    phi_7778_ = _e2934;
                                                                 } else {
-                                                                    phi_7243_ = true;
+                                                                    phi_7778_ = true;
                                                                 }
-                                                                let _e2933 = phi_7243_;
-                                                                if _e2933 {
-                                                                    let _e2934 = (_e2924 >= _e2921);
-                                                                    if _e2934 {
-                                                                        phi_7265_ = f32();
-                                                                        phi_7266_ = false;
+                                                                let _e2936 = phi_7778_;
+                                                                if _e2936 {
+                                                                    let _e2937 = (_e2927 >= _e2924);
+                                                                    if _e2937 {
+                                                                        phi_7800_ = f32();
+                                                                        phi_7801_ = false;
                                                                     } else {
-                                                                        if ((_e2921 - _e2924) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7263_ = (((_e2921 - _e2927) / (_e2921 - _e2924)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7264_ = false;
+                                                                        if ((_e2924 - _e2927) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7798_ = (((_e2924 - _e2930) / (_e2924 - _e2927)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7799_ = false;
                                                                         } else {
-                                                                            phi_7263_ = f32();
-                                                                            phi_7264_ = true;
+                                                                            phi_7798_ = f32();
+                                                                            phi_7799_ = true;
                                                                         }
-                                                                        let _e2945 = phi_7263_;
-                                                                        let _e2947 = phi_7264_;
-                                                                        phi_7265_ = _e2945;
-                                                                        phi_7266_ = _e2947;
+                                                                        let _e2948 = phi_7798_;
+                                                                        let _e2950 = phi_7799_;
+                                                                        phi_7800_ = _e2948;
+                                                                        phi_7801_ = _e2950;
                                                                     }
-                                                                    let _e2949 = phi_7265_;
-                                                                    let _e2951 = phi_7266_;
-                                                                    phi_7267_ = _e2949;
-                                                                    phi_7268_ = _e2934;
-                                                                    phi_7269_ = _e2951;
+                                                                    let _e2952 = phi_7800_;
+                                                                    let _e2954 = phi_7801_;
+                                                                    phi_7802_ = _e2952;
+                                                                    phi_7803_ = _e2937;
+                                                                    phi_7804_ = _e2954;
                                                                 } else {
-                                                                    phi_7267_ = f32();
-                                                                    phi_7268_ = true;
-                                                                    phi_7269_ = false;
+                                                                    phi_7802_ = f32();
+                                                                    phi_7803_ = true;
+                                                                    phi_7804_ = false;
                                                                 }
-                                                                let _e2953 = phi_7267_;
-                                                                let _e2955 = phi_7268_;
-                                                                let _e2957 = phi_7269_;
-                                                                if _e2955 {
-                                                                    phi_7273_ = 2f;
-                                                                    phi_7274_ = true;
+                                                                let _e2956 = phi_7802_;
+                                                                let _e2958 = phi_7803_;
+                                                                let _e2960 = phi_7804_;
+                                                                if _e2958 {
+                                                                    phi_7808_ = 2f;
+                                                                    phi_7809_ = true;
                                                                 } else {
-                                                                    phi_7273_ = _e2338;
-                                                                    phi_7274_ = _e2957;
+                                                                    phi_7808_ = _e2339;
+                                                                    phi_7809_ = _e2960;
                                                                 }
-                                                                let _e2959 = phi_7273_;
-                                                                let _e2961 = phi_7274_;
-                                                                if _e2961 {
-                                                                    phi_7278_ = _e2959;
+                                                                let _e2962 = phi_7808_;
+                                                                let _e2964 = phi_7809_;
+                                                                if _e2964 {
+                                                                    phi_7813_ = _e2962;
                                                                 } else {
-                                                                    phi_7278_ = _e2953;
+                                                                    phi_7813_ = _e2956;
                                                                 }
-                                                                let _e2963 = phi_7278_;
-                                                                let _e2966 = local.member[1u];
-                                                                let _e2969 = local.member_1[1u];
-                                                                let _e2972 = local.member_2[1u];
-                                                                if (_e2966 > _e2972) {
-                                                                    if (_e2969 > _e2972) {
-                                                                        phi_7310_ = false;
+                                                                let _e2966 = phi_7813_;
+                                                                let _e2969 = local.member[1u];
+                                                                let _e2972 = local.member_1[1u];
+                                                                let _e2975 = local.member_2[1u];
+                                                                if (_e2969 > _e2975) {
+                                                                    if (_e2972 > _e2975) {
+                                                                        phi_7845_ = false;
                                                                     } else {
-                                                                        phi_7310_ = true;
+                                                                        phi_7845_ = true;
                                                                     }
-                                                                    let _e2976 = phi_7310_;
-                                                                    phi_7311_ = _e2976;
+                                                                    let _e2979 = phi_7845_;
+                                                                    phi_7846_ = _e2979;
                                                                 } else {
-                                                                    phi_7311_ = true;
+                                                                    phi_7846_ = true;
                                                                 }
-                                                                let _e2978 = phi_7311_;
-                                                                if _e2978 {
-                                                                    let _e2979 = (_e2969 >= _e2966);
-                                                                    if _e2979 {
-                                                                        phi_7333_ = f32();
-                                                                        phi_7334_ = false;
+                                                                let _e2981 = phi_7846_;
+                                                                if _e2981 {
+                                                                    let _e2982 = (_e2972 >= _e2969);
+                                                                    if _e2982 {
+                                                                        phi_7868_ = f32();
+                                                                        phi_7869_ = false;
                                                                     } else {
-                                                                        if ((_e2966 - _e2969) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7331_ = (((_e2966 - _e2972) / (_e2966 - _e2969)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7332_ = false;
+                                                                        if ((_e2969 - _e2972) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7866_ = (((_e2969 - _e2975) / (_e2969 - _e2972)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7867_ = false;
                                                                         } else {
-                                                                            phi_7331_ = f32();
-                                                                            phi_7332_ = true;
+                                                                            phi_7866_ = f32();
+                                                                            phi_7867_ = true;
                                                                         }
-                                                                        let _e2990 = phi_7331_;
-                                                                        let _e2992 = phi_7332_;
-                                                                        phi_7333_ = _e2990;
-                                                                        phi_7334_ = _e2992;
+                                                                        let _e2993 = phi_7866_;
+                                                                        let _e2995 = phi_7867_;
+                                                                        phi_7868_ = _e2993;
+                                                                        phi_7869_ = _e2995;
                                                                     }
-                                                                    let _e2994 = phi_7333_;
-                                                                    let _e2996 = phi_7334_;
-                                                                    phi_7335_ = _e2994;
-                                                                    phi_7336_ = _e2979;
-                                                                    phi_7337_ = _e2996;
+                                                                    let _e2997 = phi_7868_;
+                                                                    let _e2999 = phi_7869_;
+                                                                    phi_7870_ = _e2997;
+                                                                    phi_7871_ = _e2982;
+                                                                    phi_7872_ = _e2999;
                                                                 } else {
-                                                                    phi_7335_ = f32();
-                                                                    phi_7336_ = true;
-                                                                    phi_7337_ = false;
+                                                                    phi_7870_ = f32();
+                                                                    phi_7871_ = true;
+                                                                    phi_7872_ = false;
                                                                 }
-                                                                let _e2998 = phi_7335_;
-                                                                let _e3000 = phi_7336_;
-                                                                let _e3002 = phi_7337_;
-                                                                if _e3000 {
-                                                                    phi_7341_ = 2f;
-                                                                    phi_7342_ = true;
+                                                                let _e3001 = phi_7870_;
+                                                                let _e3003 = phi_7871_;
+                                                                let _e3005 = phi_7872_;
+                                                                if _e3003 {
+                                                                    phi_7876_ = 2f;
+                                                                    phi_7877_ = true;
                                                                 } else {
-                                                                    phi_7341_ = _e2338;
-                                                                    phi_7342_ = _e3002;
+                                                                    phi_7876_ = _e2339;
+                                                                    phi_7877_ = _e3005;
                                                                 }
-                                                                let _e3004 = phi_7341_;
-                                                                let _e3006 = phi_7342_;
-                                                                if _e3006 {
-                                                                    phi_7346_ = _e3004;
+                                                                let _e3007 = phi_7876_;
+                                                                let _e3009 = phi_7877_;
+                                                                if _e3009 {
+                                                                    phi_7881_ = _e3007;
                                                                 } else {
-                                                                    phi_7346_ = _e2998;
+                                                                    phi_7881_ = _e3001;
                                                                 }
-                                                                let _e3008 = phi_7346_;
-                                                                if (_e2963 < _e3008) {
-                                                                    phi_7351_ = _e2963;
+                                                                let _e3011 = phi_7881_;
+                                                                if (_e2966 < _e3011) {
+                                                                    phi_7886_ = _e2966;
                                                                 } else {
-                                                                    phi_7351_ = _e3008;
+                                                                    phi_7886_ = _e3011;
                                                                 }
-                                                                let _e3011 = phi_7351_;
-                                                                let _e3014 = local.member[2u];
-                                                                let _e3017 = local.member_1[2u];
-                                                                let _e3020 = local.member_2[2u];
-                                                                if (_e3014 > _e3020) {
-                                                                    if (_e3017 > _e3020) {
-                                                                        phi_7383_ = false;
+                                                                let _e3014 = phi_7886_;
+                                                                let _e3017 = local.member[2u];
+                                                                let _e3020 = local.member_1[2u];
+                                                                let _e3023 = local.member_2[2u];
+                                                                if (_e3017 > _e3023) {
+                                                                    if (_e3020 > _e3023) {
+                                                                        phi_7918_ = false;
                                                                     } else {
-                                                                        phi_7383_ = true;
+                                                                        phi_7918_ = true;
                                                                     }
-                                                                    let _e3024 = phi_7383_;
-                                                                    phi_7384_ = _e3024;
+                                                                    let _e3027 = phi_7918_;
+                                                                    phi_7919_ = _e3027;
                                                                 } else {
-                                                                    phi_7384_ = true;
+                                                                    phi_7919_ = true;
                                                                 }
-                                                                let _e3026 = phi_7384_;
-                                                                if _e3026 {
-                                                                    let _e3027 = (_e3017 >= _e3014);
-                                                                    if _e3027 {
-                                                                        phi_7406_ = f32();
-                                                                        phi_7407_ = false;
+                                                                let _e3029 = phi_7919_;
+                                                                if _e3029 {
+                                                                    let _e3030 = (_e3020 >= _e3017);
+                                                                    if _e3030 {
+                                                                        phi_7941_ = f32();
+                                                                        phi_7942_ = false;
                                                                     } else {
-                                                                        if ((_e3014 - _e3017) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7404_ = (((_e3014 - _e3020) / (_e3014 - _e3017)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7405_ = false;
+                                                                        if ((_e3017 - _e3020) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7939_ = (((_e3017 - _e3023) / (_e3017 - _e3020)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7940_ = false;
                                                                         } else {
-                                                                            phi_7404_ = f32();
-                                                                            phi_7405_ = true;
+                                                                            phi_7939_ = f32();
+                                                                            phi_7940_ = true;
                                                                         }
-                                                                        let _e3038 = phi_7404_;
-                                                                        let _e3040 = phi_7405_;
-                                                                        phi_7406_ = _e3038;
-                                                                        phi_7407_ = _e3040;
+                                                                        let _e3041 = phi_7939_;
+                                                                        let _e3043 = phi_7940_;
+                                                                        phi_7941_ = _e3041;
+                                                                        phi_7942_ = _e3043;
                                                                     }
-                                                                    let _e3042 = phi_7406_;
-                                                                    let _e3044 = phi_7407_;
-                                                                    phi_7408_ = _e3042;
-                                                                    phi_7409_ = _e3027;
-                                                                    phi_7410_ = _e3044;
+                                                                    let _e3045 = phi_7941_;
+                                                                    let _e3047 = phi_7942_;
+                                                                    phi_7943_ = _e3045;
+                                                                    phi_7944_ = _e3030;
+                                                                    phi_7945_ = _e3047;
                                                                 } else {
-                                                                    phi_7408_ = f32();
-                                                                    phi_7409_ = true;
-                                                                    phi_7410_ = false;
+                                                                    phi_7943_ = f32();
+                                                                    phi_7944_ = true;
+                                                                    phi_7945_ = false;
                                                                 }
-                                                                let _e3046 = phi_7408_;
-                                                                let _e3048 = phi_7409_;
-                                                                let _e3050 = phi_7410_;
-                                                                if _e3048 {
-                                                                    phi_7414_ = 2f;
-                                                                    phi_7415_ = true;
+                                                                let _e3049 = phi_7943_;
+                                                                let _e3051 = phi_7944_;
+                                                                let _e3053 = phi_7945_;
+                                                                if _e3051 {
+                                                                    phi_7949_ = 2f;
+                                                                    phi_7950_ = true;
                                                                 } else {
-                                                                    phi_7414_ = _e2338;
-                                                                    phi_7415_ = _e3050;
+                                                                    phi_7949_ = _e2339;
+                                                                    phi_7950_ = _e3053;
                                                                 }
-                                                                let _e3052 = phi_7414_;
-                                                                let _e3054 = phi_7415_;
-                                                                if _e3054 {
-                                                                    phi_7419_ = _e3052;
+                                                                let _e3055 = phi_7949_;
+                                                                let _e3057 = phi_7950_;
+                                                                if _e3057 {
+                                                                    phi_7954_ = _e3055;
                                                                 } else {
-                                                                    phi_7419_ = _e3046;
+                                                                    phi_7954_ = _e3049;
                                                                 }
-                                                                let _e3056 = phi_7419_;
-                                                                let _e3059 = local.member[3u];
-                                                                let _e3062 = local.member_1[3u];
-                                                                let _e3065 = local.member_2[3u];
-                                                                if (_e3059 > _e3065) {
-                                                                    if (_e3062 > _e3065) {
-                                                                        phi_7451_ = false;
+                                                                let _e3059 = phi_7954_;
+                                                                let _e3062 = local.member[3u];
+                                                                let _e3065 = local.member_1[3u];
+                                                                let _e3068 = local.member_2[3u];
+                                                                if (_e3062 > _e3068) {
+                                                                    if (_e3065 > _e3068) {
+                                                                        phi_7986_ = false;
                                                                     } else {
-                                                                        phi_7451_ = true;
+                                                                        phi_7986_ = true;
                                                                     }
-                                                                    let _e3069 = phi_7451_;
-                                                                    phi_7452_ = _e3069;
+                                                                    let _e3072 = phi_7986_;
+                                                                    phi_7987_ = _e3072;
                                                                 } else {
-                                                                    phi_7452_ = true;
+                                                                    phi_7987_ = true;
                                                                 }
-                                                                let _e3071 = phi_7452_;
-                                                                if _e3071 {
-                                                                    let _e3072 = (_e3062 >= _e3059);
-                                                                    if _e3072 {
-                                                                        phi_7474_ = f32();
-                                                                        phi_7475_ = false;
+                                                                let _e3074 = phi_7987_;
+                                                                if _e3074 {
+                                                                    let _e3075 = (_e3065 >= _e3062);
+                                                                    if _e3075 {
+                                                                        phi_8009_ = f32();
+                                                                        phi_8010_ = false;
                                                                     } else {
-                                                                        if ((_e3059 - _e3062) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7472_ = (((_e3059 - _e3065) / (_e3059 - _e3062)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7473_ = false;
+                                                                        if ((_e3062 - _e3065) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_8007_ = (((_e3062 - _e3068) / (_e3062 - _e3065)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_8008_ = false;
                                                                         } else {
-                                                                            phi_7472_ = f32();
-                                                                            phi_7473_ = true;
+                                                                            phi_8007_ = f32();
+                                                                            phi_8008_ = true;
                                                                         }
-                                                                        let _e3083 = phi_7472_;
-                                                                        let _e3085 = phi_7473_;
-                                                                        phi_7474_ = _e3083;
-                                                                        phi_7475_ = _e3085;
+                                                                        let _e3086 = phi_8007_;
+                                                                        let _e3088 = phi_8008_;
+                                                                        phi_8009_ = _e3086;
+                                                                        phi_8010_ = _e3088;
                                                                     }
-                                                                    let _e3087 = phi_7474_;
-                                                                    let _e3089 = phi_7475_;
-                                                                    phi_7476_ = _e3087;
-                                                                    phi_7477_ = _e3072;
-                                                                    phi_7478_ = _e3089;
+                                                                    let _e3090 = phi_8009_;
+                                                                    let _e3092 = phi_8010_;
+                                                                    phi_8011_ = _e3090;
+                                                                    phi_8012_ = _e3075;
+                                                                    phi_8013_ = _e3092;
                                                                 } else {
-                                                                    phi_7476_ = f32();
-                                                                    phi_7477_ = true;
-                                                                    phi_7478_ = false;
+                                                                    phi_8011_ = f32();
+                                                                    phi_8012_ = true;
+                                                                    phi_8013_ = false;
                                                                 }
-                                                                let _e3091 = phi_7476_;
-                                                                let _e3093 = phi_7477_;
-                                                                let _e3095 = phi_7478_;
-                                                                if _e3093 {
-                                                                    phi_7482_ = 2f;
-                                                                    phi_7483_ = true;
+                                                                let _e3094 = phi_8011_;
+                                                                let _e3096 = phi_8012_;
+                                                                let _e3098 = phi_8013_;
+                                                                if _e3096 {
+                                                                    phi_8017_ = 2f;
+                                                                    phi_8018_ = true;
                                                                 } else {
-                                                                    phi_7482_ = _e2338;
-                                                                    phi_7483_ = _e3095;
+                                                                    phi_8017_ = _e2339;
+                                                                    phi_8018_ = _e3098;
                                                                 }
-                                                                let _e3097 = phi_7482_;
-                                                                let _e3099 = phi_7483_;
-                                                                if _e3099 {
-                                                                    phi_7487_ = _e3097;
+                                                                let _e3100 = phi_8017_;
+                                                                let _e3102 = phi_8018_;
+                                                                if _e3102 {
+                                                                    phi_8022_ = _e3100;
                                                                 } else {
-                                                                    phi_7487_ = _e3091;
+                                                                    phi_8022_ = _e3094;
                                                                 }
-                                                                let _e3101 = phi_7487_;
-                                                                if (_e3056 < _e3101) {
-                                                                    phi_7492_ = _e3056;
+                                                                let _e3104 = phi_8022_;
+                                                                if (_e3059 < _e3104) {
+                                                                    phi_8027_ = _e3059;
                                                                 } else {
-                                                                    phi_7492_ = _e3101;
+                                                                    phi_8027_ = _e3104;
                                                                 }
-                                                                let _e3104 = phi_7492_;
-                                                                if (_e3011 < _e3104) {
-                                                                    phi_7497_ = _e3011;
+                                                                let _e3107 = phi_8027_;
+                                                                if (_e3014 < _e3107) {
+                                                                    phi_8032_ = _e3014;
                                                                 } else {
-                                                                    phi_7497_ = _e3104;
+                                                                    phi_8032_ = _e3107;
                                                                 }
-                                                                let _e3107 = phi_7497_;
-                                                                if (_e3107 > _e2338) {
-                                                                    phi_7502_ = _e3107;
+                                                                let _e3110 = phi_8032_;
+                                                                if (_e3110 > _e2339) {
+                                                                    phi_8037_ = _e3110;
                                                                 } else {
-                                                                    phi_7502_ = _e2338;
+                                                                    phi_8037_ = _e2339;
                                                                 }
-                                                                let _e3110 = phi_7502_;
-                                                                let _e3111 = (_e3110 > _e1393.member_1);
-                                                                if _e3111 {
-                                                                    phi_7513_ = f32();
-                                                                    phi_7514_ = false;
+                                                                let _e3113 = phi_8037_;
+                                                                let _e3114 = (_e3113 > _e1393.member_1);
+                                                                if _e3114 {
+                                                                    phi_8541_ = f32();
+                                                                    phi_8542_ = f32();
+                                                                    phi_8543_ = false;
                                                                 } else {
-                                                                    if _e2344 {
-                                                                        phi_7512_ = (_e2658 + _e2658);
+                                                                    let _e3115 = (_e3113 - _e2339);
+                                                                    if _e2347 {
+                                                                        if (_e3115 <= 0.0000000037252903f) {
+                                                                            phi_8531_ = true;
+                                                                        } else {
+                                                                            if (_e3115 <= (_e2343 * 0.25f)) {
+                                                                                phi_8530_ = false;
+                                                                            } else {
+                                                                                phi_8530_ = true;
+                                                                            }
+                                                                            let _e3121 = phi_8530_;
+                                                                            phi_8531_ = _e3121;
+                                                                        }
+                                                                        let _e3123 = phi_8531_;
+                                                                        if _e3123 {
+                                                                            phi_8536_ = (_e2661 + _e2661);
+                                                                        } else {
+                                                                            phi_8536_ = 0f;
+                                                                        }
+                                                                        let _e3126 = phi_8536_;
+                                                                        phi_8538_ = _e3126;
                                                                     } else {
-                                                                        phi_7512_ = (_e1393.member_1 - _e2338);
+                                                                        phi_8538_ = (_e1393.member_1 - _e2339);
                                                                     }
-                                                                    let _e3115 = phi_7512_;
-                                                                    phi_7513_ = _e3115;
-                                                                    phi_7514_ = true;
+                                                                    let _e3128 = phi_8538_;
+                                                                    phi_8541_ = _e3128;
+                                                                    phi_8542_ = _e3115;
+                                                                    phi_8543_ = true;
                                                                 }
-                                                                let _e3117 = phi_7513_;
-                                                                let _e3119 = phi_7514_;
-                                                                phi_7515_ = _e3110;
-                                                                phi_7516_ = _e3117;
-                                                                phi_7517_ = _e3119;
-                                                                phi_7518_ = _e3111;
-                                                                phi_7519_ = false;
+                                                                let _e3130 = phi_8541_;
+                                                                let _e3132 = phi_8542_;
+                                                                let _e3134 = phi_8543_;
+                                                                phi_8545_ = _e3113;
+                                                                phi_8546_ = _e3130;
+                                                                phi_8547_ = _e3132;
+                                                                phi_8549_ = _e3134;
+                                                                phi_8550_ = _e3114;
+                                                                phi_8552_ = false;
                                                             } else {
-                                                                phi_7515_ = f32();
-                                                                phi_7516_ = f32();
-                                                                phi_7517_ = false;
-                                                                phi_7518_ = false;
-                                                                phi_7519_ = true;
+                                                                phi_8545_ = f32();
+                                                                phi_8546_ = f32();
+                                                                phi_8547_ = f32();
+                                                                phi_8549_ = false;
+                                                                phi_8550_ = false;
+                                                                phi_8552_ = true;
                                                             }
-                                                            let _e3121 = phi_7515_;
-                                                            let _e3123 = phi_7516_;
-                                                            let _e3125 = phi_7517_;
-                                                            let _e3127 = phi_7518_;
-                                                            let _e3129 = phi_7519_;
-                                                            phi_7520_ = _e3121;
-                                                            phi_7521_ = _e3123;
-                                                            phi_7522_ = false;
-                                                            phi_7523_ = _e3125;
-                                                            phi_7524_ = _e3127;
-                                                            phi_7525_ = _e3129;
+                                                            let _e3136 = phi_8545_;
+                                                            let _e3138 = phi_8546_;
+                                                            let _e3140 = phi_8547_;
+                                                            let _e3142 = phi_8549_;
+                                                            let _e3144 = phi_8550_;
+                                                            let _e3146 = phi_8552_;
+                                                            phi_8553_ = _e3136;
+                                                            phi_8554_ = _e3138;
+                                                            phi_8555_ = _e3140;
+                                                            phi_8557_ = false;
+                                                            phi_8558_ = _e3142;
+                                                            phi_8559_ = _e3144;
+                                                            phi_8561_ = _e3146;
                                                         } else {
-                                                            phi_7520_ = f32();
-                                                            phi_7521_ = f32();
-                                                            phi_7522_ = true;
-                                                            phi_7523_ = false;
-                                                            phi_7524_ = false;
-                                                            phi_7525_ = false;
+                                                            phi_8553_ = f32();
+                                                            phi_8554_ = f32();
+                                                            phi_8555_ = f32();
+                                                            phi_8557_ = true;
+                                                            phi_8558_ = false;
+                                                            phi_8559_ = false;
+                                                            phi_8561_ = false;
                                                         }
-                                                        let _e3131 = phi_7520_;
-                                                        let _e3133 = phi_7521_;
-                                                        let _e3135 = phi_7522_;
-                                                        let _e3137 = phi_7523_;
-                                                        let _e3139 = phi_7524_;
-                                                        let _e3141 = phi_7525_;
-                                                        phi_7526_ = _e3131;
-                                                        phi_7527_ = _e3133;
-                                                        phi_7528_ = _e3135;
-                                                        phi_7529_ = _e3137;
-                                                        phi_7530_ = _e3139;
-                                                        phi_7531_ = _e3141;
+                                                        let _e3148 = phi_8553_;
+                                                        let _e3150 = phi_8554_;
+                                                        let _e3152 = phi_8555_;
+                                                        let _e3154 = phi_8557_;
+                                                        let _e3156 = phi_8558_;
+                                                        let _e3158 = phi_8559_;
+                                                        let _e3160 = phi_8561_;
+                                                        phi_8562_ = _e3148;
+                                                        phi_8563_ = _e3150;
+                                                        phi_8564_ = _e3152;
+                                                        phi_8566_ = _e3154;
+                                                        phi_8567_ = _e3156;
+                                                        phi_8568_ = _e3158;
+                                                        phi_8570_ = _e3160;
                                                     } else {
-                                                        phi_7526_ = f32();
-                                                        phi_7527_ = f32();
-                                                        phi_7528_ = true;
-                                                        phi_7529_ = false;
-                                                        phi_7530_ = false;
-                                                        phi_7531_ = false;
+                                                        phi_8562_ = f32();
+                                                        phi_8563_ = f32();
+                                                        phi_8564_ = f32();
+                                                        phi_8566_ = true;
+                                                        phi_8567_ = false;
+                                                        phi_8568_ = false;
+                                                        phi_8570_ = false;
                                                     }
-                                                    let _e3143 = phi_7526_;
-                                                    let _e3145 = phi_7527_;
-                                                    let _e3147 = phi_7528_;
-                                                    let _e3149 = phi_7529_;
-                                                    let _e3151 = phi_7530_;
-                                                    let _e3153 = phi_7531_;
-                                                    if _e3147 {
-                                                        if (_e2338 <= _e2340) {
-                                                            let _e3314 = (_e2346 + 1u);
-                                                            let _e3315 = (_e3314 > 3u);
-                                                            if _e3315 {
-                                                                phi_7544_ = false;
+                                                    let _e3162 = phi_8562_;
+                                                    let _e3164 = phi_8563_;
+                                                    let _e3166 = phi_8564_;
+                                                    let _e3168 = phi_8566_;
+                                                    let _e3170 = phi_8567_;
+                                                    let _e3172 = phi_8568_;
+                                                    let _e3174 = phi_8570_;
+                                                    if _e3168 {
+                                                        if (_e2339 <= _e2341) {
+                                                            let _e3335 = (_e2349 + 1u);
+                                                            let _e3336 = (_e3335 > 3u);
+                                                            if _e3336 {
+                                                                phi_8583_ = false;
                                                             } else {
-                                                                phi_7544_ = true;
+                                                                phi_8583_ = true;
                                                             }
-                                                            let _e3317 = phi_7544_;
-                                                            phi_7866_ = _e3314;
-                                                            phi_7867_ = f32();
-                                                            phi_7868_ = false;
-                                                            phi_7869_ = _e3317;
-                                                            phi_7870_ = _e3315;
+                                                            let _e3338 = phi_8583_;
+                                                            phi_8905_ = _e3335;
+                                                            phi_8906_ = f32();
+                                                            phi_8907_ = false;
+                                                            phi_8908_ = _e3338;
+                                                            phi_8909_ = _e3336;
                                                         } else {
-                                                            let _e3157 = local.member[0u];
-                                                            let _e3160 = local.member_1[0u];
-                                                            let _e3163 = local.member[0u];
-                                                            let _e3169 = local.member_2[0u];
-                                                            let _e3170 = ((_e3157 + ((_e3160 - _e3163) * _e2342)) - _e3169);
-                                                            let _e3173 = local.member[1u];
-                                                            let _e3176 = local.member_1[1u];
-                                                            let _e3179 = local.member[1u];
-                                                            let _e3185 = local.member_2[1u];
-                                                            let _e3186 = ((_e3173 + ((_e3176 - _e3179) * _e2342)) - _e3185);
-                                                            if (_e3170 < _e3186) {
-                                                                phi_7617_ = _e3170;
+                                                            let _e3178 = local.member[0u];
+                                                            let _e3181 = local.member_1[0u];
+                                                            let _e3184 = local.member[0u];
+                                                            let _e3190 = local.member_2[0u];
+                                                            let _e3191 = ((_e3178 + ((_e3181 - _e3184) * _e2345)) - _e3190);
+                                                            let _e3194 = local.member[1u];
+                                                            let _e3197 = local.member_1[1u];
+                                                            let _e3200 = local.member[1u];
+                                                            let _e3206 = local.member_2[1u];
+                                                            let _e3207 = ((_e3194 + ((_e3197 - _e3200) * _e2345)) - _e3206);
+                                                            if (_e3191 < _e3207) {
+                                                                phi_8656_ = _e3191;
                                                             } else {
-                                                                phi_7617_ = _e3186;
+                                                                phi_8656_ = _e3207;
                                                             }
-                                                            let _e3189 = phi_7617_;
-                                                            let _e3192 = local.member[2u];
-                                                            let _e3195 = local.member_1[2u];
-                                                            let _e3198 = local.member[2u];
-                                                            let _e3204 = local.member_2[2u];
-                                                            let _e3205 = ((_e3192 + ((_e3195 - _e3198) * _e2342)) - _e3204);
-                                                            let _e3208 = local.member[3u];
-                                                            let _e3211 = local.member_1[3u];
-                                                            let _e3214 = local.member[3u];
-                                                            let _e3220 = local.member_2[3u];
-                                                            let _e3221 = ((_e3208 + ((_e3211 - _e3214) * _e2342)) - _e3220);
-                                                            if (_e3205 < _e3221) {
-                                                                phi_7690_ = _e3205;
+                                                            let _e3210 = phi_8656_;
+                                                            let _e3213 = local.member[2u];
+                                                            let _e3216 = local.member_1[2u];
+                                                            let _e3219 = local.member[2u];
+                                                            let _e3225 = local.member_2[2u];
+                                                            let _e3226 = ((_e3213 + ((_e3216 - _e3219) * _e2345)) - _e3225);
+                                                            let _e3229 = local.member[3u];
+                                                            let _e3232 = local.member_1[3u];
+                                                            let _e3235 = local.member[3u];
+                                                            let _e3241 = local.member_2[3u];
+                                                            let _e3242 = ((_e3229 + ((_e3232 - _e3235) * _e2345)) - _e3241);
+                                                            if (_e3226 < _e3242) {
+                                                                phi_8729_ = _e3226;
                                                             } else {
-                                                                phi_7690_ = _e3221;
+                                                                phi_8729_ = _e3242;
                                                             }
-                                                            let _e3224 = phi_7690_;
-                                                            if (_e3189 < _e3224) {
-                                                                phi_7695_ = _e3189;
+                                                            let _e3245 = phi_8729_;
+                                                            if (_e3210 < _e3245) {
+                                                                phi_8734_ = _e3210;
                                                             } else {
-                                                                phi_7695_ = _e3224;
+                                                                phi_8734_ = _e3245;
                                                             }
-                                                            let _e3227 = phi_7695_;
-                                                            let _e3230 = local_1.member[0u];
-                                                            let _e3233 = local_1.member_1[0u];
-                                                            let _e3236 = local_1.member[0u];
-                                                            let _e3242 = local_1.member_2[0u];
-                                                            let _e3243 = ((_e3230 + ((_e3233 - _e3236) * _e2338)) - _e3242);
-                                                            let _e3246 = local_1.member[1u];
-                                                            let _e3249 = local_1.member_1[1u];
-                                                            let _e3252 = local_1.member[1u];
-                                                            let _e3258 = local_1.member_2[1u];
-                                                            let _e3259 = ((_e3246 + ((_e3249 - _e3252) * _e2338)) - _e3258);
-                                                            if (_e3243 < _e3259) {
-                                                                phi_7768_ = _e3243;
+                                                            let _e3248 = phi_8734_;
+                                                            let _e3251 = local_1.member[0u];
+                                                            let _e3254 = local_1.member_1[0u];
+                                                            let _e3257 = local_1.member[0u];
+                                                            let _e3263 = local_1.member_2[0u];
+                                                            let _e3264 = ((_e3251 + ((_e3254 - _e3257) * _e2339)) - _e3263);
+                                                            let _e3267 = local_1.member[1u];
+                                                            let _e3270 = local_1.member_1[1u];
+                                                            let _e3273 = local_1.member[1u];
+                                                            let _e3279 = local_1.member_2[1u];
+                                                            let _e3280 = ((_e3267 + ((_e3270 - _e3273) * _e2339)) - _e3279);
+                                                            if (_e3264 < _e3280) {
+                                                                phi_8807_ = _e3264;
                                                             } else {
-                                                                phi_7768_ = _e3259;
+                                                                phi_8807_ = _e3280;
                                                             }
-                                                            let _e3262 = phi_7768_;
-                                                            let _e3265 = local_1.member[2u];
-                                                            let _e3268 = local_1.member_1[2u];
-                                                            let _e3271 = local_1.member[2u];
-                                                            let _e3277 = local_1.member_2[2u];
-                                                            let _e3278 = ((_e3265 + ((_e3268 - _e3271) * _e2338)) - _e3277);
-                                                            let _e3281 = local_1.member[3u];
-                                                            let _e3284 = local_1.member_1[3u];
-                                                            let _e3287 = local_1.member[3u];
-                                                            let _e3293 = local_1.member_2[3u];
-                                                            let _e3294 = ((_e3281 + ((_e3284 - _e3287) * _e2338)) - _e3293);
-                                                            if (_e3278 < _e3294) {
-                                                                phi_7841_ = _e3278;
+                                                            let _e3283 = phi_8807_;
+                                                            let _e3286 = local_1.member[2u];
+                                                            let _e3289 = local_1.member_1[2u];
+                                                            let _e3292 = local_1.member[2u];
+                                                            let _e3298 = local_1.member_2[2u];
+                                                            let _e3299 = ((_e3286 + ((_e3289 - _e3292) * _e2339)) - _e3298);
+                                                            let _e3302 = local_1.member[3u];
+                                                            let _e3305 = local_1.member_1[3u];
+                                                            let _e3308 = local_1.member[3u];
+                                                            let _e3314 = local_1.member_2[3u];
+                                                            let _e3315 = ((_e3302 + ((_e3305 - _e3308) * _e2339)) - _e3314);
+                                                            if (_e3299 < _e3315) {
+                                                                phi_8880_ = _e3299;
                                                             } else {
-                                                                phi_7841_ = _e3294;
+                                                                phi_8880_ = _e3315;
                                                             }
-                                                            let _e3297 = phi_7841_;
-                                                            if (_e3262 < _e3297) {
-                                                                phi_7846_ = _e3262;
+                                                            let _e3318 = phi_8880_;
+                                                            if (_e3283 < _e3318) {
+                                                                phi_8885_ = _e3283;
                                                             } else {
-                                                                phi_7846_ = _e3297;
+                                                                phi_8885_ = _e3318;
                                                             }
-                                                            let _e3300 = phi_7846_;
-                                                            if (_e3300 > 0f) {
-                                                                phi_7864_ = 0.5f;
+                                                            let _e3321 = phi_8885_;
+                                                            if (_e3321 > 0f) {
+                                                                phi_8903_ = 0.5f;
                                                             } else {
-                                                                let _e3304 = (0.95f * (_e3227 / (_e3227 - _e3300)));
-                                                                if (_e3304 > 0.0625f) {
-                                                                    if (_e3304 < 0.9f) {
-                                                                        phi_7862_ = _e3304;
+                                                                let _e3325 = (0.95f * (_e3248 / (_e3248 - _e3321)));
+                                                                if (_e3325 > 0.0625f) {
+                                                                    if (_e3325 < 0.9f) {
+                                                                        phi_8901_ = _e3325;
                                                                     } else {
-                                                                        phi_7862_ = 0.9f;
+                                                                        phi_8901_ = 0.9f;
                                                                     }
-                                                                    let _e3308 = phi_7862_;
-                                                                    phi_7863_ = _e3308;
+                                                                    let _e3329 = phi_8901_;
+                                                                    phi_8902_ = _e3329;
                                                                 } else {
-                                                                    phi_7863_ = 0.0625f;
+                                                                    phi_8902_ = 0.0625f;
                                                                 }
-                                                                let _e3310 = phi_7863_;
-                                                                phi_7864_ = _e3310;
+                                                                let _e3331 = phi_8902_;
+                                                                phi_8903_ = _e3331;
                                                             }
-                                                            let _e3312 = phi_7864_;
-                                                            phi_7866_ = u32();
-                                                            phi_7867_ = (_e2658 * _e3312);
-                                                            phi_7868_ = true;
-                                                            phi_7869_ = false;
-                                                            phi_7870_ = false;
+                                                            let _e3333 = phi_8903_;
+                                                            phi_8905_ = u32();
+                                                            phi_8906_ = (_e2661 * _e3333);
+                                                            phi_8907_ = true;
+                                                            phi_8908_ = false;
+                                                            phi_8909_ = false;
                                                         }
-                                                        let _e3319 = phi_7866_;
-                                                        let _e3321 = phi_7867_;
-                                                        let _e3323 = phi_7868_;
-                                                        let _e3325 = phi_7869_;
-                                                        let _e3327 = phi_7870_;
-                                                        phi_7871_ = _e3319;
-                                                        phi_7872_ = _e2340;
-                                                        phi_7873_ = _e3321;
-                                                        phi_7874_ = _e2342;
-                                                        phi_7875_ = _e2344;
-                                                        phi_7876_ = _e2346;
-                                                        phi_7877_ = _e3323;
-                                                        phi_7878_ = _e3325;
-                                                        phi_7879_ = _e3327;
-                                                        phi_7880_ = false;
-                                                        phi_7881_ = false;
+                                                        let _e3340 = phi_8905_;
+                                                        let _e3342 = phi_8906_;
+                                                        let _e3344 = phi_8907_;
+                                                        let _e3346 = phi_8908_;
+                                                        let _e3348 = phi_8909_;
+                                                        phi_8910_ = _e3340;
+                                                        phi_8911_ = _e2341;
+                                                        phi_8912_ = _e3342;
+                                                        phi_8913_ = _e2343;
+                                                        phi_8914_ = _e2345;
+                                                        phi_8915_ = _e2347;
+                                                        phi_8916_ = _e2349;
+                                                        phi_8917_ = _e3344;
+                                                        phi_8918_ = _e3346;
+                                                        phi_8919_ = _e3348;
+                                                        phi_8920_ = false;
+                                                        phi_8922_ = false;
                                                     } else {
-                                                        phi_7871_ = u32();
-                                                        phi_7872_ = _e3143;
-                                                        phi_7873_ = _e3145;
-                                                        phi_7874_ = _e2338;
-                                                        phi_7875_ = true;
-                                                        phi_7876_ = 0u;
-                                                        phi_7877_ = _e3149;
-                                                        phi_7878_ = false;
-                                                        phi_7879_ = false;
-                                                        phi_7880_ = _e3151;
-                                                        phi_7881_ = _e3153;
+                                                        phi_8910_ = u32();
+                                                        phi_8911_ = _e3162;
+                                                        phi_8912_ = _e3164;
+                                                        phi_8913_ = _e3166;
+                                                        phi_8914_ = _e2339;
+                                                        phi_8915_ = true;
+                                                        phi_8916_ = 0u;
+                                                        phi_8917_ = _e3170;
+                                                        phi_8918_ = false;
+                                                        phi_8919_ = false;
+                                                        phi_8920_ = _e3172;
+                                                        phi_8922_ = _e3174;
                                                     }
-                                                    let _e3329 = phi_7871_;
-                                                    let _e3331 = phi_7872_;
-                                                    let _e3333 = phi_7873_;
-                                                    let _e3335 = phi_7874_;
-                                                    let _e3337 = phi_7875_;
-                                                    let _e3339 = phi_7876_;
-                                                    let _e3341 = phi_7877_;
-                                                    let _e3343 = phi_7878_;
-                                                    let _e3345 = phi_7879_;
-                                                    let _e3347 = phi_7880_;
-                                                    let _e3349 = phi_7881_;
-                                                    if _e3341 {
-                                                        let _e3350 = (_e3335 + _e3333);
-                                                        if (_e3350 > _e3331) {
-                                                            phi_7890_ = _e3350;
+                                                    let _e3350 = phi_8910_;
+                                                    let _e3352 = phi_8911_;
+                                                    let _e3354 = phi_8912_;
+                                                    let _e3356 = phi_8913_;
+                                                    let _e3358 = phi_8914_;
+                                                    let _e3360 = phi_8915_;
+                                                    let _e3362 = phi_8916_;
+                                                    let _e3364 = phi_8917_;
+                                                    let _e3366 = phi_8918_;
+                                                    let _e3368 = phi_8919_;
+                                                    let _e3370 = phi_8920_;
+                                                    let _e3372 = phi_8922_;
+                                                    if _e3364 {
+                                                        let _e3373 = (_e3358 + _e3354);
+                                                        if (_e3373 > _e3352) {
+                                                            phi_8931_ = _e3373;
                                                         } else {
-                                                            phi_7890_ = _e3331;
+                                                            phi_8931_ = _e3352;
                                                         }
-                                                        let _e3353 = phi_7890_;
-                                                        if (_e3353 < _e1393.member_1) {
-                                                            phi_7895_ = _e3353;
+                                                        let _e3376 = phi_8931_;
+                                                        if (_e3376 < _e1393.member_1) {
+                                                            phi_8936_ = _e3376;
                                                         } else {
-                                                            phi_7895_ = _e1393.member_1;
+                                                            phi_8936_ = _e1393.member_1;
                                                         }
-                                                        let _e3356 = phi_7895_;
-                                                        if !(_e2344) {
-                                                            phi_7904_ = true;
+                                                        let _e3379 = phi_8936_;
+                                                        if !(_e2347) {
+                                                            phi_8945_ = true;
                                                         } else {
-                                                            phi_7904_ = ((_e3356 - _e3335) > 0.0000000037252903f);
+                                                            phi_8945_ = ((_e3379 - _e3358) > 0.0000000037252903f);
                                                         }
-                                                        let _e3360 = phi_7904_;
-                                                        if _e3360 {
-                                                            phi_7908_ = false;
+                                                        let _e3383 = phi_8945_;
+                                                        if _e3383 {
+                                                            phi_8949_ = false;
                                                         } else {
-                                                            phi_7908_ = true;
+                                                            phi_8949_ = true;
                                                         }
-                                                        let _e3362 = phi_7908_;
-                                                        phi_7909_ = _e3356;
-                                                        phi_7910_ = _e3331;
-                                                        phi_7911_ = _e3335;
-                                                        phi_7912_ = _e3337;
-                                                        phi_7913_ = _e3339;
-                                                        phi_7914_ = _e3360;
-                                                        phi_7915_ = _e3362;
-                                                        phi_7916_ = false;
-                                                        phi_7917_ = false;
-                                                        phi_7918_ = false;
+                                                        let _e3385 = phi_8949_;
+                                                        phi_8950_ = _e3379;
+                                                        phi_8951_ = _e3352;
+                                                        phi_8952_ = _e3356;
+                                                        phi_8953_ = _e3358;
+                                                        phi_8954_ = _e3360;
+                                                        phi_8955_ = _e3362;
+                                                        phi_8956_ = _e3383;
+                                                        phi_8957_ = _e3385;
+                                                        phi_8958_ = false;
+                                                        phi_8959_ = false;
+                                                        phi_8961_ = false;
                                                     } else {
-                                                        phi_7909_ = _e2338;
-                                                        phi_7910_ = _e2340;
-                                                        phi_7911_ = _e2342;
-                                                        phi_7912_ = _e2344;
-                                                        phi_7913_ = _e3329;
-                                                        phi_7914_ = _e3343;
-                                                        phi_7915_ = false;
-                                                        phi_7916_ = _e3345;
-                                                        phi_7917_ = _e3347;
-                                                        phi_7918_ = _e3349;
+                                                        phi_8950_ = _e2339;
+                                                        phi_8951_ = _e2341;
+                                                        phi_8952_ = _e2343;
+                                                        phi_8953_ = _e2345;
+                                                        phi_8954_ = _e2347;
+                                                        phi_8955_ = _e3350;
+                                                        phi_8956_ = _e3366;
+                                                        phi_8957_ = false;
+                                                        phi_8958_ = _e3368;
+                                                        phi_8959_ = _e3370;
+                                                        phi_8961_ = _e3372;
                                                     }
-                                                    let _e3364 = phi_7909_;
-                                                    let _e3366 = phi_7910_;
-                                                    let _e3368 = phi_7911_;
-                                                    let _e3370 = phi_7912_;
-                                                    let _e3372 = phi_7913_;
-                                                    let _e3374 = phi_7914_;
-                                                    let _e3376 = phi_7915_;
-                                                    let _e3378 = phi_7916_;
-                                                    let _e3380 = phi_7917_;
-                                                    let _e3382 = phi_7918_;
-                                                    phi_6251_ = _e3364;
-                                                    phi_6253_ = _e3366;
-                                                    phi_6255_ = _e3368;
-                                                    phi_6257_ = _e3370;
-                                                    phi_6259_ = _e3372;
-                                                    phi_7919_ = _e3331;
-                                                    phi_7920_ = _e3374;
-                                                    phi_7921_ = _e3376;
-                                                    phi_7922_ = false;
-                                                    phi_7923_ = _e3378;
-                                                    phi_7924_ = _e3380;
-                                                    phi_7925_ = _e3382;
+                                                    let _e3387 = phi_8950_;
+                                                    let _e3389 = phi_8951_;
+                                                    let _e3391 = phi_8952_;
+                                                    let _e3393 = phi_8953_;
+                                                    let _e3395 = phi_8954_;
+                                                    let _e3397 = phi_8955_;
+                                                    let _e3399 = phi_8956_;
+                                                    let _e3401 = phi_8957_;
+                                                    let _e3403 = phi_8958_;
+                                                    let _e3405 = phi_8959_;
+                                                    let _e3407 = phi_8961_;
+                                                    phi_6784_ = _e3387;
+                                                    phi_6786_ = _e3389;
+                                                    phi_6788_ = _e3391;
+                                                    phi_6790_ = _e3393;
+                                                    phi_6792_ = _e3395;
+                                                    phi_6794_ = _e3397;
+                                                    phi_8962_ = _e3352;
+                                                    phi_8964_ = _e3399;
+                                                    phi_8965_ = _e3401;
+                                                    phi_8966_ = _e3403;
+                                                    phi_8967_ = _e3405;
+                                                    phi_8969_ = false;
+                                                    phi_8970_ = _e3407;
                                                 } else {
-                                                    phi_6251_ = f32();
-                                                    phi_6253_ = f32();
-                                                    phi_6255_ = f32();
-                                                    phi_6257_ = bool();
-                                                    phi_6259_ = u32();
-                                                    phi_7919_ = f32();
-                                                    phi_7920_ = false;
-                                                    phi_7921_ = false;
-                                                    phi_7922_ = true;
-                                                    phi_7923_ = false;
-                                                    phi_7924_ = false;
-                                                    phi_7925_ = false;
+                                                    phi_6784_ = f32();
+                                                    phi_6786_ = f32();
+                                                    phi_6788_ = f32();
+                                                    phi_6790_ = f32();
+                                                    phi_6792_ = bool();
+                                                    phi_6794_ = u32();
+                                                    phi_8962_ = f32();
+                                                    phi_8964_ = false;
+                                                    phi_8965_ = false;
+                                                    phi_8966_ = false;
+                                                    phi_8967_ = false;
+                                                    phi_8969_ = true;
+                                                    phi_8970_ = false;
                                                 }
-                                                let _e3384 = phi_6251_;
-                                                let _e3386 = phi_6253_;
-                                                let _e3388 = phi_6255_;
-                                                let _e3390 = phi_6257_;
-                                                let _e3392 = phi_6259_;
-                                                let _e3394 = phi_7919_;
-                                                let _e3396 = phi_7920_;
-                                                let _e3398 = phi_7921_;
-                                                let _e3400 = phi_7922_;
-                                                let _e3402 = phi_7923_;
-                                                let _e3404 = phi_7924_;
-                                                let _e3406 = phi_7925_;
-                                                local_19 = _e3398;
-                                                local_35 = _e3394;
-                                                local_37 = _e3400;
-                                                local_38 = _e3402;
-                                                local_39 = _e3404;
-                                                local_40 = _e3406;
+                                                let _e3409 = phi_6784_;
+                                                let _e3411 = phi_6786_;
+                                                let _e3413 = phi_6788_;
+                                                let _e3415 = phi_6790_;
+                                                let _e3417 = phi_6792_;
+                                                let _e3419 = phi_6794_;
+                                                let _e3421 = phi_8962_;
+                                                let _e3423 = phi_8964_;
+                                                let _e3425 = phi_8965_;
+                                                let _e3427 = phi_8966_;
+                                                let _e3429 = phi_8967_;
+                                                let _e3431 = phi_8969_;
+                                                let _e3433 = phi_8970_;
+                                                local_19 = _e3425;
+                                                local_36 = _e3427;
+                                                local_37 = _e3429;
+                                                local_38 = _e3431;
+                                                local_39 = _e3433;
+                                                local_40 = _e3425;
+                                                local_41 = _e3421;
                                                 continue;
                                                 continuing {
-                                                    phi_6247_ = _e2358;
-                                                    phi_6250_ = _e3384;
-                                                    phi_6252_ = _e3386;
-                                                    phi_6254_ = _e3388;
-                                                    phi_6256_ = _e3390;
-                                                    phi_6258_ = _e3392;
-                                                    break if !(_e3396);
+                                                    phi_6780_ = _e2361;
+                                                    phi_6783_ = _e3409;
+                                                    phi_6785_ = _e3411;
+                                                    phi_6787_ = _e3413;
+                                                    phi_6789_ = _e3415;
+                                                    phi_6791_ = _e3417;
+                                                    phi_6793_ = _e3419;
+                                                    break if !(_e3423);
                                                 }
                                             }
-                                            let _e3409 = local_19;
-                                            if _e3409 {
-                                                let _e5902 = local_35;
-                                                phi_7929_ = _e5902;
-                                                phi_7930_ = true;
-                                                phi_7931_ = false;
-                                                phi_7932_ = false;
-                                                phi_7933_ = false;
+                                            let _e3436 = local_19;
+                                            if _e3436 {
+                                                phi_8974_ = false;
+                                                phi_8975_ = false;
+                                                phi_8977_ = false;
+                                                phi_8978_ = false;
                                             } else {
-                                                let _e5904 = local_36;
-                                                phi_7929_ = _e5904;
-                                                let _e5907 = local_37;
-                                                phi_7930_ = _e5907;
-                                                let _e5910 = local_38;
-                                                phi_7931_ = _e5910;
-                                                let _e5913 = local_39;
-                                                phi_7932_ = _e5913;
-                                                let _e5916 = local_40;
-                                                phi_7933_ = _e5916;
+                                                let _e6354 = local_36;
+                                                phi_8974_ = _e6354;
+                                                let _e6357 = local_37;
+                                                phi_8975_ = _e6357;
+                                                let _e6360 = local_38;
+                                                phi_8977_ = _e6360;
+                                                let _e6363 = local_39;
+                                                phi_8978_ = _e6363;
                                             }
-                                            let _e3411 = phi_7929_;
-                                            let _e3413 = phi_7930_;
-                                            let _e3415 = phi_7931_;
-                                            let _e3417 = phi_7932_;
-                                            let _e3419 = phi_7933_;
-                                            if _e3413 {
-                                                phi_7938_ = type_35(1u, _e3411);
-                                                phi_7939_ = false;
-                                                phi_7940_ = false;
-                                                phi_7941_ = false;
+                                            let _e3438 = phi_8974_;
+                                            let _e3440 = phi_8975_;
+                                            let _e3442 = phi_8977_;
+                                            let _e3444 = phi_8978_;
+                                            if _e3438 {
+                                                let _e3446 = local_20;
+                                                phi_8983_ = type_30(1u, _e3446);
+                                                phi_8984_ = false;
+                                                phi_8986_ = false;
+                                                phi_8987_ = false;
+                                                phi_8988_ = false;
                                             } else {
-                                                phi_7938_ = type_35();
-                                                phi_7939_ = _e3415;
-                                                phi_7940_ = _e3417;
-                                                phi_7941_ = _e3419;
+                                                phi_8983_ = type_30();
+                                                phi_8984_ = _e3440;
+                                                let _e6369 = local_40;
+                                                phi_8986_ = _e6369;
+                                                phi_8987_ = _e3442;
+                                                phi_8988_ = _e3444;
                                             }
-                                            let _e3422 = phi_7938_;
-                                            let _e3424 = phi_7939_;
-                                            let _e3426 = phi_7940_;
-                                            let _e3428 = phi_7941_;
-                                            if _e3424 {
-                                                let _e3430 = local_20;
-                                                phi_7946_ = type_35(1u, _e3430);
-                                                phi_7947_ = false;
-                                                phi_7948_ = false;
-                                            } else {
-                                                phi_7946_ = type_35();
-                                                phi_7947_ = _e3426;
-                                                phi_7948_ = _e3428;
-                                            }
-                                            let _e3433 = phi_7946_;
-                                            let _e3435 = phi_7947_;
-                                            let _e3437 = phi_7948_;
-                                            if _e3435 {
-                                                phi_7953_ = type_35(0u, type_35().member_1);
-                                                phi_7954_ = false;
-                                                phi_7955_ = true;
-                                            } else {
-                                                phi_7953_ = _e3433;
-                                                phi_7954_ = _e3437;
-                                                phi_7955_ = _e3424;
-                                            }
-                                            let _e3441 = phi_7953_;
-                                            let _e3443 = phi_7954_;
-                                            let _e3445 = phi_7955_;
-                                            if _e3443 {
-                                                phi_7960_ = type_35(0u, type_35().member_1);
-                                                phi_7961_ = true;
-                                            } else {
-                                                phi_7960_ = _e3441;
-                                                phi_7961_ = _e3445;
-                                            }
-                                            let _e3449 = phi_7960_;
-                                            let _e3451 = phi_7961_;
+                                            let _e3449 = phi_8983_;
+                                            let _e3451 = phi_8984_;
+                                            let _e3453 = phi_8986_;
+                                            let _e3455 = phi_8987_;
+                                            let _e3457 = phi_8988_;
                                             if _e3451 {
-                                                phi_7965_ = _e3449;
+                                                phi_8993_ = type_30(0u, type_30().member_1);
+                                                phi_8995_ = false;
+                                                phi_8996_ = false;
+                                                phi_8997_ = false;
+                                                phi_8998_ = true;
                                             } else {
-                                                phi_7965_ = _e3422;
+                                                phi_8993_ = _e3449;
+                                                phi_8995_ = _e3453;
+                                                phi_8996_ = _e3455;
+                                                phi_8997_ = _e3457;
+                                                phi_8998_ = _e3438;
                                             }
-                                            let _e3453 = phi_7965_;
-                                            let _e3456 = (_e3453.member != 0u);
-                                            if _e3456 {
-                                                phi_7972_ = false;
+                                            let _e3461 = phi_8993_;
+                                            let _e3463 = phi_8995_;
+                                            let _e3465 = phi_8996_;
+                                            let _e3467 = phi_8997_;
+                                            let _e3469 = phi_8998_;
+                                            if _e3463 {
+                                                let _e6379 = local_41;
+                                                phi_9010_ = _e6379;
+                                                phi_9011_ = true;
+                                                phi_9012_ = false;
+                                                phi_9013_ = false;
                                             } else {
-                                                phi_7972_ = true;
+                                                let _e6381 = local_42;
+                                                phi_9010_ = _e6381;
+                                                phi_9011_ = _e3465;
+                                                phi_9012_ = _e3467;
+                                                phi_9013_ = _e3469;
                                             }
-                                            let _e3458 = phi_7972_;
-                                            phi_7973_ = _e3453.member_1;
-                                            phi_7974_ = _e3458;
-                                            phi_7975_ = _e3456;
-                                            phi_7976_ = false;
+                                            let _e3471 = phi_9010_;
+                                            let _e3473 = phi_9011_;
+                                            let _e3475 = phi_9012_;
+                                            let _e3477 = phi_9013_;
+                                            if _e3473 {
+                                                phi_9018_ = type_30(1u, _e3471);
+                                                phi_9019_ = false;
+                                                phi_9020_ = false;
+                                            } else {
+                                                phi_9018_ = type_30();
+                                                phi_9019_ = _e3475;
+                                                phi_9020_ = _e3477;
+                                            }
+                                            let _e3480 = phi_9018_;
+                                            let _e3482 = phi_9019_;
+                                            let _e3484 = phi_9020_;
+                                            if _e3482 {
+                                                phi_9025_ = type_30(0u, type_30().member_1);
+                                                phi_9026_ = true;
+                                            } else {
+                                                phi_9025_ = _e3461;
+                                                phi_9026_ = _e3484;
+                                            }
+                                            let _e3488 = phi_9025_;
+                                            let _e3490 = phi_9026_;
+                                            if _e3490 {
+                                                phi_9030_ = _e3488;
+                                            } else {
+                                                phi_9030_ = _e3480;
+                                            }
+                                            let _e3492 = phi_9030_;
+                                            let _e3495 = (_e3492.member != 0u);
+                                            if _e3495 {
+                                                phi_9037_ = false;
+                                            } else {
+                                                phi_9037_ = true;
+                                            }
+                                            let _e3497 = phi_9037_;
+                                            phi_9038_ = _e3492.member_1;
+                                            phi_9039_ = _e3497;
+                                            phi_9040_ = _e3495;
+                                            phi_9041_ = false;
                                         } else {
-                                            phi_7973_ = f32();
-                                            phi_7974_ = false;
-                                            phi_7975_ = false;
-                                            phi_7976_ = true;
+                                            phi_9038_ = f32();
+                                            phi_9039_ = false;
+                                            phi_9040_ = false;
+                                            phi_9041_ = true;
                                         }
-                                        let _e3460 = phi_7973_;
-                                        let _e3462 = phi_7974_;
-                                        let _e3464 = phi_7975_;
-                                        let _e3466 = phi_7976_;
-                                        phi_7977_ = _e3460;
-                                        phi_7978_ = _e3462;
-                                        phi_7979_ = _e3464;
-                                        phi_7980_ = _e3466;
+                                        let _e3499 = phi_9038_;
+                                        let _e3501 = phi_9039_;
+                                        let _e3503 = phi_9040_;
+                                        let _e3505 = phi_9041_;
+                                        phi_9042_ = _e3499;
+                                        phi_9043_ = _e3501;
+                                        phi_9044_ = _e3503;
+                                        phi_9045_ = _e3505;
                                     }
-                                    let _e3468 = phi_7977_;
-                                    let _e3470 = phi_7978_;
-                                    let _e3472 = phi_7979_;
-                                    let _e3474 = phi_7980_;
-                                    phi_7981_ = _e3468;
-                                    phi_7982_ = _e2094;
-                                    phi_7983_ = _e3470;
-                                    phi_7984_ = _e3472;
-                                    phi_7985_ = _e3474;
+                                    let _e3507 = phi_9042_;
+                                    let _e3509 = phi_9043_;
+                                    let _e3511 = phi_9044_;
+                                    let _e3513 = phi_9045_;
+                                    phi_9046_ = _e3507;
+                                    phi_9047_ = _e2094;
+                                    phi_9048_ = _e3509;
+                                    phi_9049_ = _e3511;
+                                    phi_9050_ = _e3513;
                                 }
-                                let _e3476 = phi_7981_;
-                                let _e3478 = phi_7982_;
-                                let _e3480 = phi_7983_;
-                                let _e3482 = phi_7984_;
-                                let _e3484 = phi_7985_;
-                                if _e3478 {
-                                    phi_7989_ = true;
-                                    phi_7990_ = false;
-                                    phi_7991_ = false;
+                                let _e3515 = phi_9046_;
+                                let _e3517 = phi_9047_;
+                                let _e3519 = phi_9048_;
+                                let _e3521 = phi_9049_;
+                                let _e3523 = phi_9050_;
+                                if _e3517 {
+                                    phi_9054_ = true;
+                                    phi_9055_ = false;
+                                    phi_9056_ = false;
                                 } else {
-                                    phi_7989_ = _e3480;
-                                    phi_7990_ = _e3482;
-                                    phi_7991_ = _e3484;
+                                    phi_9054_ = _e3519;
+                                    phi_9055_ = _e3521;
+                                    phi_9056_ = _e3523;
                                 }
-                                let _e3486 = phi_7989_;
-                                let _e3488 = phi_7990_;
-                                let _e3490 = phi_7991_;
-                                phi_7992_ = _e3476;
-                                phi_7993_ = _e1393;
-                                phi_7994_ = _e3486;
-                                phi_7995_ = false;
-                                phi_7996_ = _e3488;
-                                phi_7997_ = _e3490;
+                                let _e3525 = phi_9054_;
+                                let _e3527 = phi_9055_;
+                                let _e3529 = phi_9056_;
+                                phi_9057_ = _e3515;
+                                phi_9058_ = _e1393;
+                                phi_9059_ = _e3525;
+                                phi_9060_ = false;
+                                phi_9061_ = _e3527;
+                                phi_9062_ = _e3529;
                             } else {
-                                phi_7992_ = f32();
-                                phi_7993_ = type_37();
-                                phi_7994_ = false;
-                                phi_7995_ = true;
-                                phi_7996_ = false;
-                                phi_7997_ = false;
+                                phi_9057_ = f32();
+                                phi_9058_ = type_37();
+                                phi_9059_ = false;
+                                phi_9060_ = true;
+                                phi_9061_ = false;
+                                phi_9062_ = false;
                             }
-                            let _e3492 = phi_7992_;
-                            let _e3494 = phi_7993_;
-                            let _e3496 = phi_7994_;
-                            let _e3498 = phi_7995_;
-                            let _e3500 = phi_7996_;
-                            let _e3502 = phi_7997_;
-                            local_21 = _e3498;
-                            local_41 = _e3500;
-                            local_42 = _e3502;
-                            local_22 = _e3492;
-                            local_23 = _e3494;
+                            let _e3531 = phi_9057_;
+                            let _e3533 = phi_9058_;
+                            let _e3535 = phi_9059_;
+                            let _e3537 = phi_9060_;
+                            let _e3539 = phi_9061_;
+                            let _e3541 = phi_9062_;
+                            local_21 = _e3537;
+                            local_43 = _e3539;
+                            local_44 = _e3541;
+                            local_22 = _e3531;
+                            local_23 = _e3533;
                             continue;
                             continuing {
-                                phi_4372_ = _e1123;
-                                break if !(_e3496);
+                                phi_4904_ = _e1123;
+                                break if !(_e3535);
                             }
                         }
-                        let _e3505 = local_21;
-                        if _e3505 {
-                            phi_8002_ = type_35(0u, type_35().member_1);
-                            phi_8003_ = false;
-                            phi_8004_ = false;
+                        let _e3544 = local_21;
+                        if _e3544 {
+                            phi_9067_ = type_30(0u, type_30().member_1);
+                            phi_9068_ = false;
+                            phi_9069_ = false;
                         } else {
-                            phi_8002_ = type_35();
-                            let _e5958 = local_41;
-                            phi_8003_ = _e5958;
-                            let _e5961 = local_42;
-                            phi_8004_ = _e5961;
+                            phi_9067_ = type_30();
+                            let _e6418 = local_43;
+                            phi_9068_ = _e6418;
+                            let _e6421 = local_44;
+                            phi_9069_ = _e6421;
                         }
-                        let _e3509 = phi_8002_;
-                        let _e3511 = phi_8003_;
-                        let _e3513 = phi_8004_;
-                        if _e3511 {
-                            let _e3515 = local_22;
-                            phi_8009_ = type_35(2u, _e3515);
-                            phi_8010_ = false;
+                        let _e3548 = phi_9067_;
+                        let _e3550 = phi_9068_;
+                        let _e3552 = phi_9069_;
+                        if _e3550 {
+                            let _e3554 = local_22;
+                            phi_9074_ = type_30(2u, _e3554);
+                            phi_9075_ = false;
                         } else {
-                            phi_8009_ = type_35();
-                            phi_8010_ = _e3513;
+                            phi_9074_ = type_30();
+                            phi_9075_ = _e3552;
                         }
-                        let _e3518 = phi_8009_;
-                        let _e3520 = phi_8010_;
-                        if _e3520 {
-                            let _e3522 = local_23;
-                            phi_8016_ = type_35(1u, _e3522.member);
-                            phi_8017_ = true;
+                        let _e3557 = phi_9074_;
+                        let _e3559 = phi_9075_;
+                        if _e3559 {
+                            let _e3561 = local_23;
+                            phi_9081_ = type_30(1u, _e3561.member);
+                            phi_9082_ = true;
                         } else {
-                            phi_8016_ = _e3518;
-                            phi_8017_ = _e3511;
+                            phi_9081_ = _e3557;
+                            phi_9082_ = _e3550;
                         }
-                        let _e3526 = phi_8016_;
-                        let _e3528 = phi_8017_;
-                        if _e3528 {
-                            phi_8021_ = _e3526;
+                        let _e3565 = phi_9081_;
+                        let _e3567 = phi_9082_;
+                        if _e3567 {
+                            phi_9086_ = _e3565;
                         } else {
-                            phi_8021_ = _e3509;
+                            phi_9086_ = _e3548;
                         }
-                        let _e3530 = phi_8021_;
-                        phi_8025_ = _e3530;
+                        let _e3569 = phi_9086_;
+                        phi_9090_ = _e3569;
                     }
-                    let _e5251 = phi_8025_;
-                    phi_8026_ = _e5251;
+                    let _e5692 = phi_9090_;
+                    phi_9091_ = _e5692;
                 }
-                let _e5255 = phi_8026_;
-                switch bitcast<i32>(_e5255.member) {
+                let _e5696 = phi_9091_;
+                switch bitcast<i32>(_e5696.member) {
                     case 0: {
-                        phi_8039_ = type_38(0u, array<u32, 2>(0u, 0u), false);
+                        phi_9104_ = type_38(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5261 = function_(_e5255.member_1);
-                        phi_8039_ = type_38(0u, _e5261, true);
+                        let _e5702 = function_(_e5696.member_1);
+                        phi_9104_ = type_38(0u, _e5702, true);
                         break;
                     }
                     case 2: {
-                        let _e5259 = function_(_e5255.member_1);
-                        phi_8039_ = type_38(1u, _e5259, true);
+                        let _e5700 = function_(_e5696.member_1);
+                        phi_9104_ = type_38(1u, _e5700, true);
                         break;
                     }
                     default: {
-                        phi_8039_ = type_38();
+                        phi_9104_ = type_38();
                         break;
                     }
                 }
-                let _e5264 = phi_8039_;
-                if _e5264.member_2 {
-                    phi_8046_ = (_e5264.member == 0u);
+                let _e5705 = phi_9104_;
+                if _e5705.member_2 {
+                    phi_9111_ = (_e5705.member == 0u);
                 } else {
-                    phi_8046_ = false;
+                    phi_9111_ = false;
                 }
-                let _e5269 = phi_8046_;
-                if _e5269 {
-                    let _e5277 = (_e5264.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5277 <= 896u) {
-                        phi_8070_ = 0u;
+                let _e5710 = phi_9111_;
+                if _e5710 {
+                    let _e5718 = (_e5705.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5718 <= 896u) {
+                        phi_9135_ = 0u;
                     } else {
-                        phi_8070_ = ((((_e5277 - 896u) << bitcast<u32>(23i)) | ((_e5264.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5264.member_1[0] >> bitcast<u32>(29i)));
+                        phi_9135_ = ((((_e5718 - 896u) << bitcast<u32>(23i)) | ((_e5705.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5705.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5292 = phi_8070_;
-                    let _e5294 = atomicMin((&earliest.member[0u]), _e5292);
+                    let _e5733 = phi_9135_;
+                    let _e5735 = atomicMin((&earliest.member[0u]), _e5733);
                 }
-                phi_8074_ = type_20(1u, 0u, _e176, _e179, _e5264.member_1);
-                phi_8075_ = _e5269;
-                phi_8076_ = (_e5264.member != 0u);
+                phi_9139_ = type_20(1u, 0u, _e176, _e179, _e5705.member_1);
+                phi_9140_ = _e5710;
+                phi_9141_ = (_e5705.member != 0u);
             } else {
-                phi_8074_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_8075_ = false;
-                phi_8076_ = false;
+                phi_9139_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_9140_ = false;
+                phi_9141_ = false;
             }
-            let _e5296 = phi_8074_;
-            let _e5298 = phi_8075_;
-            let _e5300 = phi_8076_;
-            let _e5303 = params.member.member.member_1;
-            if ((_e5303 & 16u) != 0u) {
+            let _e5737 = phi_9139_;
+            let _e5739 = phi_9140_;
+            let _e5741 = phi_9141_;
+            let _e5744 = params.member.member.member_1;
+            if ((_e5744 & 16u) != 0u) {
                 if (_e105 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5298 {
-                    let _e5309 = atomicAdd((&counters[0u]), 1u);
-                    phi_8095_ = _e5309;
+                if _e5739 {
+                    let _e5750 = atomicAdd((&counters[0u]), 1u);
+                    phi_9160_ = _e5750;
                 } else {
-                    phi_8095_ = 0u;
+                    phi_9160_ = 0u;
                 }
-                let _e5311 = phi_8095_;
+                let _e5752 = phi_9160_;
                 workgroupBarrier();
                 if (_e105 == 0u) {
-                    let _e5314 = atomicLoad((&counters[0u]));
-                    if (_e5314 > 0u) {
-                        let _e5317 = atomicAdd((&contacts.member[0u]), _e5314);
-                        atomicStore((&counters[1u]), _e5317);
+                    let _e5755 = atomicLoad((&counters[0u]));
+                    if (_e5755 > 0u) {
+                        let _e5758 = atomicAdd((&contacts.member[0u]), _e5755);
+                        atomicStore((&counters[1u]), _e5758);
                     }
                 }
                 workgroupBarrier();
-                let _e5320 = atomicLoad((&counters[1u]));
-                let _e5321 = (_e5320 + _e5311);
-                if _e5298 {
-                    let _e5324 = params.member.member_1.member_3;
-                    if (_e5321 < _e5324) {
-                        let _e5326 = (6u * _e5321);
-                        atomicStore((&contacts.member[(4u + _e5326)]), _e5296.member);
-                        atomicStore((&contacts.member[(_e5326 + 5u)]), _e5296.member_1);
-                        atomicStore((&contacts.member[(_e5326 + 6u)]), _e5296.member_2);
-                        atomicStore((&contacts.member[(_e5326 + 7u)]), _e5296.member_3);
-                        atomicStore((&contacts.member[(_e5326 + 8u)]), _e5296.member_4[0]);
-                        atomicStore((&contacts.member[(_e5326 + 9u)]), _e5296.member_4[1]);
+                let _e5761 = atomicLoad((&counters[1u]));
+                let _e5762 = (_e5761 + _e5752);
+                if _e5739 {
+                    let _e5765 = params.member.member_1.member_3;
+                    if (_e5762 < _e5765) {
+                        let _e5767 = (6u * _e5762);
+                        atomicStore((&contacts.member[(4u + _e5767)]), _e5737.member);
+                        atomicStore((&contacts.member[(_e5767 + 5u)]), _e5737.member_1);
+                        atomicStore((&contacts.member[(_e5767 + 6u)]), _e5737.member_2);
+                        atomicStore((&contacts.member[(_e5767 + 7u)]), _e5737.member_3);
+                        atomicStore((&contacts.member[(_e5767 + 8u)]), _e5737.member_4[0]);
+                        atomicStore((&contacts.member[(_e5767 + 9u)]), _e5737.member_4[1]);
                     }
                 }
             }
@@ -6382,30 +6990,30 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5300 {
-                let _e5350 = atomicAdd((&counters[0u]), 1u);
-                phi_8158_ = _e5350;
+            if _e5741 {
+                let _e5791 = atomicAdd((&counters[0u]), 1u);
+                phi_9223_ = _e5791;
             } else {
-                phi_8158_ = 0u;
+                phi_9223_ = 0u;
             }
-            let _e5352 = phi_8158_;
+            let _e5793 = phi_9223_;
             workgroupBarrier();
             if (_e105 == 0u) {
-                let _e5355 = atomicLoad((&counters[0u]));
-                if (_e5355 > 0u) {
-                    let _e5358 = atomicAdd((&undecided.member[0u]), _e5355);
-                    atomicStore((&counters[1u]), _e5358);
+                let _e5796 = atomicLoad((&counters[0u]));
+                if (_e5796 > 0u) {
+                    let _e5799 = atomicAdd((&undecided.member[0u]), _e5796);
+                    atomicStore((&counters[1u]), _e5799);
                 }
             }
             workgroupBarrier();
-            let _e5361 = atomicLoad((&counters[1u]));
-            let _e5362 = (_e5361 + _e5352);
-            if _e5300 {
-                let _e5365 = params.member.member_2.member;
-                if (_e5362 < _e5365) {
-                    let _e5369 = (2u * _e5362);
-                    atomicStore((&undecided.member[(4u + _e5369)]), _e5296.member_2);
-                    atomicStore((&undecided.member[(_e5369 + 5u)]), _e5296.member_3);
+            let _e5802 = atomicLoad((&counters[1u]));
+            let _e5803 = (_e5802 + _e5793);
+            if _e5741 {
+                let _e5806 = params.member.member_2.member;
+                if (_e5803 < _e5806) {
+                    let _e5810 = (2u * _e5803);
+                    atomicStore((&undecided.member[(4u + _e5810)]), _e5737.member_2);
+                    atomicStore((&undecided.member[(_e5810 + 5u)]), _e5737.member_3);
                 }
             }
         }

@@ -64,47 +64,47 @@ struct type_23 {
 }
 
 struct type_24 {
-    member: u32,
-}
-
-struct type_25 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_24,
-}
-
-struct type_26 {
-    member: type_25,
-}
-
-struct type_27 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_29 {
-    member: array<array<u32, 3>>,
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
+}
+
+struct type_27 {
+    member: type_26,
+}
+
+struct type_28 {
+    member: u32,
+    member_1: f32,
 }
 
 struct type_30 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_31 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_31 {
+struct type_32 {
     member: f32,
     member_1: f32,
 }
 
-struct type_34 {
-    member: type_23,
-    member_1: f32,
-}
-
 struct type_35 {
-    member: u32,
+    member: type_23,
     member_1: f32,
 }
 
@@ -130,9 +130,9 @@ var<storage> paths: type_19;
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_26;
+var<storage> params: type_27;
 @group(0) @binding(2) 
-var<storage> elements: type_29;
+var<storage> elements: type_30;
 @group(0) @binding(4) 
 var<storage, read_write> contacts: type_42;
 @group(0) @binding(5) 
@@ -428,17 +428,17 @@ fn function_2(param_6: f32) -> array<u32, 2> {
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_30;
-    var local_2: type_27;
-    var local_3: type_27;
-    var local_4: type_27;
-    var local_5: array<type_31, 4>;
+    var local: type_31;
+    var local_1: type_31;
+    var local_2: type_24;
+    var local_3: type_24;
+    var local_4: type_24;
+    var local_5: array<type_32, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: type_30;
-    var local_10: type_30;
+    var local_9: type_31;
+    var local_10: type_31;
     var local_11: array<f32, 3>;
     var local_12: type_23;
     var phi_767_: u32;
@@ -487,13 +487,13 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1217_: u32;
     var phi_1228_: f32;
     var phi_1229_: f32;
-    var phi_1260_: type_34;
+    var phi_1260_: type_35;
     var phi_1261_: bool;
-    var phi_1262_: type_34;
+    var phi_1262_: type_35;
     var phi_1263_: bool;
-    var phi_1264_: type_34;
+    var phi_1264_: type_35;
     var phi_1265_: bool;
-    var phi_1270_: type_34;
+    var phi_1270_: type_35;
     var phi_1552_: f32;
     var phi_1559_: f32;
     var phi_1564_: f32;
@@ -545,468 +545,485 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1926_: f32;
     var phi_1931_: f32;
     var phi_1941_: f32;
-    var phi_4632_: f32;
-    var phi_4638_: f32;
-    var phi_4643_: f32;
-    var phi_4649_: f32;
-    var phi_4655_: f32;
-    var phi_4660_: f32;
-    var phi_4665_: f32;
-    var phi_4673_: bool;
-    var phi_4678_: f32;
-    var phi_4685_: f32;
-    var phi_4725_: type_14;
-    var phi_4728_: f32;
-    var phi_4749_: bool;
-    var phi_4755_: type_15;
-    var phi_4726_: type_14;
-    var phi_4769_: type_15;
-    var phi_4729_: f32;
-    var local_13: f32;
-    var phi_4718_: f32;
-    var phi_4782_: f32;
-    var phi_4788_: f32;
-    var phi_4813_: type_9;
-    var phi_4816_: u32;
-    var phi_4814_: type_9;
-    var phi_4839_: type_9;
-    var phi_4883_: u32;
-    var phi_4884_: u32;
-    var phi_4817_: u32;
-    var phi_4885_: u32;
-    var phi_4905_: type_9;
-    var phi_4906_: type_9;
-    var phi_4929_: type_9;
-    var phi_4981_: f32;
-    var phi_4988_: f32;
-    var phi_4999_: bool;
-    var phi_5000_: bool;
-    var phi_5001_: bool;
-    var phi_5002_: bool;
-    var phi_5006_: bool;
-    var phi_5017_: type_37;
-    var phi_5018_: type_37;
-    var phi_5019_: bool;
-    var phi_5020_: type_37;
-    var phi_5021_: bool;
-    var phi_5032_: f32;
-    var phi_5042_: type_9;
-    var phi_5045_: f32;
-    var phi_5047_: f32;
-    var phi_5049_: f32;
-    var phi_5043_: type_9;
-    var phi_5072_: type_9;
-    var phi_5097_: f32;
-    var phi_5098_: f32;
-    var phi_5124_: f32;
-    var phi_5140_: f32;
-    var phi_5147_: bool;
-    var phi_5148_: bool;
-    var phi_5149_: bool;
-    var phi_5155_: f32;
-    var phi_5156_: f32;
-    var phi_5157_: bool;
-    var phi_5046_: f32;
-    var phi_5048_: f32;
-    var phi_5050_: f32;
-    var phi_5158_: f32;
-    var phi_5159_: bool;
-    var phi_5160_: bool;
-    var local_14: bool;
     var phi_5164_: f32;
-    var phi_5165_: f32;
-    var phi_5173_: f32;
-    var phi_5177_: type_9;
-    var phi_5180_: f32;
-    var phi_5178_: type_9;
-    var phi_5203_: type_9;
-    var phi_5233_: f32;
-    var phi_5234_: bool;
-    var phi_5235_: f32;
-    var phi_5236_: bool;
-    var phi_5237_: bool;
-    var phi_5238_: bool;
-    var phi_5239_: f32;
+    var phi_5170_: f32;
+    var phi_5175_: f32;
     var phi_5181_: f32;
-    var phi_5240_: bool;
-    var phi_5241_: bool;
-    var phi_5242_: bool;
-    var phi_5243_: bool;
+    var phi_5187_: f32;
+    var phi_5192_: f32;
+    var phi_5197_: f32;
+    var phi_5205_: bool;
+    var phi_5210_: f32;
+    var phi_5217_: f32;
+    var phi_5257_: type_14;
+    var phi_5260_: f32;
+    var phi_5281_: bool;
+    var phi_5287_: type_15;
+    var phi_5258_: type_14;
+    var phi_5301_: type_15;
+    var phi_5261_: f32;
+    var local_13: f32;
+    var phi_5250_: f32;
+    var phi_5314_: f32;
+    var phi_5320_: f32;
+    var phi_5345_: type_9;
+    var phi_5348_: u32;
+    var phi_5346_: type_9;
+    var phi_5371_: type_9;
+    var phi_5415_: u32;
+    var phi_5416_: u32;
+    var phi_5349_: u32;
+    var phi_5417_: u32;
+    var phi_5437_: type_9;
+    var phi_5438_: type_9;
+    var phi_5461_: type_9;
+    var phi_5513_: f32;
+    var phi_5520_: f32;
+    var phi_5531_: bool;
+    var phi_5532_: bool;
+    var phi_5533_: bool;
+    var phi_5534_: bool;
+    var phi_5538_: bool;
+    var phi_5549_: type_37;
+    var phi_5550_: type_37;
+    var phi_5551_: bool;
+    var phi_5552_: type_37;
+    var phi_5553_: bool;
+    var phi_5564_: f32;
+    var phi_5574_: type_9;
+    var phi_5577_: f32;
+    var phi_5579_: f32;
+    var phi_5581_: f32;
+    var phi_5575_: type_9;
+    var phi_5604_: type_9;
+    var phi_5629_: f32;
+    var phi_5630_: f32;
+    var phi_5656_: f32;
+    var phi_5672_: f32;
+    var phi_5679_: bool;
+    var phi_5680_: bool;
+    var phi_5681_: bool;
+    var phi_5687_: f32;
+    var phi_5688_: f32;
+    var phi_5689_: bool;
+    var phi_5578_: f32;
+    var phi_5580_: f32;
+    var phi_5582_: f32;
+    var phi_5690_: f32;
+    var phi_5691_: bool;
+    var phi_5692_: bool;
+    var local_14: bool;
+    var phi_5696_: f32;
+    var phi_5697_: f32;
+    var phi_5705_: f32;
+    var phi_5709_: type_9;
+    var phi_5712_: f32;
+    var phi_5710_: type_9;
+    var phi_5735_: type_9;
+    var phi_5765_: f32;
+    var phi_5766_: bool;
+    var phi_5767_: f32;
+    var phi_5768_: bool;
+    var phi_5769_: bool;
+    var phi_5770_: bool;
+    var phi_5771_: f32;
+    var phi_5713_: f32;
+    var phi_5772_: bool;
+    var phi_5773_: bool;
+    var phi_5774_: bool;
+    var phi_5775_: bool;
     var local_15: bool;
-    var phi_5247_: bool;
-    var phi_5248_: bool;
-    var phi_5252_: bool;
-    var phi_5256_: f32;
-    var phi_5257_: f32;
-    var phi_5259_: type_37;
-    var phi_5288_: f32;
-    var phi_5295_: f32;
-    var phi_5300_: f32;
-    var phi_5307_: f32;
-    var phi_5312_: f32;
-    var phi_5325_: f32;
-    var phi_5332_: f32;
-    var phi_5337_: f32;
-    var phi_5344_: f32;
-    var phi_5349_: f32;
-    var phi_5354_: f32;
-    var phi_5413_: f32;
-    var phi_5419_: f32;
-    var phi_5424_: f32;
-    var phi_5430_: f32;
-    var phi_5435_: f32;
-    var phi_5447_: f32;
-    var phi_5453_: f32;
-    var phi_5458_: f32;
-    var phi_5464_: f32;
-    var phi_5469_: f32;
-    var phi_5495_: f32;
-    var phi_5502_: f32;
-    var phi_5507_: f32;
-    var phi_5514_: f32;
-    var phi_5519_: f32;
-    var phi_5532_: f32;
-    var phi_5539_: f32;
-    var phi_5544_: f32;
-    var phi_5551_: f32;
-    var phi_5556_: f32;
-    var phi_5561_: f32;
-    var phi_5620_: f32;
-    var phi_5626_: f32;
-    var phi_5631_: f32;
-    var phi_5637_: f32;
-    var phi_5642_: f32;
-    var phi_5654_: f32;
-    var phi_5660_: f32;
-    var phi_5665_: f32;
-    var phi_5671_: f32;
-    var phi_5676_: f32;
-    var phi_5702_: f32;
-    var phi_5709_: f32;
-    var phi_5714_: f32;
-    var phi_5721_: f32;
-    var phi_5726_: f32;
-    var phi_5739_: f32;
-    var phi_5746_: f32;
-    var phi_5751_: f32;
-    var phi_5758_: f32;
-    var phi_5763_: f32;
-    var phi_5768_: f32;
+    var phi_5779_: bool;
+    var phi_5780_: bool;
+    var phi_5784_: bool;
+    var phi_5788_: f32;
+    var phi_5789_: f32;
+    var phi_5791_: type_37;
+    var phi_5820_: f32;
     var phi_5827_: f32;
-    var phi_5833_: f32;
-    var phi_5838_: f32;
+    var phi_5832_: f32;
+    var phi_5839_: f32;
     var phi_5844_: f32;
-    var phi_5849_: f32;
-    var phi_5861_: f32;
-    var phi_5867_: f32;
-    var phi_5872_: f32;
-    var phi_5878_: f32;
-    var phi_5883_: f32;
-    var phi_5932_: f32;
-    var phi_5938_: f32;
-    var phi_5966_: f32;
-    var phi_5972_: f32;
-    var phi_5977_: u32;
-    var phi_5978_: u32;
-    var phi_5948_: f32;
-    var phi_5954_: f32;
-    var phi_5959_: u32;
-    var phi_5960_: u32;
-    var phi_5979_: u32;
-    var phi_5980_: u32;
-    var phi_6049_: f32;
-    var phi_6058_: f32;
-    var phi_6193_: f32;
-    var phi_6199_: f32;
-    var phi_6206_: f32;
-    var phi_6261_: type_9;
-    var phi_6264_: bool;
-    var phi_6262_: type_9;
-    var phi_6287_: type_9;
-    var phi_6314_: bool;
-    var phi_6315_: bool;
-    var phi_6265_: bool;
-    var phi_6316_: bool;
-    var phi_6317_: bool;
-    var local_16: bool;
-    var phi_6321_: bool;
-    var local_17: bool;
-    var phi_6328_: u32;
-    var phi_6329_: u32;
-    var phi_6330_: bool;
-    var phi_6331_: u32;
-    var phi_6332_: u32;
-    var phi_6333_: bool;
-    var phi_6337_: u32;
-    var phi_6357_: bool;
-    var phi_6358_: bool;
-    var phi_6359_: bool;
-    var phi_6507_: f32;
-    var phi_6514_: f32;
-    var phi_6519_: f32;
-    var phi_6526_: f32;
-    var phi_6531_: f32;
-    var phi_6544_: f32;
-    var phi_6551_: f32;
-    var phi_6556_: f32;
-    var phi_6563_: f32;
-    var phi_6568_: f32;
-    var phi_6573_: f32;
+    var phi_5857_: f32;
+    var phi_5864_: f32;
+    var phi_5869_: f32;
+    var phi_5876_: f32;
+    var phi_5881_: f32;
+    var phi_5886_: f32;
+    var phi_5945_: f32;
+    var phi_5951_: f32;
+    var phi_5956_: f32;
+    var phi_5962_: f32;
+    var phi_5967_: f32;
+    var phi_5979_: f32;
+    var phi_5985_: f32;
+    var phi_5990_: f32;
+    var phi_5996_: f32;
+    var phi_6001_: f32;
+    var phi_6027_: f32;
+    var phi_6034_: f32;
+    var phi_6039_: f32;
+    var phi_6046_: f32;
+    var phi_6051_: f32;
+    var phi_6064_: f32;
+    var phi_6071_: f32;
+    var phi_6076_: f32;
+    var phi_6083_: f32;
+    var phi_6088_: f32;
+    var phi_6093_: f32;
+    var phi_6152_: f32;
+    var phi_6158_: f32;
+    var phi_6163_: f32;
+    var phi_6169_: f32;
+    var phi_6174_: f32;
+    var phi_6186_: f32;
+    var phi_6192_: f32;
+    var phi_6197_: f32;
+    var phi_6203_: f32;
+    var phi_6208_: f32;
+    var phi_6234_: f32;
+    var phi_6241_: f32;
+    var phi_6246_: f32;
+    var phi_6253_: f32;
+    var phi_6258_: f32;
+    var phi_6271_: f32;
+    var phi_6278_: f32;
+    var phi_6283_: f32;
+    var phi_6290_: f32;
+    var phi_6295_: f32;
+    var phi_6300_: f32;
+    var phi_6359_: f32;
+    var phi_6365_: f32;
+    var phi_6370_: f32;
+    var phi_6376_: f32;
+    var phi_6381_: f32;
+    var phi_6393_: f32;
+    var phi_6399_: f32;
+    var phi_6404_: f32;
+    var phi_6410_: f32;
+    var phi_6415_: f32;
+    var phi_6464_: f32;
+    var phi_6470_: f32;
+    var phi_6498_: f32;
+    var phi_6504_: f32;
+    var phi_6509_: u32;
+    var phi_6510_: u32;
+    var phi_6480_: f32;
+    var phi_6486_: f32;
+    var phi_6491_: u32;
+    var phi_6492_: u32;
+    var phi_6511_: u32;
+    var phi_6512_: u32;
+    var phi_6581_: f32;
     var phi_6590_: f32;
-    var phi_6597_: f32;
-    var phi_6602_: f32;
-    var phi_6609_: f32;
-    var phi_6614_: f32;
-    var phi_6628_: f32;
-    var phi_6635_: f32;
-    var phi_6640_: f32;
-    var phi_6647_: f32;
-    var phi_6652_: f32;
-    var phi_6657_: f32;
-    var phi_6674_: f32;
-    var phi_6681_: f32;
-    var phi_6686_: f32;
-    var phi_6693_: f32;
-    var phi_6698_: f32;
-    var phi_6712_: f32;
-    var phi_6719_: f32;
-    var phi_6724_: f32;
+    var phi_6725_: f32;
     var phi_6731_: f32;
-    var phi_6736_: f32;
-    var phi_6741_: f32;
-    var phi_6780_: type_9;
-    var phi_6783_: f32;
-    var phi_6785_: f32;
-    var phi_6787_: f32;
-    var phi_6789_: bool;
-    var phi_6791_: u32;
-    var phi_6781_: type_9;
-    var phi_6814_: type_9;
-    var phi_6928_: f32;
-    var phi_6934_: f32;
-    var phi_6940_: f32;
-    var phi_6942_: array<f32, 3>;
-    var phi_6949_: f32;
-    var phi_6956_: f32;
-    var phi_6964_: f32;
-    var phi_7008_: type_14;
-    var phi_7011_: f32;
-    var phi_7032_: bool;
-    var phi_7038_: type_15;
-    var phi_7009_: type_14;
-    var phi_7052_: type_15;
-    var phi_7012_: f32;
-    var local_18: f32;
-    var phi_7001_: f32;
-    var phi_7065_: f32;
-    var phi_7131_: f32;
-    var phi_7137_: f32;
+    var phi_6738_: f32;
+    var phi_6793_: type_9;
+    var phi_6796_: bool;
+    var phi_6794_: type_9;
+    var phi_6819_: type_9;
+    var phi_6846_: bool;
+    var phi_6847_: bool;
+    var phi_6797_: bool;
+    var phi_6848_: bool;
+    var phi_6849_: bool;
+    var local_16: bool;
+    var phi_6853_: bool;
+    var local_17: bool;
+    var phi_6860_: u32;
+    var phi_6861_: u32;
+    var phi_6862_: bool;
+    var phi_6863_: u32;
+    var phi_6864_: u32;
+    var phi_6865_: bool;
+    var phi_6869_: u32;
+    var phi_6889_: bool;
+    var phi_6890_: bool;
+    var phi_6891_: bool;
+    var phi_7039_: f32;
+    var phi_7046_: f32;
+    var phi_7051_: f32;
+    var phi_7058_: f32;
+    var phi_7063_: f32;
+    var phi_7076_: f32;
+    var phi_7083_: f32;
+    var phi_7088_: f32;
+    var phi_7095_: f32;
+    var phi_7100_: f32;
+    var phi_7105_: f32;
+    var phi_7122_: f32;
+    var phi_7129_: f32;
+    var phi_7134_: f32;
+    var phi_7141_: f32;
     var phi_7146_: f32;
-    var phi_7152_: f32;
-    var phi_7161_: f32;
+    var phi_7160_: f32;
     var phi_7167_: f32;
-    var phi_7176_: f32;
-    var phi_7182_: f32;
-    var phi_7188_: type_30;
-    var phi_7189_: bool;
-    var phi_7190_: type_30;
-    var phi_7191_: bool;
-    var phi_7199_: type_30;
-    var phi_7370_: bool;
-    var phi_7371_: bool;
-    var phi_7372_: bool;
-    var phi_7373_: bool;
-    var phi_7374_: bool;
-    var phi_7375_: bool;
-    var phi_7379_: bool;
-    var phi_7676_: bool;
-    var phi_7677_: bool;
-    var phi_7678_: bool;
-    var phi_7679_: bool;
-    var phi_7680_: bool;
-    var phi_7681_: bool;
-    var phi_7685_: bool;
-    var phi_7689_: bool;
-    var phi_7700_: bool;
-    var phi_7701_: bool;
-    var phi_7775_: bool;
-    var phi_7776_: bool;
-    var phi_7796_: f32;
-    var phi_7797_: bool;
-    var phi_7798_: f32;
-    var phi_7799_: bool;
-    var phi_7800_: f32;
-    var phi_7801_: bool;
-    var phi_7802_: bool;
-    var phi_7806_: f32;
-    var phi_7807_: bool;
-    var phi_7811_: f32;
-    var phi_7843_: bool;
-    var phi_7844_: bool;
-    var phi_7864_: f32;
-    var phi_7865_: bool;
-    var phi_7866_: f32;
-    var phi_7867_: bool;
-    var phi_7868_: f32;
-    var phi_7869_: bool;
-    var phi_7870_: bool;
-    var phi_7874_: f32;
-    var phi_7875_: bool;
-    var phi_7879_: f32;
-    var phi_7884_: f32;
-    var phi_7916_: bool;
-    var phi_7917_: bool;
-    var phi_7937_: f32;
-    var phi_7938_: bool;
-    var phi_7939_: f32;
-    var phi_7940_: bool;
-    var phi_7941_: f32;
-    var phi_7942_: bool;
-    var phi_7943_: bool;
-    var phi_7947_: f32;
-    var phi_7948_: bool;
-    var phi_7952_: f32;
-    var phi_7984_: bool;
-    var phi_7985_: bool;
-    var phi_8005_: f32;
-    var phi_8006_: bool;
-    var phi_8007_: f32;
-    var phi_8008_: bool;
-    var phi_8009_: f32;
-    var phi_8010_: bool;
-    var phi_8011_: bool;
-    var phi_8015_: f32;
-    var phi_8016_: bool;
-    var phi_8020_: f32;
-    var phi_8025_: f32;
-    var phi_8030_: f32;
-    var phi_8035_: f32;
-    var phi_8045_: f32;
-    var phi_8046_: f32;
-    var phi_8047_: bool;
-    var phi_8048_: f32;
-    var phi_8049_: f32;
-    var phi_8050_: bool;
-    var phi_8051_: bool;
-    var phi_8052_: bool;
-    var phi_8053_: f32;
-    var phi_8054_: f32;
-    var phi_8055_: bool;
-    var phi_8056_: bool;
-    var phi_8057_: bool;
-    var phi_8058_: bool;
-    var phi_8059_: f32;
-    var phi_8060_: f32;
-    var phi_8061_: bool;
-    var phi_8062_: bool;
-    var phi_8063_: bool;
-    var phi_8064_: bool;
-    var phi_8150_: f32;
-    var phi_8223_: f32;
-    var phi_8228_: f32;
-    var phi_8301_: f32;
-    var phi_8374_: f32;
-    var phi_8379_: f32;
-    var phi_8395_: f32;
-    var phi_8396_: f32;
-    var phi_8397_: f32;
-    var phi_8077_: bool;
-    var phi_8399_: u32;
-    var phi_8400_: f32;
-    var phi_8401_: bool;
+    var phi_7172_: f32;
+    var phi_7179_: f32;
+    var phi_7184_: f32;
+    var phi_7189_: f32;
+    var phi_7206_: f32;
+    var phi_7213_: f32;
+    var phi_7218_: f32;
+    var phi_7225_: f32;
+    var phi_7230_: f32;
+    var phi_7244_: f32;
+    var phi_7251_: f32;
+    var phi_7256_: f32;
+    var phi_7263_: f32;
+    var phi_7268_: f32;
+    var phi_7273_: f32;
+    var phi_7313_: type_9;
+    var phi_7316_: f32;
+    var phi_7318_: f32;
+    var phi_7320_: f32;
+    var phi_7322_: f32;
+    var phi_7324_: bool;
+    var phi_7326_: u32;
+    var phi_7314_: type_9;
+    var phi_7349_: type_9;
+    var phi_7463_: f32;
+    var phi_7469_: f32;
+    var phi_7475_: f32;
+    var phi_7477_: array<f32, 3>;
+    var phi_7484_: f32;
+    var phi_7491_: f32;
+    var phi_7499_: f32;
+    var phi_7543_: type_14;
+    var phi_7546_: f32;
+    var phi_7567_: bool;
+    var phi_7573_: type_15;
+    var phi_7544_: type_14;
+    var phi_7587_: type_15;
+    var phi_7547_: f32;
+    var local_18: f32;
+    var phi_7536_: f32;
+    var phi_7600_: f32;
+    var phi_7666_: f32;
+    var phi_7672_: f32;
+    var phi_7681_: f32;
+    var phi_7687_: f32;
+    var phi_7696_: f32;
+    var phi_7702_: f32;
+    var phi_7711_: f32;
+    var phi_7717_: f32;
+    var phi_7723_: type_31;
+    var phi_7724_: bool;
+    var phi_7725_: type_31;
+    var phi_7726_: bool;
+    var phi_7734_: type_31;
+    var phi_7905_: bool;
+    var phi_7906_: bool;
+    var phi_7907_: bool;
+    var phi_7908_: bool;
+    var phi_7909_: bool;
+    var phi_7910_: bool;
+    var phi_7914_: bool;
+    var phi_8211_: bool;
+    var phi_8212_: bool;
+    var phi_8213_: bool;
+    var phi_8214_: bool;
+    var phi_8215_: bool;
+    var phi_8216_: bool;
+    var phi_8220_: bool;
+    var phi_8224_: bool;
+    var phi_8235_: bool;
+    var phi_8236_: bool;
+    var phi_8310_: bool;
+    var phi_8311_: bool;
+    var phi_8331_: f32;
+    var phi_8332_: bool;
+    var phi_8333_: f32;
+    var phi_8334_: bool;
+    var phi_8335_: f32;
+    var phi_8336_: bool;
+    var phi_8337_: bool;
+    var phi_8341_: f32;
+    var phi_8342_: bool;
+    var phi_8346_: f32;
+    var phi_8378_: bool;
+    var phi_8379_: bool;
+    var phi_8399_: f32;
+    var phi_8400_: bool;
+    var phi_8401_: f32;
     var phi_8402_: bool;
-    var phi_8403_: bool;
-    var phi_8404_: u32;
-    var phi_8405_: f32;
-    var phi_8406_: f32;
-    var phi_8407_: f32;
-    var phi_8408_: bool;
-    var phi_8409_: u32;
+    var phi_8403_: f32;
+    var phi_8404_: bool;
+    var phi_8405_: bool;
+    var phi_8409_: f32;
     var phi_8410_: bool;
-    var phi_8411_: bool;
-    var phi_8412_: bool;
-    var phi_8413_: bool;
-    var phi_8414_: bool;
-    var phi_8423_: f32;
-    var phi_8428_: f32;
-    var phi_8437_: bool;
-    var phi_8441_: bool;
-    var phi_8442_: f32;
-    var phi_8443_: f32;
-    var phi_8444_: f32;
-    var phi_8445_: bool;
-    var phi_8446_: u32;
-    var phi_8447_: bool;
-    var phi_8448_: bool;
-    var phi_8449_: bool;
-    var phi_8450_: bool;
+    var phi_8414_: f32;
+    var phi_8419_: f32;
     var phi_8451_: bool;
-    var phi_6784_: f32;
-    var phi_6786_: f32;
-    var phi_6788_: f32;
-    var phi_6790_: bool;
-    var phi_6792_: u32;
-    var phi_8452_: f32;
-    var phi_8453_: bool;
-    var phi_8454_: bool;
-    var phi_8455_: bool;
-    var phi_8456_: bool;
-    var phi_8457_: bool;
-    var phi_8458_: bool;
-    var local_19: bool;
-    var phi_8462_: f32;
-    var phi_8463_: bool;
-    var phi_8464_: bool;
-    var phi_8465_: bool;
-    var phi_8466_: bool;
-    var phi_8471_: type_35;
-    var phi_8472_: bool;
+    var phi_8452_: bool;
+    var phi_8472_: f32;
     var phi_8473_: bool;
-    var phi_8474_: bool;
-    var local_20: f32;
-    var phi_8479_: type_35;
-    var phi_8480_: bool;
-    var phi_8481_: bool;
-    var phi_8486_: type_35;
-    var phi_8487_: bool;
-    var phi_8488_: bool;
-    var phi_8493_: type_35;
-    var phi_8494_: bool;
-    var phi_8498_: type_35;
-    var phi_8505_: bool;
-    var phi_8506_: f32;
-    var phi_8507_: bool;
-    var phi_8508_: bool;
-    var phi_8509_: bool;
-    var phi_8510_: f32;
-    var phi_8511_: bool;
-    var phi_8512_: bool;
-    var phi_8513_: bool;
-    var phi_8514_: f32;
-    var phi_8515_: bool;
-    var phi_8516_: bool;
-    var phi_8517_: bool;
-    var phi_8518_: bool;
-    var phi_8522_: bool;
-    var phi_8523_: bool;
-    var phi_8524_: bool;
-    var phi_8525_: f32;
-    var phi_8526_: type_37;
-    var phi_8527_: bool;
-    var phi_8528_: bool;
-    var phi_8529_: bool;
-    var phi_8530_: bool;
-    var local_21: bool;
-    var phi_8535_: type_35;
-    var phi_8536_: bool;
-    var phi_8537_: bool;
-    var local_22: f32;
-    var phi_8542_: type_35;
+    var phi_8474_: f32;
+    var phi_8475_: bool;
+    var phi_8476_: f32;
+    var phi_8477_: bool;
+    var phi_8478_: bool;
+    var phi_8482_: f32;
+    var phi_8483_: bool;
+    var phi_8487_: f32;
+    var phi_8519_: bool;
+    var phi_8520_: bool;
+    var phi_8540_: f32;
+    var phi_8541_: bool;
+    var phi_8542_: f32;
     var phi_8543_: bool;
+    var phi_8544_: f32;
+    var phi_8545_: bool;
+    var phi_8546_: bool;
+    var phi_8550_: f32;
+    var phi_8551_: bool;
+    var phi_8555_: f32;
+    var phi_8560_: f32;
+    var phi_8565_: f32;
+    var phi_8570_: f32;
+    var phi_9063_: bool;
+    var phi_9064_: bool;
+    var phi_9069_: f32;
+    var phi_9071_: f32;
+    var phi_9074_: f32;
+    var phi_9075_: f32;
+    var phi_9076_: bool;
+    var phi_9078_: f32;
+    var phi_9079_: f32;
+    var phi_9080_: f32;
+    var phi_9082_: bool;
+    var phi_9083_: bool;
+    var phi_9085_: bool;
+    var phi_9086_: f32;
+    var phi_9087_: f32;
+    var phi_9088_: f32;
+    var phi_9090_: bool;
+    var phi_9091_: bool;
+    var phi_9092_: bool;
+    var phi_9094_: bool;
+    var phi_9095_: f32;
+    var phi_9096_: f32;
+    var phi_9097_: f32;
+    var phi_9099_: bool;
+    var phi_9100_: bool;
+    var phi_9101_: bool;
+    var phi_9103_: bool;
+    var phi_9189_: f32;
+    var phi_9262_: f32;
+    var phi_9267_: f32;
+    var phi_9340_: f32;
+    var phi_9413_: f32;
+    var phi_9418_: f32;
+    var phi_9434_: f32;
+    var phi_9435_: f32;
+    var phi_9436_: f32;
+    var phi_9116_: bool;
+    var phi_9438_: u32;
+    var phi_9439_: f32;
+    var phi_9440_: bool;
+    var phi_9441_: bool;
+    var phi_9442_: bool;
+    var phi_9443_: u32;
+    var phi_9444_: f32;
+    var phi_9445_: f32;
+    var phi_9446_: f32;
+    var phi_9447_: f32;
+    var phi_9448_: bool;
+    var phi_9449_: u32;
+    var phi_9450_: bool;
+    var phi_9451_: bool;
+    var phi_9452_: bool;
+    var phi_9453_: bool;
+    var phi_9455_: bool;
+    var phi_9464_: f32;
+    var phi_9469_: f32;
+    var phi_9478_: bool;
+    var phi_9482_: bool;
+    var phi_9483_: f32;
+    var phi_9484_: f32;
+    var phi_9485_: f32;
+    var phi_9486_: f32;
+    var phi_9487_: bool;
+    var phi_9488_: u32;
+    var phi_9489_: bool;
+    var phi_9490_: bool;
+    var phi_9491_: bool;
+    var phi_9492_: bool;
+    var phi_9494_: bool;
+    var phi_7317_: f32;
+    var phi_7319_: f32;
+    var phi_7321_: f32;
+    var phi_7323_: f32;
+    var phi_7325_: bool;
+    var phi_7327_: u32;
+    var phi_9495_: f32;
+    var phi_9497_: bool;
+    var phi_9498_: bool;
+    var phi_9499_: bool;
+    var phi_9500_: bool;
+    var phi_9502_: bool;
+    var phi_9503_: bool;
+    var local_19: bool;
+    var phi_9507_: bool;
+    var phi_9508_: bool;
+    var phi_9510_: bool;
+    var phi_9511_: bool;
+    var local_20: f32;
+    var phi_9516_: type_28;
+    var phi_9517_: bool;
+    var phi_9519_: bool;
+    var phi_9520_: bool;
+    var phi_9521_: bool;
+    var phi_9526_: type_28;
+    var phi_9528_: bool;
+    var phi_9529_: bool;
+    var phi_9530_: bool;
+    var phi_9531_: bool;
+    var phi_9543_: f32;
+    var phi_9544_: bool;
+    var phi_9545_: bool;
+    var phi_9546_: bool;
+    var phi_9551_: type_28;
+    var phi_9552_: bool;
+    var phi_9553_: bool;
+    var phi_9558_: type_28;
+    var phi_9559_: bool;
+    var phi_9563_: type_28;
+    var phi_9570_: bool;
+    var phi_9571_: f32;
+    var phi_9572_: bool;
+    var phi_9573_: bool;
+    var phi_9574_: bool;
+    var phi_9575_: f32;
+    var phi_9576_: bool;
+    var phi_9577_: bool;
+    var phi_9578_: bool;
+    var phi_9579_: f32;
+    var phi_9580_: bool;
+    var phi_9581_: bool;
+    var phi_9582_: bool;
+    var phi_9583_: bool;
+    var phi_9587_: bool;
+    var phi_9588_: bool;
+    var phi_9589_: bool;
+    var phi_9590_: f32;
+    var phi_9591_: type_37;
+    var phi_9592_: bool;
+    var phi_9593_: bool;
+    var phi_9594_: bool;
+    var phi_9595_: bool;
+    var local_21: bool;
+    var phi_9600_: type_28;
+    var phi_9601_: bool;
+    var phi_9602_: bool;
+    var local_22: f32;
+    var phi_9607_: type_28;
+    var phi_9608_: bool;
     var local_23: type_37;
-    var phi_8549_: type_35;
-    var phi_8550_: bool;
-    var phi_8554_: type_35;
+    var phi_9614_: type_28;
+    var phi_9615_: bool;
+    var phi_9619_: type_28;
     var phi_2094_: f32;
     var phi_2101_: f32;
     var phi_2106_: f32;
@@ -1040,294 +1057,383 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2318_: f32;
     var phi_2323_: f32;
     var phi_2328_: f32;
-    var phi_2367_: type_9;
-    var phi_2370_: f32;
-    var phi_2372_: f32;
-    var phi_2374_: f32;
-    var phi_2376_: bool;
-    var phi_2378_: u32;
     var phi_2368_: type_9;
-    var phi_2401_: type_9;
-    var phi_2515_: f32;
-    var phi_2521_: f32;
-    var phi_2527_: f32;
-    var phi_2529_: array<f32, 3>;
-    var phi_2536_: f32;
-    var phi_2543_: f32;
-    var phi_2551_: f32;
-    var phi_2595_: type_14;
-    var phi_2598_: f32;
-    var phi_2619_: bool;
-    var phi_2625_: type_15;
-    var phi_2596_: type_14;
-    var phi_2639_: type_15;
-    var phi_2599_: f32;
-    var local_24: f32;
-    var phi_2588_: f32;
-    var phi_2652_: f32;
-    var phi_2718_: f32;
-    var phi_2724_: f32;
-    var phi_2733_: f32;
-    var phi_2739_: f32;
-    var phi_2748_: f32;
-    var phi_2754_: f32;
-    var phi_2763_: f32;
-    var phi_2769_: f32;
-    var phi_2775_: type_30;
-    var phi_2776_: bool;
-    var phi_2777_: type_30;
-    var phi_2778_: bool;
-    var phi_2786_: type_30;
-    var phi_2957_: bool;
-    var phi_2958_: bool;
-    var phi_2959_: bool;
-    var phi_2960_: bool;
-    var phi_2961_: bool;
-    var phi_2962_: bool;
-    var phi_2966_: bool;
-    var phi_3263_: bool;
-    var phi_3264_: bool;
-    var phi_3265_: bool;
-    var phi_3266_: bool;
-    var phi_3267_: bool;
-    var phi_3268_: bool;
-    var phi_3272_: bool;
-    var phi_3276_: bool;
-    var phi_3287_: bool;
-    var phi_3288_: bool;
-    var phi_3362_: bool;
-    var phi_3363_: bool;
-    var phi_3383_: f32;
-    var phi_3384_: bool;
-    var phi_3385_: f32;
-    var phi_3386_: bool;
-    var phi_3387_: f32;
-    var phi_3388_: bool;
-    var phi_3389_: bool;
-    var phi_3393_: f32;
-    var phi_3394_: bool;
-    var phi_3398_: f32;
-    var phi_3430_: bool;
-    var phi_3431_: bool;
-    var phi_3451_: f32;
-    var phi_3452_: bool;
-    var phi_3453_: f32;
-    var phi_3454_: bool;
-    var phi_3455_: f32;
-    var phi_3456_: bool;
-    var phi_3457_: bool;
-    var phi_3461_: f32;
-    var phi_3462_: bool;
-    var phi_3466_: f32;
-    var phi_3471_: f32;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3524_: f32;
-    var phi_3525_: bool;
-    var phi_3526_: f32;
-    var phi_3527_: bool;
-    var phi_3528_: f32;
-    var phi_3529_: bool;
-    var phi_3530_: bool;
-    var phi_3534_: f32;
-    var phi_3535_: bool;
-    var phi_3539_: f32;
-    var phi_3571_: bool;
-    var phi_3572_: bool;
-    var phi_3592_: f32;
-    var phi_3593_: bool;
-    var phi_3594_: f32;
-    var phi_3595_: bool;
-    var phi_3596_: f32;
-    var phi_3597_: bool;
-    var phi_3598_: bool;
-    var phi_3602_: f32;
-    var phi_3603_: bool;
-    var phi_3607_: f32;
-    var phi_3612_: f32;
-    var phi_3617_: f32;
-    var phi_3622_: f32;
-    var phi_3632_: f32;
-    var phi_3633_: f32;
-    var phi_3634_: bool;
-    var phi_3635_: f32;
-    var phi_3636_: f32;
-    var phi_3637_: bool;
-    var phi_3638_: bool;
-    var phi_3639_: bool;
-    var phi_3640_: f32;
-    var phi_3641_: f32;
-    var phi_3642_: bool;
-    var phi_3643_: bool;
-    var phi_3644_: bool;
-    var phi_3645_: bool;
-    var phi_3646_: f32;
-    var phi_3647_: f32;
-    var phi_3648_: bool;
-    var phi_3649_: bool;
-    var phi_3650_: bool;
-    var phi_3651_: bool;
-    var phi_3737_: f32;
-    var phi_3810_: f32;
-    var phi_3815_: f32;
-    var phi_3888_: f32;
-    var phi_3961_: f32;
-    var phi_3966_: f32;
-    var phi_3982_: f32;
-    var phi_3983_: f32;
-    var phi_3984_: f32;
-    var phi_3664_: bool;
-    var phi_3986_: u32;
-    var phi_3987_: f32;
-    var phi_3988_: bool;
-    var phi_3989_: bool;
-    var phi_3990_: bool;
-    var phi_3991_: u32;
-    var phi_3992_: f32;
-    var phi_3993_: f32;
-    var phi_3994_: f32;
-    var phi_3995_: bool;
-    var phi_3996_: u32;
-    var phi_3997_: bool;
-    var phi_3998_: bool;
-    var phi_3999_: bool;
-    var phi_4000_: bool;
-    var phi_4001_: bool;
-    var phi_4010_: f32;
-    var phi_4015_: f32;
-    var phi_4024_: bool;
-    var phi_4028_: bool;
-    var phi_4029_: f32;
-    var phi_4030_: f32;
-    var phi_4031_: f32;
-    var phi_4032_: bool;
-    var phi_4033_: u32;
-    var phi_4034_: bool;
-    var phi_4035_: bool;
-    var phi_4036_: bool;
-    var phi_4037_: bool;
-    var phi_4038_: bool;
     var phi_2371_: f32;
     var phi_2373_: f32;
     var phi_2375_: f32;
-    var phi_2377_: bool;
-    var phi_2379_: u32;
-    var phi_4039_: f32;
-    var phi_4040_: bool;
-    var phi_4041_: bool;
-    var phi_4042_: bool;
-    var phi_4043_: bool;
-    var phi_4044_: bool;
-    var phi_4045_: bool;
-    var local_25: bool;
-    var phi_4049_: f32;
-    var phi_4050_: bool;
-    var phi_4051_: bool;
-    var phi_4052_: bool;
-    var phi_4053_: bool;
-    var phi_4058_: type_35;
-    var phi_4059_: bool;
-    var phi_4060_: bool;
-    var phi_4061_: bool;
-    var local_26: f32;
-    var phi_4066_: type_35;
-    var phi_4067_: bool;
-    var phi_4068_: bool;
-    var phi_4073_: type_35;
-    var phi_4074_: bool;
-    var phi_4075_: bool;
-    var phi_4080_: type_35;
-    var phi_4081_: bool;
-    var phi_4085_: type_35;
-    var phi_4099_: type_9;
-    var phi_4100_: type_9;
-    var phi_4123_: type_9;
+    var phi_2377_: f32;
+    var phi_2379_: bool;
+    var phi_2381_: u32;
+    var phi_2369_: type_9;
+    var phi_2404_: type_9;
+    var phi_2518_: f32;
+    var phi_2524_: f32;
+    var phi_2530_: f32;
+    var phi_2532_: array<f32, 3>;
+    var phi_2539_: f32;
+    var phi_2546_: f32;
+    var phi_2554_: f32;
+    var phi_2598_: type_14;
+    var phi_2601_: f32;
+    var phi_2622_: bool;
+    var phi_2628_: type_15;
+    var phi_2599_: type_14;
+    var phi_2642_: type_15;
+    var phi_2602_: f32;
+    var local_24: f32;
+    var phi_2591_: f32;
+    var phi_2655_: f32;
+    var phi_2721_: f32;
+    var phi_2727_: f32;
+    var phi_2736_: f32;
+    var phi_2742_: f32;
+    var phi_2751_: f32;
+    var phi_2757_: f32;
+    var phi_2766_: f32;
+    var phi_2772_: f32;
+    var phi_2778_: type_31;
+    var phi_2779_: bool;
+    var phi_2780_: type_31;
+    var phi_2781_: bool;
+    var phi_2789_: type_31;
+    var phi_2960_: bool;
+    var phi_2961_: bool;
+    var phi_2962_: bool;
+    var phi_2963_: bool;
+    var phi_2964_: bool;
+    var phi_2965_: bool;
+    var phi_2969_: bool;
+    var phi_3266_: bool;
+    var phi_3267_: bool;
+    var phi_3268_: bool;
+    var phi_3269_: bool;
+    var phi_3270_: bool;
+    var phi_3271_: bool;
+    var phi_3275_: bool;
+    var phi_3279_: bool;
+    var phi_3290_: bool;
+    var phi_3291_: bool;
+    var phi_3365_: bool;
+    var phi_3366_: bool;
+    var phi_3386_: f32;
+    var phi_3387_: bool;
+    var phi_3388_: f32;
+    var phi_3389_: bool;
+    var phi_3390_: f32;
+    var phi_3391_: bool;
+    var phi_3392_: bool;
+    var phi_3396_: f32;
+    var phi_3397_: bool;
+    var phi_3401_: f32;
+    var phi_3433_: bool;
+    var phi_3434_: bool;
+    var phi_3454_: f32;
+    var phi_3455_: bool;
+    var phi_3456_: f32;
+    var phi_3457_: bool;
+    var phi_3458_: f32;
+    var phi_3459_: bool;
+    var phi_3460_: bool;
+    var phi_3464_: f32;
+    var phi_3465_: bool;
+    var phi_3469_: f32;
+    var phi_3474_: f32;
+    var phi_3506_: bool;
+    var phi_3507_: bool;
+    var phi_3527_: f32;
+    var phi_3528_: bool;
+    var phi_3529_: f32;
+    var phi_3530_: bool;
+    var phi_3531_: f32;
+    var phi_3532_: bool;
+    var phi_3533_: bool;
+    var phi_3537_: f32;
+    var phi_3538_: bool;
+    var phi_3542_: f32;
+    var phi_3574_: bool;
+    var phi_3575_: bool;
+    var phi_3595_: f32;
+    var phi_3596_: bool;
+    var phi_3597_: f32;
+    var phi_3598_: bool;
+    var phi_3599_: f32;
+    var phi_3600_: bool;
+    var phi_3601_: bool;
+    var phi_3605_: f32;
+    var phi_3606_: bool;
+    var phi_3610_: f32;
+    var phi_3615_: f32;
+    var phi_3620_: f32;
+    var phi_3625_: f32;
+    var phi_3637_: f32;
+    var phi_3774_: type_14;
+    var phi_3777_: f32;
+    var phi_3798_: bool;
+    var phi_3804_: type_15;
+    var phi_3775_: type_14;
+    var phi_3818_: type_15;
+    var phi_3778_: f32;
+    var local_25: f32;
+    var phi_3767_: f32;
+    var phi_3831_: f32;
+    var phi_3847_: f32;
+    var phi_3854_: f32;
+    var phi_3859_: f32;
+    var phi_3866_: f32;
+    var phi_3871_: f32;
+    var phi_3884_: f32;
+    var phi_3891_: f32;
+    var phi_3896_: f32;
+    var phi_3903_: f32;
+    var phi_3908_: f32;
+    var phi_3913_: f32;
+    var phi_3930_: f32;
+    var phi_3937_: f32;
+    var phi_3942_: f32;
+    var phi_3949_: f32;
+    var phi_3954_: f32;
+    var phi_3968_: f32;
+    var phi_3975_: f32;
+    var phi_3980_: f32;
+    var phi_3987_: f32;
+    var phi_3992_: f32;
+    var phi_3997_: f32;
+    var phi_4014_: f32;
+    var phi_4021_: f32;
+    var phi_4026_: f32;
+    var phi_4033_: f32;
+    var phi_4038_: f32;
+    var phi_4052_: f32;
+    var phi_4059_: f32;
+    var phi_4064_: f32;
+    var phi_4071_: f32;
+    var phi_4076_: f32;
+    var phi_4081_: f32;
+    var phi_4101_: bool;
+    var phi_4102_: bool;
+    var phi_4103_: bool;
+    var phi_4118_: bool;
+    var phi_4119_: bool;
+    var phi_4124_: f32;
+    var phi_4126_: f32;
+    var phi_4127_: f32;
+    var phi_4128_: bool;
+    var phi_4129_: f32;
+    var phi_4130_: f32;
+    var phi_4131_: bool;
+    var phi_4132_: bool;
+    var phi_4133_: f32;
+    var phi_4134_: f32;
+    var phi_4135_: f32;
+    var phi_4136_: f32;
+    var phi_4137_: bool;
+    var phi_4138_: bool;
+    var phi_4139_: bool;
+    var phi_4140_: bool;
+    var phi_4141_: f32;
+    var phi_4142_: f32;
     var phi_4143_: f32;
-    var phi_4273_: type_14;
-    var phi_4276_: f32;
-    var phi_4297_: bool;
-    var phi_4303_: type_15;
-    var phi_4274_: type_14;
-    var phi_4317_: type_15;
-    var phi_4277_: f32;
-    var local_27: f32;
-    var phi_4266_: f32;
-    var phi_4330_: f32;
-    var phi_4346_: f32;
-    var phi_4353_: f32;
-    var phi_4358_: f32;
-    var phi_4365_: f32;
-    var phi_4370_: f32;
-    var phi_4383_: f32;
-    var phi_4390_: f32;
+    var phi_4144_: f32;
+    var phi_4145_: bool;
+    var phi_4146_: bool;
+    var phi_4147_: bool;
+    var phi_4148_: bool;
+    var phi_4149_: bool;
+    var phi_4150_: f32;
+    var phi_4151_: f32;
+    var phi_4152_: f32;
+    var phi_4153_: f32;
+    var phi_4154_: bool;
+    var phi_4155_: bool;
+    var phi_4156_: bool;
+    var phi_4157_: bool;
+    var phi_4158_: bool;
+    var phi_4244_: f32;
+    var phi_4317_: f32;
+    var phi_4322_: f32;
     var phi_4395_: f32;
-    var phi_4402_: f32;
-    var phi_4407_: f32;
-    var phi_4412_: f32;
-    var phi_4429_: f32;
-    var phi_4436_: f32;
-    var phi_4441_: f32;
-    var phi_4448_: f32;
-    var phi_4453_: f32;
-    var phi_4467_: f32;
-    var phi_4474_: f32;
-    var phi_4479_: f32;
-    var phi_4486_: f32;
+    var phi_4468_: f32;
+    var phi_4473_: f32;
+    var phi_4489_: f32;
+    var phi_4490_: f32;
     var phi_4491_: f32;
-    var phi_4496_: f32;
-    var phi_4513_: f32;
-    var phi_4520_: f32;
-    var phi_4525_: f32;
-    var phi_4532_: f32;
-    var phi_4537_: f32;
+    var phi_4171_: bool;
+    var phi_4493_: u32;
+    var phi_4494_: f32;
+    var phi_4495_: bool;
+    var phi_4496_: bool;
+    var phi_4497_: bool;
+    var phi_4498_: u32;
+    var phi_4499_: f32;
+    var phi_4500_: f32;
+    var phi_4501_: f32;
+    var phi_4502_: f32;
+    var phi_4503_: bool;
+    var phi_4504_: u32;
+    var phi_4505_: bool;
+    var phi_4506_: bool;
+    var phi_4507_: bool;
+    var phi_4508_: bool;
+    var phi_4509_: bool;
+    var phi_4510_: bool;
+    var phi_4519_: f32;
+    var phi_4524_: f32;
+    var phi_4533_: bool;
+    var phi_4537_: bool;
+    var phi_4538_: f32;
+    var phi_4539_: f32;
+    var phi_4540_: f32;
+    var phi_4541_: f32;
+    var phi_4542_: bool;
+    var phi_4543_: u32;
+    var phi_4544_: bool;
+    var phi_4545_: bool;
+    var phi_4546_: bool;
+    var phi_4547_: bool;
+    var phi_4548_: bool;
+    var phi_4549_: bool;
+    var phi_2372_: f32;
+    var phi_2374_: f32;
+    var phi_2376_: f32;
+    var phi_2378_: f32;
+    var phi_2380_: bool;
+    var phi_2382_: u32;
+    var phi_4550_: f32;
     var phi_4551_: f32;
-    var phi_4558_: f32;
-    var phi_4563_: f32;
-    var phi_4570_: f32;
-    var phi_4575_: f32;
-    var phi_4580_: f32;
+    var phi_4552_: bool;
+    var phi_4553_: bool;
+    var phi_4554_: bool;
+    var phi_4555_: bool;
+    var phi_4556_: bool;
+    var phi_4557_: bool;
+    var phi_4558_: bool;
+    var local_26: bool;
+    var phi_4562_: bool;
+    var phi_4563_: bool;
+    var phi_4564_: bool;
+    var phi_4565_: bool;
+    var phi_4566_: bool;
+    var local_27: f32;
+    var phi_4571_: type_28;
+    var phi_4572_: bool;
+    var phi_4573_: bool;
+    var phi_4574_: bool;
+    var phi_4575_: bool;
+    var phi_4576_: bool;
+    var phi_4581_: type_28;
+    var phi_4582_: bool;
+    var phi_4583_: bool;
+    var phi_4584_: bool;
+    var phi_4585_: bool;
+    var phi_4586_: bool;
+    var phi_4590_: f32;
+    var phi_4591_: bool;
+    var phi_4592_: bool;
+    var phi_4593_: bool;
+    var phi_4594_: bool;
+    var phi_4598_: f32;
+    var phi_4599_: bool;
     var phi_4600_: bool;
     var phi_4601_: bool;
-    var phi_4602_: bool;
-    var local_28: bool;
-    var phi_4607_: type_35;
+    var phi_4606_: type_28;
+    var phi_4607_: bool;
     var phi_4608_: bool;
-    var phi_4613_: type_35;
+    var phi_4613_: type_28;
     var phi_4614_: bool;
-    var phi_4616_: type_35;
-    var phi_4617_: type_35;
-    var phi_4618_: bool;
-    var phi_4622_: type_35;
-    var phi_8558_: type_35;
-    var phi_8559_: type_35;
-    var phi_8572_: type_38;
-    var phi_8579_: bool;
-    var phi_8603_: u32;
-    var phi_8607_: type_20;
-    var phi_8608_: bool;
-    var phi_8609_: bool;
-    var phi_8628_: u32;
-    var phi_8691_: u32;
-    var local_29: u32;
-    var local_30: f32;
+    var phi_4618_: type_28;
+    var phi_4631_: type_9;
+    var phi_4632_: type_9;
+    var phi_4655_: type_9;
+    var phi_4675_: f32;
+    var phi_4805_: type_14;
+    var phi_4808_: f32;
+    var phi_4829_: bool;
+    var phi_4835_: type_15;
+    var phi_4806_: type_14;
+    var phi_4849_: type_15;
+    var phi_4809_: f32;
+    var local_28: f32;
+    var phi_4798_: f32;
+    var phi_4862_: f32;
+    var phi_4878_: f32;
+    var phi_4885_: f32;
+    var phi_4890_: f32;
+    var phi_4897_: f32;
+    var phi_4902_: f32;
+    var phi_4915_: f32;
+    var phi_4922_: f32;
+    var phi_4927_: f32;
+    var phi_4934_: f32;
+    var phi_4939_: f32;
+    var phi_4944_: f32;
+    var phi_4961_: f32;
+    var phi_4968_: f32;
+    var phi_4973_: f32;
+    var phi_4980_: f32;
+    var phi_4985_: f32;
+    var phi_4999_: f32;
+    var phi_5006_: f32;
+    var phi_5011_: f32;
+    var phi_5018_: f32;
+    var phi_5023_: f32;
+    var phi_5028_: f32;
+    var phi_5045_: f32;
+    var phi_5052_: f32;
+    var phi_5057_: f32;
+    var phi_5064_: f32;
+    var phi_5069_: f32;
+    var phi_5083_: f32;
+    var phi_5090_: f32;
+    var phi_5095_: f32;
+    var phi_5102_: f32;
+    var phi_5107_: f32;
+    var phi_5112_: f32;
+    var phi_5132_: bool;
+    var phi_5133_: bool;
+    var phi_5134_: bool;
+    var local_29: bool;
+    var phi_5139_: type_28;
+    var phi_5140_: bool;
+    var phi_5145_: type_28;
+    var phi_5146_: bool;
+    var phi_5148_: type_28;
+    var phi_5149_: type_28;
+    var phi_5150_: bool;
+    var phi_5154_: type_28;
+    var phi_9623_: type_28;
+    var phi_9624_: type_28;
+    var phi_9637_: type_38;
+    var phi_9644_: bool;
+    var phi_9668_: u32;
+    var phi_9672_: type_20;
+    var phi_9673_: bool;
+    var phi_9674_: bool;
+    var phi_9693_: u32;
+    var phi_9756_: u32;
+    var local_30: u32;
     var local_31: f32;
-    var local_32: bool;
+    var local_32: f32;
     var local_33: bool;
-    var local_34: f32;
+    var local_34: bool;
     var local_35: f32;
-    var local_36: f32;
+    var local_36: bool;
     var local_37: bool;
     var local_38: bool;
     var local_39: bool;
     var local_40: bool;
-    var local_41: bool;
-    var local_42: bool;
-    var local_43: f32;
-    var local_44: f32;
+    var local_41: f32;
+    var local_42: f32;
+    var local_43: bool;
+    var local_44: bool;
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
     var local_48: bool;
+    var local_49: bool;
+    var local_50: bool;
+    var local_51: f32;
+    var local_52: f32;
+    var local_53: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1640,7 +1746,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e389 = phi_1193_;
                 if _e389 {
-                    phi_1264_ = type_34();
+                    phi_1264_ = type_35();
                     phi_1265_ = true;
                 } else {
                     if (_e384 >= 0.000000000000000000000000000000000000011754944f) {
@@ -1666,10 +1772,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_1229_ = _e401;
                             }
                             let _e407 = phi_1229_;
-                            phi_1260_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
+                            phi_1260_ = type_35(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
                             phi_1261_ = false;
                         } else {
-                            phi_1260_ = type_34();
+                            phi_1260_ = type_35();
                             phi_1261_ = true;
                         }
                         let _e439 = phi_1260_;
@@ -1677,7 +1783,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_1262_ = _e439;
                         phi_1263_ = _e441;
                     } else {
-                        phi_1262_ = type_34();
+                        phi_1262_ = type_35();
                         phi_1263_ = true;
                     }
                     let _e443 = phi_1262_;
@@ -1688,7 +1794,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e447 = phi_1264_;
                 let _e449 = phi_1265_;
                 if _e449 {
-                    phi_1270_ = type_34(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
+                    phi_1270_ = type_35(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
                 } else {
                     phi_1270_ = _e447;
                 }
@@ -2050,1688 +2156,2124 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e925 = phi_1941_;
                 if ((_e925 - (_e897 + ((_e452.member_1 * (((_e880 + (_e811 * (0.000000059604645f * 8f))) + ((_e885 * 6f) * (_e755 + _e809))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e755) * (1f + _e809))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_8559_ = type_35(0u, type_35().member_1);
+                    phi_9624_ = type_28(0u, type_28().member_1);
                 } else {
                     if (_e452.member_1 > 0f) {
-                        let _e3523 = local_12.member[0u];
-                        let _e3529 = local_12.member_1[0u];
-                        let _e3535 = local_12.member_2[0u];
-                        let _e3547 = local_12.member[1u];
-                        let _e3553 = local_12.member_1[1u];
-                        let _e3559 = local_12.member_2[1u];
-                        let _e3571 = local_12.member[0u];
-                        if (_e3571[0] < 0f) {
-                            phi_2094_ = -(_e3571[0]);
+                        let _e3562 = local_12.member[0u];
+                        let _e3568 = local_12.member_1[0u];
+                        let _e3574 = local_12.member_2[0u];
+                        let _e3586 = local_12.member[1u];
+                        let _e3592 = local_12.member_1[1u];
+                        let _e3598 = local_12.member_2[1u];
+                        let _e3610 = local_12.member[0u];
+                        if (_e3610[0] < 0f) {
+                            phi_2094_ = -(_e3610[0]);
                         } else {
-                            phi_2094_ = _e3571[0];
+                            phi_2094_ = _e3610[0];
                         }
-                        let _e3578 = phi_2094_;
-                        if (_e3571[1] < 0f) {
-                            phi_2101_ = -(_e3571[1]);
+                        let _e3617 = phi_2094_;
+                        if (_e3610[1] < 0f) {
+                            phi_2101_ = -(_e3610[1]);
                         } else {
-                            phi_2101_ = _e3571[1];
+                            phi_2101_ = _e3610[1];
                         }
-                        let _e3582 = phi_2101_;
-                        if (_e3578 > _e3582) {
-                            phi_2106_ = _e3578;
+                        let _e3621 = phi_2101_;
+                        if (_e3617 > _e3621) {
+                            phi_2106_ = _e3617;
                         } else {
-                            phi_2106_ = _e3582;
+                            phi_2106_ = _e3621;
                         }
-                        let _e3585 = phi_2106_;
-                        if (_e3571[2] < 0f) {
-                            phi_2113_ = -(_e3571[2]);
+                        let _e3624 = phi_2106_;
+                        if (_e3610[2] < 0f) {
+                            phi_2113_ = -(_e3610[2]);
                         } else {
-                            phi_2113_ = _e3571[2];
+                            phi_2113_ = _e3610[2];
                         }
-                        let _e3589 = phi_2113_;
-                        if (_e3585 > _e3589) {
-                            phi_2118_ = _e3585;
+                        let _e3628 = phi_2113_;
+                        if (_e3624 > _e3628) {
+                            phi_2118_ = _e3624;
                         } else {
-                            phi_2118_ = _e3589;
+                            phi_2118_ = _e3628;
                         }
-                        let _e3592 = phi_2118_;
-                        let _e3595 = local_12.member[1u];
-                        if (_e3595[0] < 0f) {
-                            phi_2131_ = -(_e3595[0]);
+                        let _e3631 = phi_2118_;
+                        let _e3634 = local_12.member[1u];
+                        if (_e3634[0] < 0f) {
+                            phi_2131_ = -(_e3634[0]);
                         } else {
-                            phi_2131_ = _e3595[0];
+                            phi_2131_ = _e3634[0];
                         }
-                        let _e3602 = phi_2131_;
-                        if (_e3595[1] < 0f) {
-                            phi_2138_ = -(_e3595[1]);
+                        let _e3641 = phi_2131_;
+                        if (_e3634[1] < 0f) {
+                            phi_2138_ = -(_e3634[1]);
                         } else {
-                            phi_2138_ = _e3595[1];
+                            phi_2138_ = _e3634[1];
                         }
-                        let _e3606 = phi_2138_;
-                        if (_e3602 > _e3606) {
-                            phi_2143_ = _e3602;
+                        let _e3645 = phi_2138_;
+                        if (_e3641 > _e3645) {
+                            phi_2143_ = _e3641;
                         } else {
-                            phi_2143_ = _e3606;
+                            phi_2143_ = _e3645;
                         }
-                        let _e3609 = phi_2143_;
-                        if (_e3595[2] < 0f) {
-                            phi_2150_ = -(_e3595[2]);
+                        let _e3648 = phi_2143_;
+                        if (_e3634[2] < 0f) {
+                            phi_2150_ = -(_e3634[2]);
                         } else {
-                            phi_2150_ = _e3595[2];
+                            phi_2150_ = _e3634[2];
                         }
-                        let _e3613 = phi_2150_;
-                        if (_e3609 > _e3613) {
-                            phi_2155_ = _e3609;
+                        let _e3652 = phi_2150_;
+                        if (_e3648 > _e3652) {
+                            phi_2155_ = _e3648;
                         } else {
-                            phi_2155_ = _e3613;
+                            phi_2155_ = _e3652;
                         }
-                        let _e3616 = phi_2155_;
-                        if (_e3592 > _e3616) {
-                            phi_2160_ = _e3592;
+                        let _e3655 = phi_2155_;
+                        if (_e3631 > _e3655) {
+                            phi_2160_ = _e3631;
                         } else {
-                            phi_2160_ = _e3616;
+                            phi_2160_ = _e3655;
                         }
-                        let _e3619 = phi_2160_;
-                        let _e3621 = local_12.member_3;
-                        let _e3625 = local_12.member_1[0u];
-                        if (_e3625[0] < 0f) {
-                            phi_2177_ = -(_e3625[0]);
+                        let _e3658 = phi_2160_;
+                        let _e3660 = local_12.member_3;
+                        let _e3664 = local_12.member_1[0u];
+                        if (_e3664[0] < 0f) {
+                            phi_2177_ = -(_e3664[0]);
                         } else {
-                            phi_2177_ = _e3625[0];
+                            phi_2177_ = _e3664[0];
                         }
-                        let _e3632 = phi_2177_;
-                        if (_e3625[1] < 0f) {
-                            phi_2184_ = -(_e3625[1]);
+                        let _e3671 = phi_2177_;
+                        if (_e3664[1] < 0f) {
+                            phi_2184_ = -(_e3664[1]);
                         } else {
-                            phi_2184_ = _e3625[1];
+                            phi_2184_ = _e3664[1];
                         }
-                        let _e3636 = phi_2184_;
-                        if (_e3632 > _e3636) {
-                            phi_2189_ = _e3632;
+                        let _e3675 = phi_2184_;
+                        if (_e3671 > _e3675) {
+                            phi_2189_ = _e3671;
                         } else {
-                            phi_2189_ = _e3636;
+                            phi_2189_ = _e3675;
                         }
-                        let _e3639 = phi_2189_;
-                        if (_e3625[2] < 0f) {
-                            phi_2196_ = -(_e3625[2]);
+                        let _e3678 = phi_2189_;
+                        if (_e3664[2] < 0f) {
+                            phi_2196_ = -(_e3664[2]);
                         } else {
-                            phi_2196_ = _e3625[2];
+                            phi_2196_ = _e3664[2];
                         }
-                        let _e3643 = phi_2196_;
-                        if (_e3639 > _e3643) {
-                            phi_2201_ = _e3639;
+                        let _e3682 = phi_2196_;
+                        if (_e3678 > _e3682) {
+                            phi_2201_ = _e3678;
                         } else {
-                            phi_2201_ = _e3643;
+                            phi_2201_ = _e3682;
                         }
-                        let _e3646 = phi_2201_;
-                        let _e3649 = local_12.member_1[1u];
-                        if (_e3649[0] < 0f) {
-                            phi_2215_ = -(_e3649[0]);
+                        let _e3685 = phi_2201_;
+                        let _e3688 = local_12.member_1[1u];
+                        if (_e3688[0] < 0f) {
+                            phi_2215_ = -(_e3688[0]);
                         } else {
-                            phi_2215_ = _e3649[0];
+                            phi_2215_ = _e3688[0];
                         }
-                        let _e3656 = phi_2215_;
-                        if (_e3649[1] < 0f) {
-                            phi_2222_ = -(_e3649[1]);
+                        let _e3695 = phi_2215_;
+                        if (_e3688[1] < 0f) {
+                            phi_2222_ = -(_e3688[1]);
                         } else {
-                            phi_2222_ = _e3649[1];
+                            phi_2222_ = _e3688[1];
                         }
-                        let _e3660 = phi_2222_;
-                        if (_e3656 > _e3660) {
-                            phi_2227_ = _e3656;
+                        let _e3699 = phi_2222_;
+                        if (_e3695 > _e3699) {
+                            phi_2227_ = _e3695;
                         } else {
-                            phi_2227_ = _e3660;
+                            phi_2227_ = _e3699;
                         }
-                        let _e3663 = phi_2227_;
-                        if (_e3649[2] < 0f) {
-                            phi_2234_ = -(_e3649[2]);
+                        let _e3702 = phi_2227_;
+                        if (_e3688[2] < 0f) {
+                            phi_2234_ = -(_e3688[2]);
                         } else {
-                            phi_2234_ = _e3649[2];
+                            phi_2234_ = _e3688[2];
                         }
-                        let _e3667 = phi_2234_;
-                        if (_e3663 > _e3667) {
-                            phi_2239_ = _e3663;
+                        let _e3706 = phi_2234_;
+                        if (_e3702 > _e3706) {
+                            phi_2239_ = _e3702;
                         } else {
-                            phi_2239_ = _e3667;
+                            phi_2239_ = _e3706;
                         }
-                        let _e3670 = phi_2239_;
-                        if (_e3646 > _e3670) {
-                            phi_2244_ = _e3646;
+                        let _e3709 = phi_2239_;
+                        if (_e3685 > _e3709) {
+                            phi_2244_ = _e3685;
                         } else {
-                            phi_2244_ = _e3670;
+                            phi_2244_ = _e3709;
                         }
-                        let _e3673 = phi_2244_;
-                        let _e3675 = local_12.member_3;
-                        let _e3679 = local_12.member_2[0u];
-                        if (_e3679[0] < 0f) {
-                            phi_2261_ = -(_e3679[0]);
+                        let _e3712 = phi_2244_;
+                        let _e3714 = local_12.member_3;
+                        let _e3718 = local_12.member_2[0u];
+                        if (_e3718[0] < 0f) {
+                            phi_2261_ = -(_e3718[0]);
                         } else {
-                            phi_2261_ = _e3679[0];
+                            phi_2261_ = _e3718[0];
                         }
-                        let _e3686 = phi_2261_;
-                        if (_e3679[1] < 0f) {
-                            phi_2268_ = -(_e3679[1]);
+                        let _e3725 = phi_2261_;
+                        if (_e3718[1] < 0f) {
+                            phi_2268_ = -(_e3718[1]);
                         } else {
-                            phi_2268_ = _e3679[1];
+                            phi_2268_ = _e3718[1];
                         }
-                        let _e3690 = phi_2268_;
-                        if (_e3686 > _e3690) {
-                            phi_2273_ = _e3686;
+                        let _e3729 = phi_2268_;
+                        if (_e3725 > _e3729) {
+                            phi_2273_ = _e3725;
                         } else {
-                            phi_2273_ = _e3690;
+                            phi_2273_ = _e3729;
                         }
-                        let _e3693 = phi_2273_;
-                        if (_e3679[2] < 0f) {
-                            phi_2280_ = -(_e3679[2]);
+                        let _e3732 = phi_2273_;
+                        if (_e3718[2] < 0f) {
+                            phi_2280_ = -(_e3718[2]);
                         } else {
-                            phi_2280_ = _e3679[2];
+                            phi_2280_ = _e3718[2];
                         }
-                        let _e3697 = phi_2280_;
-                        if (_e3693 > _e3697) {
-                            phi_2285_ = _e3693;
+                        let _e3736 = phi_2280_;
+                        if (_e3732 > _e3736) {
+                            phi_2285_ = _e3732;
                         } else {
-                            phi_2285_ = _e3697;
+                            phi_2285_ = _e3736;
                         }
-                        let _e3700 = phi_2285_;
-                        let _e3703 = local_12.member_2[1u];
-                        if (_e3703[0] < 0f) {
-                            phi_2299_ = -(_e3703[0]);
+                        let _e3739 = phi_2285_;
+                        let _e3742 = local_12.member_2[1u];
+                        if (_e3742[0] < 0f) {
+                            phi_2299_ = -(_e3742[0]);
                         } else {
-                            phi_2299_ = _e3703[0];
+                            phi_2299_ = _e3742[0];
                         }
-                        let _e3710 = phi_2299_;
-                        if (_e3703[1] < 0f) {
-                            phi_2306_ = -(_e3703[1]);
+                        let _e3749 = phi_2299_;
+                        if (_e3742[1] < 0f) {
+                            phi_2306_ = -(_e3742[1]);
                         } else {
-                            phi_2306_ = _e3703[1];
+                            phi_2306_ = _e3742[1];
                         }
-                        let _e3714 = phi_2306_;
-                        if (_e3710 > _e3714) {
-                            phi_2311_ = _e3710;
+                        let _e3753 = phi_2306_;
+                        if (_e3749 > _e3753) {
+                            phi_2311_ = _e3749;
                         } else {
-                            phi_2311_ = _e3714;
+                            phi_2311_ = _e3753;
                         }
-                        let _e3717 = phi_2311_;
-                        if (_e3703[2] < 0f) {
-                            phi_2318_ = -(_e3703[2]);
+                        let _e3756 = phi_2311_;
+                        if (_e3742[2] < 0f) {
+                            phi_2318_ = -(_e3742[2]);
                         } else {
-                            phi_2318_ = _e3703[2];
+                            phi_2318_ = _e3742[2];
                         }
-                        let _e3721 = phi_2318_;
-                        if (_e3717 > _e3721) {
-                            phi_2323_ = _e3717;
+                        let _e3760 = phi_2318_;
+                        if (_e3756 > _e3760) {
+                            phi_2323_ = _e3756;
                         } else {
-                            phi_2323_ = _e3721;
+                            phi_2323_ = _e3760;
                         }
-                        let _e3724 = phi_2323_;
-                        if (_e3700 > _e3724) {
-                            phi_2328_ = _e3700;
+                        let _e3763 = phi_2323_;
+                        if (_e3739 > _e3763) {
+                            phi_2328_ = _e3739;
                         } else {
-                            phi_2328_ = _e3724;
+                            phi_2328_ = _e3763;
                         }
-                        let _e3727 = phi_2328_;
-                        let _e3729 = local_12.member_3;
-                        let _e3736 = local_12.member_3;
-                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                        phi_2367_ = type_9(0u, 96u);
-                        phi_2370_ = 0f;
-                        phi_2372_ = 0f;
-                        phi_2374_ = 0f;
-                        phi_2376_ = false;
-                        phi_2378_ = 0u;
+                        let _e3766 = phi_2328_;
+                        let _e3768 = local_12.member_3;
+                        let _e3775 = local_12.member_3;
+                        local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        phi_2368_ = type_9(0u, 96u);
+                        phi_2371_ = 0f;
+                        phi_2373_ = 0f;
+                        phi_2375_ = (1f - 0f);
+                        phi_2377_ = 0f;
+                        phi_2379_ = false;
+                        phi_2381_ = 0u;
                         loop {
-                            let _e3742 = phi_2367_;
-                            let _e3744 = phi_2370_;
-                            let _e3746 = phi_2372_;
-                            let _e3748 = phi_2374_;
-                            let _e3750 = phi_2376_;
-                            let _e3752 = phi_2378_;
-                            local_44 = _e3746;
-                            local_26 = _e3744;
-                            if (_e3742.member < _e3742.member_1) {
-                                phi_2368_ = type_9((_e3742.member + 1u), _e3742.member_1);
-                                phi_2401_ = type_9(1u, _e3742.member);
+                            let _e3782 = phi_2368_;
+                            let _e3784 = phi_2371_;
+                            let _e3786 = phi_2373_;
+                            let _e3788 = phi_2375_;
+                            let _e3790 = phi_2377_;
+                            let _e3792 = phi_2379_;
+                            let _e3794 = phi_2381_;
+                            local_27 = _e3784;
+                            local_53 = _e3786;
+                            if (_e3782.member < _e3782.member_1) {
+                                phi_2369_ = type_9((_e3782.member + 1u), _e3782.member_1);
+                                phi_2404_ = type_9(1u, _e3782.member);
                             } else {
-                                phi_2368_ = _e3742;
-                                phi_2401_ = type_9(0u, type_9().member_1);
+                                phi_2369_ = _e3782;
+                                phi_2404_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3764 = phi_2368_;
-                            let _e3766 = phi_2401_;
-                            if (bitcast<i32>(_e3766.member) != 0i) {
-                                let _e3772 = local_12.member[0u];
-                                let _e3778 = local_12.member[1u];
-                                let _e3794 = local_12.member_1[0u];
-                                let _e3800 = local_12.member_1[1u];
-                                let _e3816 = local_12.member_2[0u];
-                                let _e3822 = local_12.member_2[1u];
-                                let _e3836 = function_1(array<f32, 3>((_e3772[0] + ((_e3778[0] - _e3772[0]) * _e3744)), (_e3772[1] + ((_e3778[1] - _e3772[1]) * _e3744)), (_e3772[2] + ((_e3778[2] - _e3772[2]) * _e3744))), array<f32, 3>((_e3794[0] + ((_e3800[0] - _e3794[0]) * _e3744)), (_e3794[1] + ((_e3800[1] - _e3794[1]) * _e3744)), (_e3794[2] + ((_e3800[2] - _e3794[2]) * _e3744))), array<f32, 3>((_e3816[0] + ((_e3822[0] - _e3816[0]) * _e3744)), (_e3816[1] + ((_e3822[1] - _e3816[1]) * _e3744)), (_e3816[2] + ((_e3822[2] - _e3816[2]) * _e3744))), 0u);
-                                if (_e3752 == 0u) {
-                                    phi_2529_ = _e3836;
+                            let _e3806 = phi_2369_;
+                            let _e3808 = phi_2404_;
+                            if (bitcast<i32>(_e3808.member) != 0i) {
+                                let _e3814 = local_12.member[0u];
+                                let _e3820 = local_12.member[1u];
+                                let _e3836 = local_12.member_1[0u];
+                                let _e3842 = local_12.member_1[1u];
+                                let _e3858 = local_12.member_2[0u];
+                                let _e3864 = local_12.member_2[1u];
+                                let _e3878 = function_1(array<f32, 3>((_e3814[0] + ((_e3820[0] - _e3814[0]) * _e3784)), (_e3814[1] + ((_e3820[1] - _e3814[1]) * _e3784)), (_e3814[2] + ((_e3820[2] - _e3814[2]) * _e3784))), array<f32, 3>((_e3836[0] + ((_e3842[0] - _e3836[0]) * _e3784)), (_e3836[1] + ((_e3842[1] - _e3836[1]) * _e3784)), (_e3836[2] + ((_e3842[2] - _e3836[2]) * _e3784))), array<f32, 3>((_e3858[0] + ((_e3864[0] - _e3858[0]) * _e3784)), (_e3858[1] + ((_e3864[1] - _e3858[1]) * _e3784)), (_e3858[2] + ((_e3864[2] - _e3858[2]) * _e3784))), 0u);
+                                if (_e3794 == 0u) {
+                                    phi_2532_ = _e3878;
                                 } else {
-                                    if (_e3752 == 1u) {
-                                        phi_2515_ = _e3836[0];
+                                    if (_e3794 == 1u) {
+                                        phi_2518_ = _e3878[0];
                                     } else {
-                                        phi_2515_ = 0f;
+                                        phi_2518_ = 0f;
                                     }
-                                    let _e3841 = phi_2515_;
-                                    if (_e3752 == 2u) {
-                                        phi_2521_ = _e3836[1];
+                                    let _e3883 = phi_2518_;
+                                    if (_e3794 == 2u) {
+                                        phi_2524_ = _e3878[1];
                                     } else {
-                                        phi_2521_ = 0f;
+                                        phi_2524_ = 0f;
                                     }
-                                    let _e3845 = phi_2521_;
-                                    if (_e3752 == 3u) {
-                                        phi_2527_ = _e3836[2];
+                                    let _e3887 = phi_2524_;
+                                    if (_e3794 == 3u) {
+                                        phi_2530_ = _e3878[2];
                                     } else {
-                                        phi_2527_ = 0f;
+                                        phi_2530_ = 0f;
                                     }
-                                    let _e3849 = phi_2527_;
-                                    phi_2529_ = array<f32, 3>(_e3841, _e3845, _e3849);
+                                    let _e3891 = phi_2530_;
+                                    phi_2532_ = array<f32, 3>(_e3883, _e3887, _e3891);
                                 }
-                                let _e3852 = phi_2529_;
-                                if (_e3852[0] < 0f) {
-                                    phi_2536_ = -(_e3852[0]);
+                                let _e3894 = phi_2532_;
+                                if (_e3894[0] < 0f) {
+                                    phi_2539_ = -(_e3894[0]);
                                 } else {
-                                    phi_2536_ = _e3852[0];
+                                    phi_2539_ = _e3894[0];
                                 }
-                                let _e3857 = phi_2536_;
-                                if (_e3852[1] < 0f) {
-                                    phi_2543_ = -(_e3852[1]);
+                                let _e3899 = phi_2539_;
+                                if (_e3894[1] < 0f) {
+                                    phi_2546_ = -(_e3894[1]);
                                 } else {
-                                    phi_2543_ = _e3852[1];
+                                    phi_2546_ = _e3894[1];
                                 }
-                                let _e3862 = phi_2543_;
-                                if (_e3852[2] < 0f) {
-                                    phi_2551_ = -(_e3852[2]);
+                                let _e3904 = phi_2546_;
+                                if (_e3894[2] < 0f) {
+                                    phi_2554_ = -(_e3894[2]);
                                 } else {
-                                    phi_2551_ = _e3852[2];
+                                    phi_2554_ = _e3894[2];
                                 }
-                                let _e3868 = phi_2551_;
-                                let _e3869 = ((_e3857 + _e3862) + _e3868);
-                                if (_e3869 > 0f) {
-                                    if ((bitcast<u32>(_e3869) & 2139095040u) != 2139095040u) {
-                                        let _e3874 = (1f / _e3869);
-                                        let _e3876 = (_e3852[0] * _e3874);
-                                        let _e3878 = (_e3852[1] * _e3874);
-                                        let _e3880 = (_e3852[2] * _e3874);
-                                        let _e3885 = (((_e3876 * _e3876) + (_e3878 * _e3878)) + (_e3880 * _e3880));
-                                        if (_e3885 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3885 > 0f) {
-                                                phi_2588_ = (0.000000000000000000106433627f * 2f);
+                                let _e3910 = phi_2554_;
+                                let _e3911 = ((_e3899 + _e3904) + _e3910);
+                                if (_e3911 > 0f) {
+                                    if ((bitcast<u32>(_e3911) & 2139095040u) != 2139095040u) {
+                                        let _e3916 = (1f / _e3911);
+                                        let _e3918 = (_e3894[0] * _e3916);
+                                        let _e3920 = (_e3894[1] * _e3916);
+                                        let _e3922 = (_e3894[2] * _e3916);
+                                        let _e3927 = (((_e3918 * _e3918) + (_e3920 * _e3920)) + (_e3922 * _e3922));
+                                        if (_e3927 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3927 > 0f) {
+                                                phi_2591_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2588_ = 0f;
+                                                phi_2591_ = 0f;
                                             }
-                                            let _e3938 = phi_2588_;
-                                            phi_2652_ = _e3938;
+                                            let _e3980 = phi_2591_;
+                                            phi_2655_ = _e3980;
                                         } else {
-                                            phi_2595_ = type_14(0i, 5i);
-                                            phi_2598_ = bitcast<f32>(((bitcast<u32>(_e3885) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2598_ = type_14(0i, 5i);
+                                            phi_2601_ = bitcast<f32>(((bitcast<u32>(_e3927) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3893 = phi_2595_;
-                                                let _e3895 = phi_2598_;
-                                                local_24 = _e3895;
-                                                if (_e3893.member < _e3893.member_1) {
-                                                    let _e3902 = (_e3893.member + 1i);
-                                                    if ((false == (_e3902 > _e3893.member)) != false) {
-                                                        phi_2619_ = true;
+                                                let _e3935 = phi_2598_;
+                                                let _e3937 = phi_2601_;
+                                                local_24 = _e3937;
+                                                if (_e3935.member < _e3935.member_1) {
+                                                    let _e3944 = (_e3935.member + 1i);
+                                                    if ((false == (_e3944 > _e3935.member)) != false) {
+                                                        phi_2622_ = true;
                                                     } else {
-                                                        phi_2619_ = false;
+                                                        phi_2622_ = false;
                                                     }
-                                                    let _e3907 = phi_2619_;
-                                                    if _e3907 {
-                                                        phi_2625_ = type_15(0u, type_15().member_1);
+                                                    let _e3949 = phi_2622_;
+                                                    if _e3949 {
+                                                        phi_2628_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_2625_ = type_15(1u, _e3902);
+                                                        phi_2628_ = type_15(1u, _e3944);
                                                     }
-                                                    let _e3912 = phi_2625_;
-                                                    phi_2596_ = type_14(_e3912.member_1, _e3893.member_1);
-                                                    phi_2639_ = type_15(1u, _e3893.member);
+                                                    let _e3954 = phi_2628_;
+                                                    phi_2599_ = type_14(_e3954.member_1, _e3935.member_1);
+                                                    phi_2642_ = type_15(1u, _e3935.member);
                                                 } else {
-                                                    phi_2596_ = _e3893;
-                                                    phi_2639_ = type_15(0u, type_15().member_1);
+                                                    phi_2599_ = _e3935;
+                                                    phi_2642_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3918 = phi_2596_;
-                                                let _e3920 = phi_2639_;
-                                                let _e3923 = (bitcast<i32>(_e3920.member) != 0i);
-                                                if _e3923 {
-                                                    phi_2599_ = (0.5f * (_e3895 + (_e3885 / _e3895)));
+                                                let _e3960 = phi_2599_;
+                                                let _e3962 = phi_2642_;
+                                                let _e3965 = (bitcast<i32>(_e3962.member) != 0i);
+                                                if _e3965 {
+                                                    phi_2602_ = (0.5f * (_e3937 + (_e3927 / _e3937)));
                                                 } else {
-                                                    phi_2599_ = f32();
+                                                    phi_2602_ = f32();
                                                 }
-                                                let _e3928 = phi_2599_;
+                                                let _e3970 = phi_2602_;
                                                 continue;
                                                 continuing {
-                                                    phi_2595_ = _e3918;
-                                                    phi_2598_ = _e3928;
-                                                    break if !(_e3923);
+                                                    phi_2598_ = _e3960;
+                                                    phi_2601_ = _e3970;
+                                                    break if !(_e3965);
                                                 }
                                             }
-                                            let _e3933 = local_24;
-                                            phi_2652_ = (_e3933 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3975 = local_24;
+                                            phi_2655_ = (_e3975 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3940 = phi_2652_;
-                                        let _e3941 = (0.000000059604645f * 12f);
-                                        let _e3946 = ((((((((_e3619 + _e3621) + (_e3673 + _e3675)) + (_e3727 + _e3729)) * (0.000000059604645f * 16f)) + (_e3736 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e452.member_1 * _e3940) * (1f + _e3941)));
-                                        let _e3951 = (((_e3876 * _e3523[0]) + (_e3878 * _e3523[1])) + (_e3880 * _e3523[2]));
-                                        let _e3956 = (((_e3876 * (_e3523[0] - _e3529[0])) + (_e3878 * (_e3523[1] - _e3529[1]))) + (_e3880 * (_e3523[2] - _e3529[2])));
-                                        let _e3961 = (((_e3876 * (_e3523[0] - _e3535[0])) + (_e3878 * (_e3523[1] - _e3535[1]))) + (_e3880 * (_e3523[2] - _e3535[2])));
-                                        let _e3966 = (((_e3876 * _e3523[0]) + (_e3878 * _e3523[1])) + (_e3880 * _e3523[2]));
-                                        let _e3972 = (((_e3876 * _e3547[0]) + (_e3878 * _e3547[1])) + (_e3880 * _e3547[2]));
-                                        let _e3977 = (((_e3876 * (_e3547[0] - _e3553[0])) + (_e3878 * (_e3547[1] - _e3553[1]))) + (_e3880 * (_e3547[2] - _e3553[2])));
-                                        let _e3982 = (((_e3876 * (_e3547[0] - _e3559[0])) + (_e3878 * (_e3547[1] - _e3559[1]))) + (_e3880 * (_e3547[2] - _e3559[2])));
-                                        let _e3987 = (((_e3876 * _e3547[0]) + (_e3878 * _e3547[1])) + (_e3880 * _e3547[2]));
-                                        if (_e3951 < 0f) {
-                                            phi_2718_ = -(_e3951);
+                                        let _e3982 = phi_2655_;
+                                        let _e3983 = (0.000000059604645f * 12f);
+                                        let _e3988 = ((((((((_e3658 + _e3660) + (_e3712 + _e3714)) + (_e3766 + _e3768)) * (0.000000059604645f * 16f)) + (_e3775 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e452.member_1 * _e3982) * (1f + _e3983)));
+                                        let _e3993 = (((_e3918 * _e3562[0]) + (_e3920 * _e3562[1])) + (_e3922 * _e3562[2]));
+                                        let _e3998 = (((_e3918 * (_e3562[0] - _e3568[0])) + (_e3920 * (_e3562[1] - _e3568[1]))) + (_e3922 * (_e3562[2] - _e3568[2])));
+                                        let _e4003 = (((_e3918 * (_e3562[0] - _e3574[0])) + (_e3920 * (_e3562[1] - _e3574[1]))) + (_e3922 * (_e3562[2] - _e3574[2])));
+                                        let _e4008 = (((_e3918 * _e3562[0]) + (_e3920 * _e3562[1])) + (_e3922 * _e3562[2]));
+                                        let _e4014 = (((_e3918 * _e3586[0]) + (_e3920 * _e3586[1])) + (_e3922 * _e3586[2]));
+                                        let _e4019 = (((_e3918 * (_e3586[0] - _e3592[0])) + (_e3920 * (_e3586[1] - _e3592[1]))) + (_e3922 * (_e3586[2] - _e3592[2])));
+                                        let _e4024 = (((_e3918 * (_e3586[0] - _e3598[0])) + (_e3920 * (_e3586[1] - _e3598[1]))) + (_e3922 * (_e3586[2] - _e3598[2])));
+                                        let _e4029 = (((_e3918 * _e3586[0]) + (_e3920 * _e3586[1])) + (_e3922 * _e3586[2]));
+                                        if (_e3993 < 0f) {
+                                            phi_2721_ = -(_e3993);
                                         } else {
-                                            phi_2718_ = _e3951;
+                                            phi_2721_ = _e3993;
                                         }
-                                        let _e3992 = phi_2718_;
-                                        if (_e3972 < 0f) {
-                                            phi_2724_ = -(_e3972);
+                                        let _e4034 = phi_2721_;
+                                        if (_e4014 < 0f) {
+                                            phi_2727_ = -(_e4014);
                                         } else {
-                                            phi_2724_ = _e3972;
+                                            phi_2727_ = _e4014;
                                         }
-                                        let _e3996 = phi_2724_;
-                                        if (_e3956 < 0f) {
-                                            phi_2733_ = -(_e3956);
+                                        let _e4038 = phi_2727_;
+                                        if (_e3998 < 0f) {
+                                            phi_2736_ = -(_e3998);
                                         } else {
-                                            phi_2733_ = _e3956;
+                                            phi_2736_ = _e3998;
                                         }
-                                        let _e4003 = phi_2733_;
-                                        if (_e3977 < 0f) {
-                                            phi_2739_ = -(_e3977);
+                                        let _e4045 = phi_2736_;
+                                        if (_e4019 < 0f) {
+                                            phi_2742_ = -(_e4019);
                                         } else {
-                                            phi_2739_ = _e3977;
+                                            phi_2742_ = _e4019;
                                         }
-                                        let _e4007 = phi_2739_;
-                                        if (_e3961 < 0f) {
-                                            phi_2748_ = -(_e3961);
+                                        let _e4049 = phi_2742_;
+                                        if (_e4003 < 0f) {
+                                            phi_2751_ = -(_e4003);
                                         } else {
-                                            phi_2748_ = _e3961;
+                                            phi_2751_ = _e4003;
                                         }
-                                        let _e4014 = phi_2748_;
-                                        if (_e3982 < 0f) {
-                                            phi_2754_ = -(_e3982);
+                                        let _e4056 = phi_2751_;
+                                        if (_e4024 < 0f) {
+                                            phi_2757_ = -(_e4024);
                                         } else {
-                                            phi_2754_ = _e3982;
+                                            phi_2757_ = _e4024;
                                         }
-                                        let _e4018 = phi_2754_;
-                                        if (_e3966 < 0f) {
-                                            phi_2763_ = -(_e3966);
+                                        let _e4060 = phi_2757_;
+                                        if (_e4008 < 0f) {
+                                            phi_2766_ = -(_e4008);
                                         } else {
-                                            phi_2763_ = _e3966;
+                                            phi_2766_ = _e4008;
                                         }
-                                        let _e4025 = phi_2763_;
-                                        if (_e3987 < 0f) {
-                                            phi_2769_ = -(_e3987);
+                                        let _e4067 = phi_2766_;
+                                        if (_e4029 < 0f) {
+                                            phi_2772_ = -(_e4029);
                                         } else {
-                                            phi_2769_ = _e3987;
+                                            phi_2772_ = _e4029;
                                         }
-                                        let _e4029 = phi_2769_;
-                                        phi_2775_ = type_30(array<f32, 4>(_e3951, _e3956, _e3961, _e3966), array<f32, 4>(_e3972, _e3977, _e3982, _e3987), array<f32, 4>((_e3946 + ((_e3992 + _e3996) * _e3941)), (_e3946 + ((_e4003 + _e4007) * _e3941)), (_e3946 + ((_e4014 + _e4018) * _e3941)), (_e3946 + ((_e4025 + _e4029) * _e3941))));
-                                        phi_2776_ = false;
+                                        let _e4071 = phi_2772_;
+                                        phi_2778_ = type_31(array<f32, 4>(_e3993, _e3998, _e4003, _e4008), array<f32, 4>(_e4014, _e4019, _e4024, _e4029), array<f32, 4>((_e3988 + ((_e4034 + _e4038) * _e3983)), (_e3988 + ((_e4045 + _e4049) * _e3983)), (_e3988 + ((_e4056 + _e4060) * _e3983)), (_e3988 + ((_e4067 + _e4071) * _e3983))));
+                                        phi_2779_ = false;
                                     } else {
-                                        phi_2775_ = type_30();
-                                        phi_2776_ = true;
+                                        phi_2778_ = type_31();
+                                        phi_2779_ = true;
                                     }
-                                    let _e4036 = phi_2775_;
-                                    let _e4038 = phi_2776_;
-                                    phi_2777_ = _e4036;
-                                    phi_2778_ = _e4038;
+                                    let _e4078 = phi_2778_;
+                                    let _e4080 = phi_2779_;
+                                    phi_2780_ = _e4078;
+                                    phi_2781_ = _e4080;
                                 } else {
-                                    phi_2777_ = type_30();
-                                    phi_2778_ = true;
+                                    phi_2780_ = type_31();
+                                    phi_2781_ = true;
                                 }
-                                let _e4040 = phi_2777_;
-                                let _e4042 = phi_2778_;
-                                if _e4042 {
-                                    phi_2786_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                let _e4082 = phi_2780_;
+                                let _e4084 = phi_2781_;
+                                if _e4084 {
+                                    phi_2789_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                 } else {
-                                    phi_2786_ = _e4040;
+                                    phi_2789_ = _e4082;
                                 }
-                                let _e4044 = phi_2786_;
-                                local_10 = type_30(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
-                                let _e4064 = (_e3744 - _e3748);
-                                let _e4068 = local_10.member[0u];
-                                let _e4071 = local_10.member_1[0u];
-                                let _e4074 = local_10.member[0u];
-                                let _e4080 = local_10.member_2[0u];
-                                if (((_e4068 + ((_e4071 - _e4074) * _e3744)) - _e4080) > 0f) {
-                                    let _e4085 = local_10.member[1u];
-                                    let _e4088 = local_10.member_1[1u];
-                                    let _e4091 = local_10.member[1u];
-                                    let _e4097 = local_10.member_2[1u];
-                                    if (((_e4085 + ((_e4088 - _e4091) * _e3744)) - _e4097) > 0f) {
-                                        let _e4102 = local_10.member[2u];
-                                        let _e4105 = local_10.member_1[2u];
-                                        let _e4108 = local_10.member[2u];
-                                        let _e4114 = local_10.member_2[2u];
-                                        if (((_e4102 + ((_e4105 - _e4108) * _e3744)) - _e4114) > 0f) {
-                                            let _e4119 = local_10.member[3u];
-                                            let _e4122 = local_10.member_1[3u];
-                                            let _e4125 = local_10.member[3u];
-                                            let _e4131 = local_10.member_2[3u];
-                                            phi_2957_ = (((_e4119 + ((_e4122 - _e4125) * _e3744)) - _e4131) > 0f);
-                                            phi_2958_ = false;
+                                let _e4086 = phi_2789_;
+                                local_10 = type_31(array<f32, 4>(_e4086.member[0], _e4086.member[1], _e4086.member[2], _e4086.member[3]), array<f32, 4>(_e4086.member_1[0], _e4086.member_1[1], _e4086.member_1[2], _e4086.member_1[3]), array<f32, 4>(_e4086.member_2[0], _e4086.member_2[1], _e4086.member_2[2], _e4086.member_2[3]));
+                                let _e4106 = (_e3784 - _e3790);
+                                let _e4110 = local_10.member[0u];
+                                let _e4113 = local_10.member_1[0u];
+                                let _e4116 = local_10.member[0u];
+                                let _e4122 = local_10.member_2[0u];
+                                if (((_e4110 + ((_e4113 - _e4116) * _e3784)) - _e4122) > 0f) {
+                                    let _e4127 = local_10.member[1u];
+                                    let _e4130 = local_10.member_1[1u];
+                                    let _e4133 = local_10.member[1u];
+                                    let _e4139 = local_10.member_2[1u];
+                                    if (((_e4127 + ((_e4130 - _e4133) * _e3784)) - _e4139) > 0f) {
+                                        let _e4144 = local_10.member[2u];
+                                        let _e4147 = local_10.member_1[2u];
+                                        let _e4150 = local_10.member[2u];
+                                        let _e4156 = local_10.member_2[2u];
+                                        if (((_e4144 + ((_e4147 - _e4150) * _e3784)) - _e4156) > 0f) {
+                                            let _e4161 = local_10.member[3u];
+                                            let _e4164 = local_10.member_1[3u];
+                                            let _e4167 = local_10.member[3u];
+                                            let _e4173 = local_10.member_2[3u];
+                                            phi_2960_ = (((_e4161 + ((_e4164 - _e4167) * _e3784)) - _e4173) > 0f);
+                                            phi_2961_ = false;
                                         } else {
-                                            phi_2957_ = bool();
-                                            phi_2958_ = true;
+                                            phi_2960_ = bool();
+                                            phi_2961_ = true;
                                         }
-                                        let _e4135 = phi_2957_;
-                                        let _e4137 = phi_2958_;
-                                        phi_2959_ = _e4135;
-                                        phi_2960_ = _e4137;
+                                        let _e4177 = phi_2960_;
+                                        let _e4179 = phi_2961_;
+                                        phi_2962_ = _e4177;
+                                        phi_2963_ = _e4179;
                                     } else {
-                                        phi_2959_ = bool();
-                                        phi_2960_ = true;
+                                        phi_2962_ = bool();
+                                        phi_2963_ = true;
                                     }
-                                    let _e4139 = phi_2959_;
-                                    let _e4141 = phi_2960_;
-                                    phi_2961_ = _e4139;
-                                    phi_2962_ = _e4141;
+                                    let _e4181 = phi_2962_;
+                                    let _e4183 = phi_2963_;
+                                    phi_2964_ = _e4181;
+                                    phi_2965_ = _e4183;
                                 } else {
-                                    phi_2961_ = bool();
-                                    phi_2962_ = true;
+                                    phi_2964_ = bool();
+                                    phi_2965_ = true;
                                 }
-                                let _e4143 = phi_2961_;
-                                let _e4145 = phi_2962_;
-                                if _e4145 {
-                                    phi_2966_ = false;
+                                let _e4185 = phi_2964_;
+                                let _e4187 = phi_2965_;
+                                if _e4187 {
+                                    phi_2969_ = false;
                                 } else {
-                                    phi_2966_ = _e4143;
+                                    phi_2969_ = _e4185;
                                 }
-                                let _e4147 = phi_2966_;
-                                if _e4147 {
-                                    if (_e3744 <= _e3746) {
-                                        phi_3276_ = true;
+                                let _e4189 = phi_2969_;
+                                if _e4189 {
+                                    if (_e3784 <= _e3786) {
+                                        phi_3279_ = true;
                                     } else {
-                                        let _e4151 = local_9.member[0u];
-                                        let _e4154 = local_9.member_1[0u];
-                                        let _e4157 = local_9.member[0u];
-                                        let _e4163 = local_9.member_2[0u];
-                                        let _e4167 = local_10.member[0u];
-                                        let _e4170 = local_10.member_1[0u];
-                                        let _e4173 = local_10.member[0u];
-                                        let _e4179 = local_10.member_2[0u];
-                                        if ((((_e4151 + ((_e4154 - _e4157) * _e3744)) - _e4163) + ((_e4167 + ((_e4170 - _e4173) * _e3748)) - _e4179)) > 0f) {
-                                            let _e4185 = local_9.member[1u];
-                                            let _e4188 = local_9.member_1[1u];
-                                            let _e4191 = local_9.member[1u];
-                                            let _e4197 = local_9.member_2[1u];
-                                            let _e4201 = local_10.member[1u];
-                                            let _e4204 = local_10.member_1[1u];
-                                            let _e4207 = local_10.member[1u];
-                                            let _e4213 = local_10.member_2[1u];
-                                            if ((((_e4185 + ((_e4188 - _e4191) * _e3744)) - _e4197) + ((_e4201 + ((_e4204 - _e4207) * _e3748)) - _e4213)) > 0f) {
-                                                let _e4219 = local_9.member[2u];
-                                                let _e4222 = local_9.member_1[2u];
-                                                let _e4225 = local_9.member[2u];
-                                                let _e4231 = local_9.member_2[2u];
-                                                let _e4235 = local_10.member[2u];
-                                                let _e4238 = local_10.member_1[2u];
-                                                let _e4241 = local_10.member[2u];
-                                                let _e4247 = local_10.member_2[2u];
-                                                if ((((_e4219 + ((_e4222 - _e4225) * _e3744)) - _e4231) + ((_e4235 + ((_e4238 - _e4241) * _e3748)) - _e4247)) > 0f) {
-                                                    let _e4253 = local_9.member[3u];
-                                                    let _e4256 = local_9.member_1[3u];
-                                                    let _e4259 = local_9.member[3u];
-                                                    let _e4265 = local_9.member_2[3u];
-                                                    let _e4269 = local_10.member[3u];
-                                                    let _e4272 = local_10.member_1[3u];
-                                                    let _e4275 = local_10.member[3u];
-                                                    let _e4281 = local_10.member_2[3u];
-                                                    phi_3263_ = ((((_e4253 + ((_e4256 - _e4259) * _e3744)) - _e4265) + ((_e4269 + ((_e4272 - _e4275) * _e3748)) - _e4281)) > 0f);
-                                                    phi_3264_ = false;
+                                        let _e4193 = local_9.member[0u];
+                                        let _e4196 = local_9.member_1[0u];
+                                        let _e4199 = local_9.member[0u];
+                                        let _e4205 = local_9.member_2[0u];
+                                        let _e4209 = local_10.member[0u];
+                                        let _e4212 = local_10.member_1[0u];
+                                        let _e4215 = local_10.member[0u];
+                                        let _e4221 = local_10.member_2[0u];
+                                        if ((((_e4193 + ((_e4196 - _e4199) * _e3784)) - _e4205) + ((_e4209 + ((_e4212 - _e4215) * _e3790)) - _e4221)) > 0f) {
+                                            let _e4227 = local_9.member[1u];
+                                            let _e4230 = local_9.member_1[1u];
+                                            let _e4233 = local_9.member[1u];
+                                            let _e4239 = local_9.member_2[1u];
+                                            let _e4243 = local_10.member[1u];
+                                            let _e4246 = local_10.member_1[1u];
+                                            let _e4249 = local_10.member[1u];
+                                            let _e4255 = local_10.member_2[1u];
+                                            if ((((_e4227 + ((_e4230 - _e4233) * _e3784)) - _e4239) + ((_e4243 + ((_e4246 - _e4249) * _e3790)) - _e4255)) > 0f) {
+                                                let _e4261 = local_9.member[2u];
+                                                let _e4264 = local_9.member_1[2u];
+                                                let _e4267 = local_9.member[2u];
+                                                let _e4273 = local_9.member_2[2u];
+                                                let _e4277 = local_10.member[2u];
+                                                let _e4280 = local_10.member_1[2u];
+                                                let _e4283 = local_10.member[2u];
+                                                let _e4289 = local_10.member_2[2u];
+                                                if ((((_e4261 + ((_e4264 - _e4267) * _e3784)) - _e4273) + ((_e4277 + ((_e4280 - _e4283) * _e3790)) - _e4289)) > 0f) {
+                                                    let _e4295 = local_9.member[3u];
+                                                    let _e4298 = local_9.member_1[3u];
+                                                    let _e4301 = local_9.member[3u];
+                                                    let _e4307 = local_9.member_2[3u];
+                                                    let _e4311 = local_10.member[3u];
+                                                    let _e4314 = local_10.member_1[3u];
+                                                    let _e4317 = local_10.member[3u];
+                                                    let _e4323 = local_10.member_2[3u];
+                                                    phi_3266_ = ((((_e4295 + ((_e4298 - _e4301) * _e3784)) - _e4307) + ((_e4311 + ((_e4314 - _e4317) * _e3790)) - _e4323)) > 0f);
+                                                    phi_3267_ = false;
                                                 } else {
-                                                    phi_3263_ = bool();
-                                                    phi_3264_ = true;
+                                                    phi_3266_ = bool();
+                                                    phi_3267_ = true;
                                                 }
-                                                let _e4286 = phi_3263_;
-                                                let _e4288 = phi_3264_;
-                                                phi_3265_ = _e4286;
-                                                phi_3266_ = _e4288;
+                                                let _e4328 = phi_3266_;
+                                                let _e4330 = phi_3267_;
+                                                phi_3268_ = _e4328;
+                                                phi_3269_ = _e4330;
                                             } else {
-                                                phi_3265_ = bool();
-                                                phi_3266_ = true;
+                                                phi_3268_ = bool();
+                                                phi_3269_ = true;
                                             }
-                                            let _e4290 = phi_3265_;
-                                            let _e4292 = phi_3266_;
-                                            phi_3267_ = _e4290;
-                                            phi_3268_ = _e4292;
+                                            let _e4332 = phi_3268_;
+                                            let _e4334 = phi_3269_;
+                                            phi_3270_ = _e4332;
+                                            phi_3271_ = _e4334;
                                         } else {
-                                            phi_3267_ = bool();
-                                            phi_3268_ = true;
+                                            phi_3270_ = bool();
+                                            phi_3271_ = true;
                                         }
-                                        let _e4294 = phi_3267_;
-                                        let _e4296 = phi_3268_;
-                                        if _e4296 {
-                                            phi_3272_ = false;
+                                        let _e4336 = phi_3270_;
+                                        let _e4338 = phi_3271_;
+                                        if _e4338 {
+                                            phi_3275_ = false;
                                         } else {
-                                            phi_3272_ = _e4294;
+                                            phi_3275_ = _e4336;
                                         }
-                                        let _e4298 = phi_3272_;
-                                        phi_3276_ = _e4298;
+                                        let _e4340 = phi_3275_;
+                                        phi_3279_ = _e4340;
                                     }
-                                    let _e4300 = phi_3276_;
-                                    if _e4300 {
-                                        if _e3750 {
-                                            if (_e3744 >= 1f) {
-                                                phi_3287_ = false;
+                                    let _e4342 = phi_3279_;
+                                    if _e4342 {
+                                        if _e3792 {
+                                            if (_e3784 >= 1f) {
+                                                phi_3290_ = false;
                                             } else {
-                                                phi_3287_ = true;
+                                                phi_3290_ = true;
                                             }
-                                            let _e4303 = phi_3287_;
-                                            phi_3288_ = _e4303;
+                                            let _e4345 = phi_3290_;
+                                            phi_3291_ = _e4345;
                                         } else {
-                                            phi_3288_ = true;
+                                            phi_3291_ = true;
                                         }
-                                        let _e4305 = phi_3288_;
-                                        if _e4305 {
-                                            local_9 = type_30(array<f32, 4>(_e4044.member[0], _e4044.member[1], _e4044.member[2], _e4044.member[3]), array<f32, 4>(_e4044.member_1[0], _e4044.member_1[1], _e4044.member_1[2], _e4044.member_1[3]), array<f32, 4>(_e4044.member_2[0], _e4044.member_2[1], _e4044.member_2[2], _e4044.member_2[3]));
-                                            let _e4327 = local_9.member[0u];
-                                            let _e4330 = local_9.member_1[0u];
-                                            let _e4333 = local_9.member_2[0u];
-                                            if (_e4327 > _e4333) {
-                                                if (_e4330 > _e4333) {
-                                                    phi_3362_ = false;
+                                        let _e4347 = phi_3291_;
+                                        if _e4347 {
+                                            local_9 = type_31(array<f32, 4>(_e4086.member[0], _e4086.member[1], _e4086.member[2], _e4086.member[3]), array<f32, 4>(_e4086.member_1[0], _e4086.member_1[1], _e4086.member_1[2], _e4086.member_1[3]), array<f32, 4>(_e4086.member_2[0], _e4086.member_2[1], _e4086.member_2[2], _e4086.member_2[3]));
+                                            let _e4369 = local_9.member[0u];
+                                            let _e4372 = local_9.member_1[0u];
+                                            let _e4375 = local_9.member_2[0u];
+                                            if (_e4369 > _e4375) {
+                                                if (_e4372 > _e4375) {
+                                                    phi_3365_ = false;
                                                 } else {
-                                                    phi_3362_ = true;
+                                                    phi_3365_ = true;
                                                 }
-                                                let _e4337 = phi_3362_;
-                                                phi_3363_ = _e4337;
+                                                let _e4379 = phi_3365_;
+                                                phi_3366_ = _e4379;
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3366_ = true;
                                             }
-                                            let _e4339 = phi_3363_;
-                                            if _e4339 {
-                                                let _e4340 = (_e4330 >= _e4327);
-                                                if _e4340 {
-                                                    phi_3385_ = f32();
-                                                    phi_3386_ = false;
+                                            let _e4381 = phi_3366_;
+                                            if _e4381 {
+                                                let _e4382 = (_e4372 >= _e4369);
+                                                if _e4382 {
+                                                    phi_3388_ = f32();
+                                                    phi_3389_ = false;
                                                 } else {
-                                                    if ((_e4327 - _e4330) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3383_ = (((_e4327 - _e4333) / (_e4327 - _e4330)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3384_ = false;
+                                                    if ((_e4369 - _e4372) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3386_ = (((_e4369 - _e4375) / (_e4369 - _e4372)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3387_ = false;
                                                     } else {
-                                                        phi_3383_ = f32();
-                                                        phi_3384_ = true;
+                                                        phi_3386_ = f32();
+                                                        phi_3387_ = true;
                                                     }
-                                                    let _e4351 = phi_3383_;
-                                                    let _e4353 = phi_3384_;
-                                                    phi_3385_ = _e4351;
-                                                    phi_3386_ = _e4353;
+                                                    let _e4393 = phi_3386_;
+                                                    let _e4395 = phi_3387_;
+                                                    phi_3388_ = _e4393;
+                                                    phi_3389_ = _e4395;
                                                 }
-                                                let _e4355 = phi_3385_;
-                                                let _e4357 = phi_3386_;
-                                                phi_3387_ = _e4355;
-                                                phi_3388_ = _e4340;
-                                                phi_3389_ = _e4357;
+                                                let _e4397 = phi_3388_;
+                                                let _e4399 = phi_3389_;
+                                                phi_3390_ = _e4397;
+                                                phi_3391_ = _e4382;
+                                                phi_3392_ = _e4399;
                                             } else {
-                                                phi_3387_ = f32();
-                                                phi_3388_ = true;
-                                                phi_3389_ = false;
+                                                phi_3390_ = f32();
+                                                phi_3391_ = true;
+                                                phi_3392_ = false;
                                             }
-                                            let _e4359 = phi_3387_;
-                                            let _e4361 = phi_3388_;
-                                            let _e4363 = phi_3389_;
-                                            if _e4361 {
-                                                phi_3393_ = 2f;
-                                                phi_3394_ = true;
+                                            let _e4401 = phi_3390_;
+                                            let _e4403 = phi_3391_;
+                                            let _e4405 = phi_3392_;
+                                            if _e4403 {
+                                                phi_3396_ = 2f;
+                                                phi_3397_ = true;
                                             } else {
-                                                phi_3393_ = _e3744;
-                                                phi_3394_ = _e4363;
+                                                phi_3396_ = _e3784;
+                                                phi_3397_ = _e4405;
                                             }
-                                            let _e4365 = phi_3393_;
-                                            let _e4367 = phi_3394_;
-                                            if _e4367 {
-                                                phi_3398_ = _e4365;
+                                            let _e4407 = phi_3396_;
+                                            let _e4409 = phi_3397_;
+                                            if _e4409 {
+                                                phi_3401_ = _e4407;
                                             } else {
-                                                phi_3398_ = _e4359;
+                                                phi_3401_ = _e4401;
                                             }
-                                            let _e4369 = phi_3398_;
-                                            let _e4372 = local_9.member[1u];
-                                            let _e4375 = local_9.member_1[1u];
-                                            let _e4378 = local_9.member_2[1u];
-                                            if (_e4372 > _e4378) {
-                                                if (_e4375 > _e4378) {
-                                                    phi_3430_ = false;
+                                            let _e4411 = phi_3401_;
+                                            let _e4414 = local_9.member[1u];
+                                            let _e4417 = local_9.member_1[1u];
+                                            let _e4420 = local_9.member_2[1u];
+                                            if (_e4414 > _e4420) {
+                                                if (_e4417 > _e4420) {
+                                                    phi_3433_ = false;
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                 }
-                                                let _e4382 = phi_3430_;
-                                                phi_3431_ = _e4382;
+                                                let _e4424 = phi_3433_;
+                                                phi_3434_ = _e4424;
                                             } else {
-                                                phi_3431_ = true;
+                                                phi_3434_ = true;
                                             }
-                                            let _e4384 = phi_3431_;
-                                            if _e4384 {
-                                                let _e4385 = (_e4375 >= _e4372);
-                                                if _e4385 {
-                                                    phi_3453_ = f32();
-                                                    phi_3454_ = false;
+                                            let _e4426 = phi_3434_;
+                                            if _e4426 {
+                                                let _e4427 = (_e4417 >= _e4414);
+                                                if _e4427 {
+                                                    phi_3456_ = f32();
+                                                    phi_3457_ = false;
                                                 } else {
-                                                    if ((_e4372 - _e4375) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3451_ = (((_e4372 - _e4378) / (_e4372 - _e4375)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3452_ = false;
+                                                    if ((_e4414 - _e4417) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3454_ = (((_e4414 - _e4420) / (_e4414 - _e4417)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3455_ = false;
                                                     } else {
-                                                        phi_3451_ = f32();
-                                                        phi_3452_ = true;
+                                                        phi_3454_ = f32();
+                                                        phi_3455_ = true;
                                                     }
-                                                    let _e4396 = phi_3451_;
-                                                    let _e4398 = phi_3452_;
-                                                    phi_3453_ = _e4396;
-                                                    phi_3454_ = _e4398;
+                                                    let _e4438 = phi_3454_;
+                                                    let _e4440 = phi_3455_;
+                                                    phi_3456_ = _e4438;
+                                                    phi_3457_ = _e4440;
                                                 }
-                                                let _e4400 = phi_3453_;
-                                                let _e4402 = phi_3454_;
-                                                phi_3455_ = _e4400;
-                                                phi_3456_ = _e4385;
-                                                phi_3457_ = _e4402;
+                                                let _e4442 = phi_3456_;
+                                                let _e4444 = phi_3457_;
+                                                phi_3458_ = _e4442;
+                                                phi_3459_ = _e4427;
+                                                phi_3460_ = _e4444;
                                             } else {
-                                                phi_3455_ = f32();
-                                                phi_3456_ = true;
-                                                phi_3457_ = false;
+                                                phi_3458_ = f32();
+                                                phi_3459_ = true;
+                                                phi_3460_ = false;
                                             }
-                                            let _e4404 = phi_3455_;
-                                            let _e4406 = phi_3456_;
-                                            let _e4408 = phi_3457_;
-                                            if _e4406 {
-                                                phi_3461_ = 2f;
-                                                phi_3462_ = true;
+                                            let _e4446 = phi_3458_;
+                                            let _e4448 = phi_3459_;
+                                            let _e4450 = phi_3460_;
+                                            if _e4448 {
+                                                phi_3464_ = 2f;
+                                                phi_3465_ = true;
                                             } else {
-                                                phi_3461_ = _e3744;
-                                                phi_3462_ = _e4408;
+                                                phi_3464_ = _e3784;
+                                                phi_3465_ = _e4450;
                                             }
-                                            let _e4410 = phi_3461_;
-                                            let _e4412 = phi_3462_;
-                                            if _e4412 {
-                                                phi_3466_ = _e4410;
-                                            } else {
-                                                phi_3466_ = _e4404;
-                                            }
-                                            let _e4414 = phi_3466_;
-                                            if (_e4369 < _e4414) {
-                                                phi_3471_ = _e4369;
-                                            } else {
-                                                phi_3471_ = _e4414;
-                                            }
-                                            let _e4417 = phi_3471_;
-                                            let _e4420 = local_9.member[2u];
-                                            let _e4423 = local_9.member_1[2u];
-                                            let _e4426 = local_9.member_2[2u];
-                                            if (_e4420 > _e4426) {
-                                                if (_e4423 > _e4426) {
-                                                    phi_3503_ = false;
-                                                } else {
-                                                    phi_3503_ = true;
-                                                }
-                                                let _e4430 = phi_3503_;
-                                                phi_3504_ = _e4430;
-                                            } else {
-                                                phi_3504_ = true;
-                                            }
-                                            let _e4432 = phi_3504_;
-                                            if _e4432 {
-                                                let _e4433 = (_e4423 >= _e4420);
-                                                if _e4433 {
-                                                    phi_3526_ = f32();
-                                                    phi_3527_ = false;
-                                                } else {
-                                                    if ((_e4420 - _e4423) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3524_ = (((_e4420 - _e4426) / (_e4420 - _e4423)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3525_ = false;
-                                                    } else {
-                                                        phi_3524_ = f32();
-                                                        phi_3525_ = true;
-                                                    }
-                                                    let _e4444 = phi_3524_;
-                                                    let _e4446 = phi_3525_;
-                                                    phi_3526_ = _e4444;
-                                                    phi_3527_ = _e4446;
-                                                }
-                                                let _e4448 = phi_3526_;
-                                                let _e4450 = phi_3527_;
-                                                phi_3528_ = _e4448;
-                                                phi_3529_ = _e4433;
-                                                phi_3530_ = _e4450;
-                                            } else {
-                                                phi_3528_ = f32();
-                                                phi_3529_ = true;
-                                                phi_3530_ = false;
-                                            }
-                                            let _e4452 = phi_3528_;
-                                            let _e4454 = phi_3529_;
-                                            let _e4456 = phi_3530_;
+                                            let _e4452 = phi_3464_;
+                                            let _e4454 = phi_3465_;
                                             if _e4454 {
-                                                phi_3534_ = 2f;
-                                                phi_3535_ = true;
+                                                phi_3469_ = _e4452;
                                             } else {
-                                                phi_3534_ = _e3744;
-                                                phi_3535_ = _e4456;
+                                                phi_3469_ = _e4446;
                                             }
-                                            let _e4458 = phi_3534_;
-                                            let _e4460 = phi_3535_;
-                                            if _e4460 {
-                                                phi_3539_ = _e4458;
+                                            let _e4456 = phi_3469_;
+                                            if (_e4411 < _e4456) {
+                                                phi_3474_ = _e4411;
                                             } else {
-                                                phi_3539_ = _e4452;
+                                                phi_3474_ = _e4456;
                                             }
-                                            let _e4462 = phi_3539_;
-                                            let _e4465 = local_9.member[3u];
-                                            let _e4468 = local_9.member_1[3u];
-                                            let _e4471 = local_9.member_2[3u];
-                                            if (_e4465 > _e4471) {
-                                                if (_e4468 > _e4471) {
-                                                    phi_3571_ = false;
+                                            let _e4459 = phi_3474_;
+                                            let _e4462 = local_9.member[2u];
+                                            let _e4465 = local_9.member_1[2u];
+                                            let _e4468 = local_9.member_2[2u];
+                                            if (_e4462 > _e4468) {
+                                                if (_e4465 > _e4468) {
+                                                    phi_3506_ = false;
                                                 } else {
-                                                    phi_3571_ = true;
+                                                    phi_3506_ = true;
                                                 }
-                                                let _e4475 = phi_3571_;
-                                                phi_3572_ = _e4475;
+                                                let _e4472 = phi_3506_;
+                                                phi_3507_ = _e4472;
                                             } else {
-                                                phi_3572_ = true;
+                                                phi_3507_ = true;
                                             }
-                                            let _e4477 = phi_3572_;
-                                            if _e4477 {
-                                                let _e4478 = (_e4468 >= _e4465);
-                                                if _e4478 {
-                                                    phi_3594_ = f32();
-                                                    phi_3595_ = false;
+                                            let _e4474 = phi_3507_;
+                                            if _e4474 {
+                                                let _e4475 = (_e4465 >= _e4462);
+                                                if _e4475 {
+                                                    phi_3529_ = f32();
+                                                    phi_3530_ = false;
                                                 } else {
-                                                    if ((_e4465 - _e4468) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3592_ = (((_e4465 - _e4471) / (_e4465 - _e4468)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3593_ = false;
+                                                    if ((_e4462 - _e4465) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3527_ = (((_e4462 - _e4468) / (_e4462 - _e4465)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3528_ = false;
                                                     } else {
-                                                        phi_3592_ = f32();
-                                                        phi_3593_ = true;
+                                                        phi_3527_ = f32();
+                                                        phi_3528_ = true;
                                                     }
-                                                    let _e4489 = phi_3592_;
-                                                    let _e4491 = phi_3593_;
-                                                    phi_3594_ = _e4489;
-                                                    phi_3595_ = _e4491;
+                                                    let _e4486 = phi_3527_;
+                                                    let _e4488 = phi_3528_;
+                                                    phi_3529_ = _e4486;
+                                                    phi_3530_ = _e4488;
                                                 }
-                                                let _e4493 = phi_3594_;
-                                                let _e4495 = phi_3595_;
-                                                phi_3596_ = _e4493;
-                                                phi_3597_ = _e4478;
-                                                phi_3598_ = _e4495;
+                                                let _e4490 = phi_3529_;
+                                                let _e4492 = phi_3530_;
+                                                phi_3531_ = _e4490;
+                                                phi_3532_ = _e4475;
+                                                phi_3533_ = _e4492;
                                             } else {
-                                                phi_3596_ = f32();
-                                                phi_3597_ = true;
-                                                phi_3598_ = false;
+                                                phi_3531_ = f32();
+                                                phi_3532_ = true;
+                                                phi_3533_ = false;
                                             }
-                                            let _e4497 = phi_3596_;
-                                            let _e4499 = phi_3597_;
-                                            let _e4501 = phi_3598_;
-                                            if _e4499 {
-                                                phi_3602_ = 2f;
-                                                phi_3603_ = true;
+                                            let _e4494 = phi_3531_;
+                                            let _e4496 = phi_3532_;
+                                            let _e4498 = phi_3533_;
+                                            if _e4496 {
+                                                phi_3537_ = 2f;
+                                                phi_3538_ = true;
                                             } else {
-                                                phi_3602_ = _e3744;
-                                                phi_3603_ = _e4501;
+                                                phi_3537_ = _e3784;
+                                                phi_3538_ = _e4498;
                                             }
-                                            let _e4503 = phi_3602_;
-                                            let _e4505 = phi_3603_;
-                                            if _e4505 {
-                                                phi_3607_ = _e4503;
+                                            let _e4500 = phi_3537_;
+                                            let _e4502 = phi_3538_;
+                                            if _e4502 {
+                                                phi_3542_ = _e4500;
                                             } else {
-                                                phi_3607_ = _e4497;
+                                                phi_3542_ = _e4494;
                                             }
-                                            let _e4507 = phi_3607_;
-                                            if (_e4462 < _e4507) {
-                                                phi_3612_ = _e4462;
-                                            } else {
-                                                phi_3612_ = _e4507;
-                                            }
-                                            let _e4510 = phi_3612_;
-                                            if (_e4417 < _e4510) {
-                                                phi_3617_ = _e4417;
-                                            } else {
-                                                phi_3617_ = _e4510;
-                                            }
-                                            let _e4513 = phi_3617_;
-                                            if (_e4513 > _e3744) {
-                                                phi_3622_ = _e4513;
-                                            } else {
-                                                phi_3622_ = _e3744;
-                                            }
-                                            let _e4516 = phi_3622_;
-                                            let _e4517 = (_e4516 > 1f);
-                                            if _e4517 {
-                                                phi_3633_ = f32();
-                                                phi_3634_ = false;
-                                            } else {
-                                                if _e3750 {
-                                                    phi_3632_ = (_e4064 + _e4064);
+                                            let _e4504 = phi_3542_;
+                                            let _e4507 = local_9.member[3u];
+                                            let _e4510 = local_9.member_1[3u];
+                                            let _e4513 = local_9.member_2[3u];
+                                            if (_e4507 > _e4513) {
+                                                if (_e4510 > _e4513) {
+                                                    phi_3574_ = false;
                                                 } else {
-                                                    phi_3632_ = (1f - _e3744);
+                                                    phi_3574_ = true;
                                                 }
-                                                let _e4521 = phi_3632_;
-                                                phi_3633_ = _e4521;
-                                                phi_3634_ = true;
-                                            }
-                                            let _e4523 = phi_3633_;
-                                            let _e4525 = phi_3634_;
-                                            phi_3635_ = _e4516;
-                                            phi_3636_ = _e4523;
-                                            phi_3637_ = _e4525;
-                                            phi_3638_ = _e4517;
-                                            phi_3639_ = false;
-                                        } else {
-                                            phi_3635_ = f32();
-                                            phi_3636_ = f32();
-                                            phi_3637_ = false;
-                                            phi_3638_ = false;
-                                            phi_3639_ = true;
-                                        }
-                                        let _e4527 = phi_3635_;
-                                        let _e4529 = phi_3636_;
-                                        let _e4531 = phi_3637_;
-                                        let _e4533 = phi_3638_;
-                                        let _e4535 = phi_3639_;
-                                        phi_3640_ = _e4527;
-                                        phi_3641_ = _e4529;
-                                        phi_3642_ = false;
-                                        phi_3643_ = _e4531;
-                                        phi_3644_ = _e4533;
-                                        phi_3645_ = _e4535;
-                                    } else {
-                                        phi_3640_ = f32();
-                                        phi_3641_ = f32();
-                                        phi_3642_ = true;
-                                        phi_3643_ = false;
-                                        phi_3644_ = false;
-                                        phi_3645_ = false;
-                                    }
-                                    let _e4537 = phi_3640_;
-                                    let _e4539 = phi_3641_;
-                                    let _e4541 = phi_3642_;
-                                    let _e4543 = phi_3643_;
-                                    let _e4545 = phi_3644_;
-                                    let _e4547 = phi_3645_;
-                                    phi_3646_ = _e4537;
-                                    phi_3647_ = _e4539;
-                                    phi_3648_ = _e4541;
-                                    phi_3649_ = _e4543;
-                                    phi_3650_ = _e4545;
-                                    phi_3651_ = _e4547;
-                                } else {
-                                    phi_3646_ = f32();
-                                    phi_3647_ = f32();
-                                    phi_3648_ = true;
-                                    phi_3649_ = false;
-                                    phi_3650_ = false;
-                                    phi_3651_ = false;
-                                }
-                                let _e4549 = phi_3646_;
-                                let _e4551 = phi_3647_;
-                                let _e4553 = phi_3648_;
-                                let _e4555 = phi_3649_;
-                                let _e4557 = phi_3650_;
-                                let _e4559 = phi_3651_;
-                                if _e4553 {
-                                    if (_e3744 <= _e3746) {
-                                        let _e4720 = (_e3752 + 1u);
-                                        let _e4721 = (_e4720 > 3u);
-                                        if _e4721 {
-                                            phi_3664_ = false;
-                                        } else {
-                                            phi_3664_ = true;
-                                        }
-                                        let _e4723 = phi_3664_;
-                                        phi_3986_ = _e4720;
-                                        phi_3987_ = f32();
-                                        phi_3988_ = false;
-                                        phi_3989_ = _e4723;
-                                        phi_3990_ = _e4721;
-                                    } else {
-                                        let _e4563 = local_9.member[0u];
-                                        let _e4566 = local_9.member_1[0u];
-                                        let _e4569 = local_9.member[0u];
-                                        let _e4575 = local_9.member_2[0u];
-                                        let _e4576 = ((_e4563 + ((_e4566 - _e4569) * _e3748)) - _e4575);
-                                        let _e4579 = local_9.member[1u];
-                                        let _e4582 = local_9.member_1[1u];
-                                        let _e4585 = local_9.member[1u];
-                                        let _e4591 = local_9.member_2[1u];
-                                        let _e4592 = ((_e4579 + ((_e4582 - _e4585) * _e3748)) - _e4591);
-                                        if (_e4576 < _e4592) {
-                                            phi_3737_ = _e4576;
-                                        } else {
-                                            phi_3737_ = _e4592;
-                                        }
-                                        let _e4595 = phi_3737_;
-                                        let _e4598 = local_9.member[2u];
-                                        let _e4601 = local_9.member_1[2u];
-                                        let _e4604 = local_9.member[2u];
-                                        let _e4610 = local_9.member_2[2u];
-                                        let _e4611 = ((_e4598 + ((_e4601 - _e4604) * _e3748)) - _e4610);
-                                        let _e4614 = local_9.member[3u];
-                                        let _e4617 = local_9.member_1[3u];
-                                        let _e4620 = local_9.member[3u];
-                                        let _e4626 = local_9.member_2[3u];
-                                        let _e4627 = ((_e4614 + ((_e4617 - _e4620) * _e3748)) - _e4626);
-                                        if (_e4611 < _e4627) {
-                                            phi_3810_ = _e4611;
-                                        } else {
-                                            phi_3810_ = _e4627;
-                                        }
-                                        let _e4630 = phi_3810_;
-                                        if (_e4595 < _e4630) {
-                                            phi_3815_ = _e4595;
-                                        } else {
-                                            phi_3815_ = _e4630;
-                                        }
-                                        let _e4633 = phi_3815_;
-                                        let _e4636 = local_10.member[0u];
-                                        let _e4639 = local_10.member_1[0u];
-                                        let _e4642 = local_10.member[0u];
-                                        let _e4648 = local_10.member_2[0u];
-                                        let _e4649 = ((_e4636 + ((_e4639 - _e4642) * _e3744)) - _e4648);
-                                        let _e4652 = local_10.member[1u];
-                                        let _e4655 = local_10.member_1[1u];
-                                        let _e4658 = local_10.member[1u];
-                                        let _e4664 = local_10.member_2[1u];
-                                        let _e4665 = ((_e4652 + ((_e4655 - _e4658) * _e3744)) - _e4664);
-                                        if (_e4649 < _e4665) {
-                                            phi_3888_ = _e4649;
-                                        } else {
-                                            phi_3888_ = _e4665;
-                                        }
-                                        let _e4668 = phi_3888_;
-                                        let _e4671 = local_10.member[2u];
-                                        let _e4674 = local_10.member_1[2u];
-                                        let _e4677 = local_10.member[2u];
-                                        let _e4683 = local_10.member_2[2u];
-                                        let _e4684 = ((_e4671 + ((_e4674 - _e4677) * _e3744)) - _e4683);
-                                        let _e4687 = local_10.member[3u];
-                                        let _e4690 = local_10.member_1[3u];
-                                        let _e4693 = local_10.member[3u];
-                                        let _e4699 = local_10.member_2[3u];
-                                        let _e4700 = ((_e4687 + ((_e4690 - _e4693) * _e3744)) - _e4699);
-                                        if (_e4684 < _e4700) {
-                                            phi_3961_ = _e4684;
-                                        } else {
-                                            phi_3961_ = _e4700;
-                                        }
-                                        let _e4703 = phi_3961_;
-                                        if (_e4668 < _e4703) {
-                                            phi_3966_ = _e4668;
-                                        } else {
-                                            phi_3966_ = _e4703;
-                                        }
-                                        let _e4706 = phi_3966_;
-                                        if (_e4706 > 0f) {
-                                            phi_3984_ = 0.5f;
-                                        } else {
-                                            let _e4710 = (0.95f * (_e4633 / (_e4633 - _e4706)));
-                                            if (_e4710 > 0.0625f) {
-                                                if (_e4710 < 0.9f) {
-                                                    phi_3982_ = _e4710;
-                                                } else {
-                                                    phi_3982_ = 0.9f;
-                                                }
-                                                let _e4714 = phi_3982_;
-                                                phi_3983_ = _e4714;
+                                                let _e4517 = phi_3574_;
+                                                phi_3575_ = _e4517;
                                             } else {
-                                                phi_3983_ = 0.0625f;
+                                                phi_3575_ = true;
                                             }
-                                            let _e4716 = phi_3983_;
-                                            phi_3984_ = _e4716;
+                                            let _e4519 = phi_3575_;
+                                            if _e4519 {
+                                                let _e4520 = (_e4510 >= _e4507);
+                                                if _e4520 {
+                                                    phi_3597_ = f32();
+                                                    phi_3598_ = false;
+                                                } else {
+                                                    if ((_e4507 - _e4510) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3595_ = (((_e4507 - _e4513) / (_e4507 - _e4510)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3596_ = false;
+                                                    } else {
+                                                        phi_3595_ = f32();
+                                                        phi_3596_ = true;
+                                                    }
+                                                    let _e4531 = phi_3595_;
+                                                    let _e4533 = phi_3596_;
+                                                    phi_3597_ = _e4531;
+                                                    phi_3598_ = _e4533;
+                                                }
+                                                let _e4535 = phi_3597_;
+                                                let _e4537 = phi_3598_;
+                                                phi_3599_ = _e4535;
+                                                phi_3600_ = _e4520;
+                                                phi_3601_ = _e4537;
+                                            } else {
+                                                phi_3599_ = f32();
+                                                phi_3600_ = true;
+                                                phi_3601_ = false;
+                                            }
+                                            let _e4539 = phi_3599_;
+                                            let _e4541 = phi_3600_;
+                                            let _e4543 = phi_3601_;
+                                            if _e4541 {
+                                                phi_3605_ = 2f;
+                                                phi_3606_ = true;
+                                            } else {
+                                                phi_3605_ = _e3784;
+                                                phi_3606_ = _e4543;
+                                            }
+                                            let _e4545 = phi_3605_;
+                                            let _e4547 = phi_3606_;
+                                            if _e4547 {
+                                                phi_3610_ = _e4545;
+                                            } else {
+                                                phi_3610_ = _e4539;
+                                            }
+                                            let _e4549 = phi_3610_;
+                                            if (_e4504 < _e4549) {
+                                                phi_3615_ = _e4504;
+                                            } else {
+                                                phi_3615_ = _e4549;
+                                            }
+                                            let _e4552 = phi_3615_;
+                                            if (_e4459 < _e4552) {
+                                                phi_3620_ = _e4459;
+                                            } else {
+                                                phi_3620_ = _e4552;
+                                            }
+                                            let _e4555 = phi_3620_;
+                                            if (_e4555 > _e3784) {
+                                                phi_3625_ = _e4555;
+                                            } else {
+                                                phi_3625_ = _e3784;
+                                            }
+                                            let _e4558 = phi_3625_;
+                                            let _e4559 = (_e4558 > 1f);
+                                            if _e4559 {
+                                                phi_4129_ = f32();
+                                                phi_4130_ = f32();
+                                                phi_4131_ = false;
+                                                phi_4132_ = false;
+                                            } else {
+                                                let _e4560 = (_e4558 - _e3784);
+                                                let _e4561 = (_e4560 <= 0.0000000037252903f);
+                                                let _e4562 = (_e4558 + 0.00000001f);
+                                                if (_e4562 < 1f) {
+                                                    phi_3637_ = _e4562;
+                                                } else {
+                                                    phi_3637_ = 1f;
+                                                }
+                                                let _e4565 = phi_3637_;
+                                                if _e4561 {
+                                                    if (_e452.member_1 > 0f) {
+                                                        let _e4569 = local_12.member[0u];
+                                                        let _e4575 = local_12.member[1u];
+                                                        let _e4591 = local_12.member_1[0u];
+                                                        let _e4597 = local_12.member_1[1u];
+                                                        let _e4613 = local_12.member_2[0u];
+                                                        let _e4619 = local_12.member_2[1u];
+                                                        let _e4633 = function_1(array<f32, 3>((_e4569[0] + ((_e4575[0] - _e4569[0]) * _e4565)), (_e4569[1] + ((_e4575[1] - _e4569[1]) * _e4565)), (_e4569[2] + ((_e4575[2] - _e4569[2]) * _e4565))), array<f32, 3>((_e4591[0] + ((_e4597[0] - _e4591[0]) * _e4565)), (_e4591[1] + ((_e4597[1] - _e4591[1]) * _e4565)), (_e4591[2] + ((_e4597[2] - _e4591[2]) * _e4565))), array<f32, 3>((_e4613[0] + ((_e4619[0] - _e4613[0]) * _e4565)), (_e4613[1] + ((_e4619[1] - _e4613[1]) * _e4565)), (_e4613[2] + ((_e4619[2] - _e4613[2]) * _e4565))), 0u);
+                                                        let _e4644 = (((_e4633[0] * _e4633[0]) + (_e4633[1] * _e4633[1])) + (_e4633[2] * _e4633[2]));
+                                                        if (_e4644 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            if (_e4644 > 0f) {
+                                                                phi_3767_ = (0.000000000000000000106433627f * 2f);
+                                                            } else {
+                                                                phi_3767_ = 0f;
+                                                            }
+                                                            let _e4697 = phi_3767_;
+                                                            phi_3831_ = _e4697;
+                                                        } else {
+                                                            phi_3774_ = type_14(0i, 5i);
+                                                            phi_3777_ = bitcast<f32>(((bitcast<u32>(_e4644) >> bitcast<u32>(1i)) + 532369198u));
+                                                            loop {
+                                                                let _e4652 = phi_3774_;
+                                                                let _e4654 = phi_3777_;
+                                                                local_25 = _e4654;
+                                                                if (_e4652.member < _e4652.member_1) {
+                                                                    let _e4661 = (_e4652.member + 1i);
+                                                                    if ((false == (_e4661 > _e4652.member)) != false) {
+                                                                        phi_3798_ = true;
+                                                                    } else {
+                                                                        phi_3798_ = false;
+                                                                    }
+                                                                    let _e4666 = phi_3798_;
+                                                                    if _e4666 {
+                                                                        phi_3804_ = type_15(0u, type_15().member_1);
+                                                                    } else {
+                                                                        phi_3804_ = type_15(1u, _e4661);
+                                                                    }
+                                                                    let _e4671 = phi_3804_;
+                                                                    phi_3775_ = type_14(_e4671.member_1, _e4652.member_1);
+                                                                    phi_3818_ = type_15(1u, _e4652.member);
+                                                                } else {
+                                                                    phi_3775_ = _e4652;
+                                                                    phi_3818_ = type_15(0u, type_15().member_1);
+                                                                }
+                                                                let _e4677 = phi_3775_;
+                                                                let _e4679 = phi_3818_;
+                                                                let _e4682 = (bitcast<i32>(_e4679.member) != 0i);
+                                                                if _e4682 {
+                                                                    phi_3778_ = (0.5f * (_e4654 + (_e4644 / _e4654)));
+                                                                } else {
+                                                                    phi_3778_ = f32();
+                                                                }
+                                                                let _e4687 = phi_3778_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_3774_ = _e4677;
+                                                                    phi_3777_ = _e4687;
+                                                                    break if !(_e4682);
+                                                                }
+                                                            }
+                                                            let _e4692 = local_25;
+                                                            phi_3831_ = (_e4692 * (1f + (8f * 0.000000059604645f)));
+                                                        }
+                                                        let _e4699 = phi_3831_;
+                                                        let _e4705 = local_12.member[0u];
+                                                        if (_e4705[0] < 0f) {
+                                                            phi_3847_ = -(_e4705[0]);
+                                                        } else {
+                                                            phi_3847_ = _e4705[0];
+                                                        }
+                                                        let _e4712 = phi_3847_;
+                                                        if (_e4705[1] < 0f) {
+                                                            phi_3854_ = -(_e4705[1]);
+                                                        } else {
+                                                            phi_3854_ = _e4705[1];
+                                                        }
+                                                        let _e4716 = phi_3854_;
+                                                        if (_e4712 > _e4716) {
+                                                            phi_3859_ = _e4712;
+                                                        } else {
+                                                            phi_3859_ = _e4716;
+                                                        }
+                                                        let _e4719 = phi_3859_;
+                                                        if (_e4705[2] < 0f) {
+                                                            phi_3866_ = -(_e4705[2]);
+                                                        } else {
+                                                            phi_3866_ = _e4705[2];
+                                                        }
+                                                        let _e4723 = phi_3866_;
+                                                        if (_e4719 > _e4723) {
+                                                            phi_3871_ = _e4719;
+                                                        } else {
+                                                            phi_3871_ = _e4723;
+                                                        }
+                                                        let _e4726 = phi_3871_;
+                                                        let _e4729 = local_12.member[1u];
+                                                        if (_e4729[0] < 0f) {
+                                                            phi_3884_ = -(_e4729[0]);
+                                                        } else {
+                                                            phi_3884_ = _e4729[0];
+                                                        }
+                                                        let _e4736 = phi_3884_;
+                                                        if (_e4729[1] < 0f) {
+                                                            phi_3891_ = -(_e4729[1]);
+                                                        } else {
+                                                            phi_3891_ = _e4729[1];
+                                                        }
+                                                        let _e4740 = phi_3891_;
+                                                        if (_e4736 > _e4740) {
+                                                            phi_3896_ = _e4736;
+                                                        } else {
+                                                            phi_3896_ = _e4740;
+                                                        }
+                                                        let _e4743 = phi_3896_;
+                                                        if (_e4729[2] < 0f) {
+                                                            phi_3903_ = -(_e4729[2]);
+                                                        } else {
+                                                            phi_3903_ = _e4729[2];
+                                                        }
+                                                        let _e4747 = phi_3903_;
+                                                        if (_e4743 > _e4747) {
+                                                            phi_3908_ = _e4743;
+                                                        } else {
+                                                            phi_3908_ = _e4747;
+                                                        }
+                                                        let _e4750 = phi_3908_;
+                                                        if (_e4726 > _e4750) {
+                                                            phi_3913_ = _e4726;
+                                                        } else {
+                                                            phi_3913_ = _e4750;
+                                                        }
+                                                        let _e4753 = phi_3913_;
+                                                        let _e4755 = local_12.member_3;
+                                                        let _e4759 = local_12.member_1[0u];
+                                                        if (_e4759[0] < 0f) {
+                                                            phi_3930_ = -(_e4759[0]);
+                                                        } else {
+                                                            phi_3930_ = _e4759[0];
+                                                        }
+                                                        let _e4766 = phi_3930_;
+                                                        if (_e4759[1] < 0f) {
+                                                            phi_3937_ = -(_e4759[1]);
+                                                        } else {
+                                                            phi_3937_ = _e4759[1];
+                                                        }
+                                                        let _e4770 = phi_3937_;
+                                                        if (_e4766 > _e4770) {
+                                                            phi_3942_ = _e4766;
+                                                        } else {
+                                                            phi_3942_ = _e4770;
+                                                        }
+                                                        let _e4773 = phi_3942_;
+                                                        if (_e4759[2] < 0f) {
+                                                            phi_3949_ = -(_e4759[2]);
+                                                        } else {
+                                                            phi_3949_ = _e4759[2];
+                                                        }
+                                                        let _e4777 = phi_3949_;
+                                                        if (_e4773 > _e4777) {
+                                                            phi_3954_ = _e4773;
+                                                        } else {
+                                                            phi_3954_ = _e4777;
+                                                        }
+                                                        let _e4780 = phi_3954_;
+                                                        let _e4783 = local_12.member_1[1u];
+                                                        if (_e4783[0] < 0f) {
+                                                            phi_3968_ = -(_e4783[0]);
+                                                        } else {
+                                                            phi_3968_ = _e4783[0];
+                                                        }
+                                                        let _e4790 = phi_3968_;
+                                                        if (_e4783[1] < 0f) {
+                                                            phi_3975_ = -(_e4783[1]);
+                                                        } else {
+                                                            phi_3975_ = _e4783[1];
+                                                        }
+                                                        let _e4794 = phi_3975_;
+                                                        if (_e4790 > _e4794) {
+                                                            phi_3980_ = _e4790;
+                                                        } else {
+                                                            phi_3980_ = _e4794;
+                                                        }
+                                                        let _e4797 = phi_3980_;
+                                                        if (_e4783[2] < 0f) {
+                                                            phi_3987_ = -(_e4783[2]);
+                                                        } else {
+                                                            phi_3987_ = _e4783[2];
+                                                        }
+                                                        let _e4801 = phi_3987_;
+                                                        if (_e4797 > _e4801) {
+                                                            phi_3992_ = _e4797;
+                                                        } else {
+                                                            phi_3992_ = _e4801;
+                                                        }
+                                                        let _e4804 = phi_3992_;
+                                                        if (_e4780 > _e4804) {
+                                                            phi_3997_ = _e4780;
+                                                        } else {
+                                                            phi_3997_ = _e4804;
+                                                        }
+                                                        let _e4807 = phi_3997_;
+                                                        let _e4809 = local_12.member_3;
+                                                        let _e4813 = local_12.member_2[0u];
+                                                        if (_e4813[0] < 0f) {
+                                                            phi_4014_ = -(_e4813[0]);
+                                                        } else {
+                                                            phi_4014_ = _e4813[0];
+                                                        }
+                                                        let _e4820 = phi_4014_;
+                                                        if (_e4813[1] < 0f) {
+                                                            phi_4021_ = -(_e4813[1]);
+                                                        } else {
+                                                            phi_4021_ = _e4813[1];
+                                                        }
+                                                        let _e4824 = phi_4021_;
+                                                        if (_e4820 > _e4824) {
+                                                            phi_4026_ = _e4820;
+                                                        } else {
+                                                            phi_4026_ = _e4824;
+                                                        }
+                                                        let _e4827 = phi_4026_;
+                                                        if (_e4813[2] < 0f) {
+                                                            phi_4033_ = -(_e4813[2]);
+                                                        } else {
+                                                            phi_4033_ = _e4813[2];
+                                                        }
+                                                        let _e4831 = phi_4033_;
+                                                        if (_e4827 > _e4831) {
+                                                            phi_4038_ = _e4827;
+                                                        } else {
+                                                            phi_4038_ = _e4831;
+                                                        }
+                                                        let _e4834 = phi_4038_;
+                                                        let _e4837 = local_12.member_2[1u];
+                                                        if (_e4837[0] < 0f) {
+                                                            phi_4052_ = -(_e4837[0]);
+                                                        } else {
+                                                            phi_4052_ = _e4837[0];
+                                                        }
+                                                        let _e4844 = phi_4052_;
+                                                        if (_e4837[1] < 0f) {
+                                                            phi_4059_ = -(_e4837[1]);
+                                                        } else {
+                                                            phi_4059_ = _e4837[1];
+                                                        }
+                                                        let _e4848 = phi_4059_;
+                                                        if (_e4844 > _e4848) {
+                                                            phi_4064_ = _e4844;
+                                                        } else {
+                                                            phi_4064_ = _e4848;
+                                                        }
+                                                        let _e4851 = phi_4064_;
+                                                        if (_e4837[2] < 0f) {
+                                                            phi_4071_ = -(_e4837[2]);
+                                                        } else {
+                                                            phi_4071_ = _e4837[2];
+                                                        }
+                                                        let _e4855 = phi_4071_;
+                                                        if (_e4851 > _e4855) {
+                                                            phi_4076_ = _e4851;
+                                                        } else {
+                                                            phi_4076_ = _e4855;
+                                                        }
+                                                        let _e4858 = phi_4076_;
+                                                        if (_e4834 > _e4858) {
+                                                            phi_4081_ = _e4834;
+                                                        } else {
+                                                            phi_4081_ = _e4858;
+                                                        }
+                                                        let _e4861 = phi_4081_;
+                                                        let _e4863 = local_12.member_3;
+                                                        let _e4870 = local_12.member_3;
+                                                        if (((_e4699 * (1f + (0.000000059604645f * 8f))) + (((((((_e4753 + _e4755) + (_e4807 + _e4809)) + (_e4861 + _e4863)) * (0.000000059604645f * 16f)) + (_e4870 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e452.member_1) {
+                                                            phi_4101_ = false;
+                                                        } else {
+                                                            phi_4101_ = true;
+                                                        }
+                                                        let _e4879 = phi_4101_;
+                                                        phi_4102_ = _e4879;
+                                                    } else {
+                                                        phi_4102_ = true;
+                                                    }
+                                                    let _e4881 = phi_4102_;
+                                                    phi_4103_ = _e4881;
+                                                } else {
+                                                    phi_4103_ = true;
+                                                }
+                                                let _e4883 = phi_4103_;
+                                                if _e4883 {
+                                                    if _e3792 {
+                                                        if _e4561 {
+                                                            phi_4119_ = true;
+                                                        } else {
+                                                            if (_e4560 <= (_e3788 * 0.25f)) {
+                                                                phi_4118_ = false;
+                                                            } else {
+                                                                phi_4118_ = true;
+                                                            }
+                                                            let _e4888 = phi_4118_;
+                                                            phi_4119_ = _e4888;
+                                                        }
+                                                        let _e4890 = phi_4119_;
+                                                        if _e4890 {
+                                                            phi_4124_ = (_e4106 + _e4106);
+                                                        } else {
+                                                            phi_4124_ = 0f;
+                                                        }
+                                                        let _e4893 = phi_4124_;
+                                                        phi_4126_ = _e4893;
+                                                    } else {
+                                                        phi_4126_ = (1f - _e3784);
+                                                    }
+                                                    let _e4895 = phi_4126_;
+                                                    phi_4127_ = _e4895;
+                                                    phi_4128_ = false;
+                                                } else {
+                                                    phi_4127_ = f32();
+                                                    phi_4128_ = true;
+                                                }
+                                                let _e4897 = phi_4127_;
+                                                let _e4899 = phi_4128_;
+                                                phi_4129_ = _e4897;
+                                                phi_4130_ = _e4560;
+                                                phi_4131_ = _e4883;
+                                                phi_4132_ = _e4899;
+                                            }
+                                            let _e4901 = phi_4129_;
+                                            let _e4903 = phi_4130_;
+                                            let _e4905 = phi_4131_;
+                                            let _e4907 = phi_4132_;
+                                            phi_4133_ = _e4558;
+                                            phi_4134_ = _e4901;
+                                            phi_4135_ = _e4903;
+                                            phi_4136_ = _e4558;
+                                            phi_4137_ = _e4905;
+                                            phi_4138_ = _e4559;
+                                            phi_4139_ = _e4907;
+                                            phi_4140_ = false;
+                                        } else {
+                                            phi_4133_ = f32();
+                                            phi_4134_ = f32();
+                                            phi_4135_ = f32();
+                                            phi_4136_ = f32();
+                                            phi_4137_ = false;
+                                            phi_4138_ = false;
+                                            phi_4139_ = false;
+                                            phi_4140_ = true;
                                         }
-                                        let _e4718 = phi_3984_;
-                                        phi_3986_ = u32();
-                                        phi_3987_ = (_e4064 * _e4718);
-                                        phi_3988_ = true;
-                                        phi_3989_ = false;
-                                        phi_3990_ = false;
+                                        let _e4909 = phi_4133_;
+                                        let _e4911 = phi_4134_;
+                                        let _e4913 = phi_4135_;
+                                        let _e4915 = phi_4136_;
+                                        let _e4917 = phi_4137_;
+                                        let _e4919 = phi_4138_;
+                                        let _e4921 = phi_4139_;
+                                        let _e4923 = phi_4140_;
+                                        phi_4141_ = _e4909;
+                                        phi_4142_ = _e4911;
+                                        phi_4143_ = _e4913;
+                                        phi_4144_ = _e4915;
+                                        phi_4145_ = false;
+                                        phi_4146_ = _e4917;
+                                        phi_4147_ = _e4919;
+                                        phi_4148_ = _e4921;
+                                        phi_4149_ = _e4923;
+                                    } else {
+                                        phi_4141_ = f32();
+                                        phi_4142_ = f32();
+                                        phi_4143_ = f32();
+                                        phi_4144_ = f32();
+                                        phi_4145_ = true;
+                                        phi_4146_ = false;
+                                        phi_4147_ = false;
+                                        phi_4148_ = false;
+                                        phi_4149_ = false;
                                     }
-                                    let _e4725 = phi_3986_;
-                                    let _e4727 = phi_3987_;
-                                    let _e4729 = phi_3988_;
-                                    let _e4731 = phi_3989_;
-                                    let _e4733 = phi_3990_;
-                                    phi_3991_ = _e4725;
-                                    phi_3992_ = _e3746;
-                                    phi_3993_ = _e4727;
-                                    phi_3994_ = _e3748;
-                                    phi_3995_ = _e3750;
-                                    phi_3996_ = _e3752;
-                                    phi_3997_ = _e4729;
-                                    phi_3998_ = _e4731;
-                                    phi_3999_ = _e4733;
-                                    phi_4000_ = false;
-                                    phi_4001_ = false;
+                                    let _e4925 = phi_4141_;
+                                    let _e4927 = phi_4142_;
+                                    let _e4929 = phi_4143_;
+                                    let _e4931 = phi_4144_;
+                                    let _e4933 = phi_4145_;
+                                    let _e4935 = phi_4146_;
+                                    let _e4937 = phi_4147_;
+                                    let _e4939 = phi_4148_;
+                                    let _e4941 = phi_4149_;
+                                    phi_4150_ = _e4925;
+                                    phi_4151_ = _e4927;
+                                    phi_4152_ = _e4929;
+                                    phi_4153_ = _e4931;
+                                    phi_4154_ = _e4933;
+                                    phi_4155_ = _e4935;
+                                    phi_4156_ = _e4937;
+                                    phi_4157_ = _e4939;
+                                    phi_4158_ = _e4941;
                                 } else {
-                                    phi_3991_ = u32();
-                                    phi_3992_ = _e4549;
-                                    phi_3993_ = _e4551;
-                                    phi_3994_ = _e3744;
-                                    phi_3995_ = true;
-                                    phi_3996_ = 0u;
-                                    phi_3997_ = _e4555;
-                                    phi_3998_ = false;
-                                    phi_3999_ = false;
-                                    phi_4000_ = _e4557;
-                                    phi_4001_ = _e4559;
+                                    phi_4150_ = f32();
+                                    phi_4151_ = f32();
+                                    phi_4152_ = f32();
+                                    phi_4153_ = f32();
+                                    phi_4154_ = true;
+                                    phi_4155_ = false;
+                                    phi_4156_ = false;
+                                    phi_4157_ = false;
+                                    phi_4158_ = false;
                                 }
-                                let _e4735 = phi_3991_;
-                                let _e4737 = phi_3992_;
-                                let _e4739 = phi_3993_;
-                                let _e4741 = phi_3994_;
-                                let _e4743 = phi_3995_;
-                                let _e4745 = phi_3996_;
-                                let _e4747 = phi_3997_;
-                                let _e4749 = phi_3998_;
-                                let _e4751 = phi_3999_;
-                                let _e4753 = phi_4000_;
-                                let _e4755 = phi_4001_;
-                                if _e4747 {
-                                    let _e4756 = (_e4741 + _e4739);
-                                    if (_e4756 > _e4737) {
-                                        phi_4010_ = _e4756;
+                                let _e4943 = phi_4150_;
+                                let _e4945 = phi_4151_;
+                                let _e4947 = phi_4152_;
+                                let _e4949 = phi_4153_;
+                                let _e4951 = phi_4154_;
+                                let _e4953 = phi_4155_;
+                                let _e4955 = phi_4156_;
+                                let _e4957 = phi_4157_;
+                                let _e4959 = phi_4158_;
+                                if _e4951 {
+                                    if (_e3784 <= _e3786) {
+                                        let _e5120 = (_e3794 + 1u);
+                                        let _e5121 = (_e5120 > 3u);
+                                        if _e5121 {
+                                            phi_4171_ = false;
+                                        } else {
+                                            phi_4171_ = true;
+                                        }
+                                        let _e5123 = phi_4171_;
+                                        phi_4493_ = _e5120;
+                                        phi_4494_ = f32();
+                                        phi_4495_ = false;
+                                        phi_4496_ = _e5123;
+                                        phi_4497_ = _e5121;
                                     } else {
-                                        phi_4010_ = _e4737;
+                                        let _e4963 = local_9.member[0u];
+                                        let _e4966 = local_9.member_1[0u];
+                                        let _e4969 = local_9.member[0u];
+                                        let _e4975 = local_9.member_2[0u];
+                                        let _e4976 = ((_e4963 + ((_e4966 - _e4969) * _e3790)) - _e4975);
+                                        let _e4979 = local_9.member[1u];
+                                        let _e4982 = local_9.member_1[1u];
+                                        let _e4985 = local_9.member[1u];
+                                        let _e4991 = local_9.member_2[1u];
+                                        let _e4992 = ((_e4979 + ((_e4982 - _e4985) * _e3790)) - _e4991);
+                                        if (_e4976 < _e4992) {
+                                            phi_4244_ = _e4976;
+                                        } else {
+                                            phi_4244_ = _e4992;
+                                        }
+                                        let _e4995 = phi_4244_;
+                                        let _e4998 = local_9.member[2u];
+                                        let _e5001 = local_9.member_1[2u];
+                                        let _e5004 = local_9.member[2u];
+                                        let _e5010 = local_9.member_2[2u];
+                                        let _e5011 = ((_e4998 + ((_e5001 - _e5004) * _e3790)) - _e5010);
+                                        let _e5014 = local_9.member[3u];
+                                        let _e5017 = local_9.member_1[3u];
+                                        let _e5020 = local_9.member[3u];
+                                        let _e5026 = local_9.member_2[3u];
+                                        let _e5027 = ((_e5014 + ((_e5017 - _e5020) * _e3790)) - _e5026);
+                                        if (_e5011 < _e5027) {
+                                            phi_4317_ = _e5011;
+                                        } else {
+                                            phi_4317_ = _e5027;
+                                        }
+                                        let _e5030 = phi_4317_;
+                                        if (_e4995 < _e5030) {
+                                            phi_4322_ = _e4995;
+                                        } else {
+                                            phi_4322_ = _e5030;
+                                        }
+                                        let _e5033 = phi_4322_;
+                                        let _e5036 = local_10.member[0u];
+                                        let _e5039 = local_10.member_1[0u];
+                                        let _e5042 = local_10.member[0u];
+                                        let _e5048 = local_10.member_2[0u];
+                                        let _e5049 = ((_e5036 + ((_e5039 - _e5042) * _e3784)) - _e5048);
+                                        let _e5052 = local_10.member[1u];
+                                        let _e5055 = local_10.member_1[1u];
+                                        let _e5058 = local_10.member[1u];
+                                        let _e5064 = local_10.member_2[1u];
+                                        let _e5065 = ((_e5052 + ((_e5055 - _e5058) * _e3784)) - _e5064);
+                                        if (_e5049 < _e5065) {
+                                            phi_4395_ = _e5049;
+                                        } else {
+                                            phi_4395_ = _e5065;
+                                        }
+                                        let _e5068 = phi_4395_;
+                                        let _e5071 = local_10.member[2u];
+                                        let _e5074 = local_10.member_1[2u];
+                                        let _e5077 = local_10.member[2u];
+                                        let _e5083 = local_10.member_2[2u];
+                                        let _e5084 = ((_e5071 + ((_e5074 - _e5077) * _e3784)) - _e5083);
+                                        let _e5087 = local_10.member[3u];
+                                        let _e5090 = local_10.member_1[3u];
+                                        let _e5093 = local_10.member[3u];
+                                        let _e5099 = local_10.member_2[3u];
+                                        let _e5100 = ((_e5087 + ((_e5090 - _e5093) * _e3784)) - _e5099);
+                                        if (_e5084 < _e5100) {
+                                            phi_4468_ = _e5084;
+                                        } else {
+                                            phi_4468_ = _e5100;
+                                        }
+                                        let _e5103 = phi_4468_;
+                                        if (_e5068 < _e5103) {
+                                            phi_4473_ = _e5068;
+                                        } else {
+                                            phi_4473_ = _e5103;
+                                        }
+                                        let _e5106 = phi_4473_;
+                                        if (_e5106 > 0f) {
+                                            phi_4491_ = 0.5f;
+                                        } else {
+                                            let _e5110 = (0.95f * (_e5033 / (_e5033 - _e5106)));
+                                            if (_e5110 > 0.0625f) {
+                                                if (_e5110 < 0.9f) {
+                                                    phi_4489_ = _e5110;
+                                                } else {
+                                                    phi_4489_ = 0.9f;
+                                                }
+                                                let _e5114 = phi_4489_;
+                                                phi_4490_ = _e5114;
+                                            } else {
+                                                phi_4490_ = 0.0625f;
+                                            }
+                                            let _e5116 = phi_4490_;
+                                            phi_4491_ = _e5116;
+                                        }
+                                        let _e5118 = phi_4491_;
+                                        phi_4493_ = u32();
+                                        phi_4494_ = (_e4106 * _e5118);
+                                        phi_4495_ = true;
+                                        phi_4496_ = false;
+                                        phi_4497_ = false;
                                     }
-                                    let _e4759 = phi_4010_;
-                                    if (_e4759 < 1f) {
-                                        phi_4015_ = _e4759;
-                                    } else {
-                                        phi_4015_ = 1f;
-                                    }
-                                    let _e4762 = phi_4015_;
-                                    if !(_e3750) {
-                                        phi_4024_ = true;
-                                    } else {
-                                        phi_4024_ = ((_e4762 - _e4741) > 0.0000000037252903f);
-                                    }
-                                    let _e4766 = phi_4024_;
-                                    if _e4766 {
-                                        phi_4028_ = false;
-                                    } else {
-                                        phi_4028_ = true;
-                                    }
-                                    let _e4768 = phi_4028_;
-                                    phi_4029_ = _e4762;
-                                    phi_4030_ = _e4737;
-                                    phi_4031_ = _e4741;
-                                    phi_4032_ = _e4743;
-                                    phi_4033_ = _e4745;
-                                    phi_4034_ = _e4766;
-                                    phi_4035_ = _e4768;
-                                    phi_4036_ = false;
-                                    phi_4037_ = false;
-                                    phi_4038_ = false;
+                                    let _e5125 = phi_4493_;
+                                    let _e5127 = phi_4494_;
+                                    let _e5129 = phi_4495_;
+                                    let _e5131 = phi_4496_;
+                                    let _e5133 = phi_4497_;
+                                    phi_4498_ = _e5125;
+                                    phi_4499_ = _e3786;
+                                    phi_4500_ = _e5127;
+                                    phi_4501_ = _e3788;
+                                    phi_4502_ = _e3790;
+                                    phi_4503_ = _e3792;
+                                    phi_4504_ = _e3794;
+                                    phi_4505_ = _e5129;
+                                    phi_4506_ = _e5131;
+                                    phi_4507_ = _e5133;
+                                    phi_4508_ = false;
+                                    phi_4509_ = false;
+                                    phi_4510_ = false;
                                 } else {
-                                    phi_4029_ = _e3744;
-                                    phi_4030_ = _e3746;
-                                    phi_4031_ = _e3748;
-                                    phi_4032_ = _e3750;
-                                    phi_4033_ = _e4735;
-                                    phi_4034_ = _e4749;
-                                    phi_4035_ = false;
-                                    phi_4036_ = _e4751;
-                                    phi_4037_ = _e4753;
-                                    phi_4038_ = _e4755;
+                                    phi_4498_ = u32();
+                                    phi_4499_ = _e4943;
+                                    phi_4500_ = _e4945;
+                                    phi_4501_ = _e4947;
+                                    phi_4502_ = _e3784;
+                                    phi_4503_ = true;
+                                    phi_4504_ = 0u;
+                                    phi_4505_ = _e4953;
+                                    phi_4506_ = false;
+                                    phi_4507_ = false;
+                                    phi_4508_ = _e4955;
+                                    phi_4509_ = _e4957;
+                                    phi_4510_ = _e4959;
                                 }
-                                let _e4770 = phi_4029_;
-                                let _e4772 = phi_4030_;
-                                let _e4774 = phi_4031_;
-                                let _e4776 = phi_4032_;
-                                let _e4778 = phi_4033_;
-                                let _e4780 = phi_4034_;
-                                let _e4782 = phi_4035_;
-                                let _e4784 = phi_4036_;
-                                let _e4786 = phi_4037_;
-                                let _e4788 = phi_4038_;
-                                phi_2371_ = _e4770;
-                                phi_2373_ = _e4772;
-                                phi_2375_ = _e4774;
-                                phi_2377_ = _e4776;
-                                phi_2379_ = _e4778;
-                                phi_4039_ = _e4737;
-                                phi_4040_ = _e4780;
-                                phi_4041_ = _e4782;
-                                phi_4042_ = false;
-                                phi_4043_ = _e4784;
-                                phi_4044_ = _e4786;
-                                phi_4045_ = _e4788;
+                                let _e5135 = phi_4498_;
+                                let _e5137 = phi_4499_;
+                                let _e5139 = phi_4500_;
+                                let _e5141 = phi_4501_;
+                                let _e5143 = phi_4502_;
+                                let _e5145 = phi_4503_;
+                                let _e5147 = phi_4504_;
+                                let _e5149 = phi_4505_;
+                                let _e5151 = phi_4506_;
+                                let _e5153 = phi_4507_;
+                                let _e5155 = phi_4508_;
+                                let _e5157 = phi_4509_;
+                                let _e5159 = phi_4510_;
+                                if _e5149 {
+                                    let _e5160 = (_e5143 + _e5139);
+                                    if (_e5160 > _e5137) {
+                                        phi_4519_ = _e5160;
+                                    } else {
+                                        phi_4519_ = _e5137;
+                                    }
+                                    let _e5163 = phi_4519_;
+                                    if (_e5163 < 1f) {
+                                        phi_4524_ = _e5163;
+                                    } else {
+                                        phi_4524_ = 1f;
+                                    }
+                                    let _e5166 = phi_4524_;
+                                    if !(_e3792) {
+                                        phi_4533_ = true;
+                                    } else {
+                                        phi_4533_ = ((_e5166 - _e5143) > 0.0000000037252903f);
+                                    }
+                                    let _e5170 = phi_4533_;
+                                    if _e5170 {
+                                        phi_4537_ = false;
+                                    } else {
+                                        phi_4537_ = true;
+                                    }
+                                    let _e5172 = phi_4537_;
+                                    phi_4538_ = _e5166;
+                                    phi_4539_ = _e5137;
+                                    phi_4540_ = _e5141;
+                                    phi_4541_ = _e5143;
+                                    phi_4542_ = _e5145;
+                                    phi_4543_ = _e5147;
+                                    phi_4544_ = _e5170;
+                                    phi_4545_ = _e5172;
+                                    phi_4546_ = false;
+                                    phi_4547_ = false;
+                                    phi_4548_ = false;
+                                    phi_4549_ = false;
+                                } else {
+                                    phi_4538_ = _e3784;
+                                    phi_4539_ = _e3786;
+                                    phi_4540_ = _e3788;
+                                    phi_4541_ = _e3790;
+                                    phi_4542_ = _e3792;
+                                    phi_4543_ = _e5135;
+                                    phi_4544_ = _e5151;
+                                    phi_4545_ = false;
+                                    phi_4546_ = _e5153;
+                                    phi_4547_ = _e5155;
+                                    phi_4548_ = _e5157;
+                                    phi_4549_ = _e5159;
+                                }
+                                let _e5174 = phi_4538_;
+                                let _e5176 = phi_4539_;
+                                let _e5178 = phi_4540_;
+                                let _e5180 = phi_4541_;
+                                let _e5182 = phi_4542_;
+                                let _e5184 = phi_4543_;
+                                let _e5186 = phi_4544_;
+                                let _e5188 = phi_4545_;
+                                let _e5190 = phi_4546_;
+                                let _e5192 = phi_4547_;
+                                let _e5194 = phi_4548_;
+                                let _e5196 = phi_4549_;
+                                phi_2372_ = _e5174;
+                                phi_2374_ = _e5176;
+                                phi_2376_ = _e5178;
+                                phi_2378_ = _e5180;
+                                phi_2380_ = _e5182;
+                                phi_2382_ = _e5184;
+                                phi_4550_ = _e5137;
+                                phi_4551_ = _e4949;
+                                phi_4552_ = _e5186;
+                                phi_4553_ = _e5188;
+                                phi_4554_ = _e5190;
+                                phi_4555_ = _e5192;
+                                phi_4556_ = _e5194;
+                                phi_4557_ = false;
+                                phi_4558_ = _e5196;
                             } else {
-                                phi_2371_ = f32();
-                                phi_2373_ = f32();
-                                phi_2375_ = f32();
-                                phi_2377_ = bool();
-                                phi_2379_ = u32();
-                                phi_4039_ = f32();
-                                phi_4040_ = false;
-                                phi_4041_ = false;
-                                phi_4042_ = true;
-                                phi_4043_ = false;
-                                phi_4044_ = false;
-                                phi_4045_ = false;
+                                phi_2372_ = f32();
+                                phi_2374_ = f32();
+                                phi_2376_ = f32();
+                                phi_2378_ = f32();
+                                phi_2380_ = bool();
+                                phi_2382_ = u32();
+                                phi_4550_ = f32();
+                                phi_4551_ = f32();
+                                phi_4552_ = false;
+                                phi_4553_ = false;
+                                phi_4554_ = false;
+                                phi_4555_ = false;
+                                phi_4556_ = false;
+                                phi_4557_ = true;
+                                phi_4558_ = false;
                             }
-                            let _e4790 = phi_2371_;
-                            let _e4792 = phi_2373_;
-                            let _e4794 = phi_2375_;
-                            let _e4796 = phi_2377_;
-                            let _e4798 = phi_2379_;
-                            let _e4800 = phi_4039_;
-                            let _e4802 = phi_4040_;
-                            let _e4804 = phi_4041_;
-                            let _e4806 = phi_4042_;
-                            let _e4808 = phi_4043_;
-                            let _e4810 = phi_4044_;
-                            let _e4812 = phi_4045_;
-                            local_25 = _e4804;
-                            local_43 = _e4800;
-                            local_45 = _e4806;
-                            local_46 = _e4808;
-                            local_47 = _e4810;
-                            local_48 = _e4812;
+                            let _e5198 = phi_2372_;
+                            let _e5200 = phi_2374_;
+                            let _e5202 = phi_2376_;
+                            let _e5204 = phi_2378_;
+                            let _e5206 = phi_2380_;
+                            let _e5208 = phi_2382_;
+                            let _e5210 = phi_4550_;
+                            let _e5212 = phi_4551_;
+                            let _e5214 = phi_4552_;
+                            let _e5216 = phi_4553_;
+                            let _e5218 = phi_4554_;
+                            let _e5220 = phi_4555_;
+                            let _e5222 = phi_4556_;
+                            let _e5224 = phi_4557_;
+                            let _e5226 = phi_4558_;
+                            local_26 = _e5216;
+                            local_45 = _e5218;
+                            local_46 = _e5220;
+                            local_47 = _e5222;
+                            local_48 = _e5224;
+                            local_49 = _e5226;
+                            local_50 = _e5216;
+                            local_51 = _e5212;
+                            local_52 = _e5210;
                             continue;
                             continuing {
-                                phi_2367_ = _e3764;
-                                phi_2370_ = _e4790;
-                                phi_2372_ = _e4792;
-                                phi_2374_ = _e4794;
-                                phi_2376_ = _e4796;
-                                phi_2378_ = _e4798;
-                                break if !(_e4802);
+                                phi_2368_ = _e3806;
+                                phi_2371_ = _e5198;
+                                phi_2373_ = _e5200;
+                                phi_2375_ = _e5202;
+                                phi_2377_ = _e5204;
+                                phi_2379_ = _e5206;
+                                phi_2381_ = _e5208;
+                                break if !(_e5214);
                             }
                         }
-                        let _e4815 = local_25;
-                        if _e4815 {
-                            let _e6168 = local_43;
-                            phi_4049_ = _e6168;
-                            phi_4050_ = true;
-                            phi_4051_ = false;
-                            phi_4052_ = false;
-                            phi_4053_ = false;
+                        let _e5229 = local_26;
+                        if _e5229 {
+                            phi_4562_ = false;
+                            phi_4563_ = false;
+                            phi_4564_ = false;
+                            phi_4565_ = false;
+                            phi_4566_ = false;
                         } else {
-                            let _e6170 = local_44;
-                            phi_4049_ = _e6170;
-                            let _e6173 = local_45;
-                            phi_4050_ = _e6173;
-                            let _e6176 = local_46;
-                            phi_4051_ = _e6176;
-                            let _e6179 = local_47;
-                            phi_4052_ = _e6179;
-                            let _e6182 = local_48;
-                            phi_4053_ = _e6182;
+                            let _e6699 = local_45;
+                            phi_4562_ = _e6699;
+                            let _e6702 = local_46;
+                            phi_4563_ = _e6702;
+                            let _e6705 = local_47;
+                            phi_4564_ = _e6705;
+                            let _e6708 = local_48;
+                            phi_4565_ = _e6708;
+                            let _e6711 = local_49;
+                            phi_4566_ = _e6711;
                         }
-                        let _e4817 = phi_4049_;
-                        let _e4819 = phi_4050_;
-                        let _e4821 = phi_4051_;
-                        let _e4823 = phi_4052_;
-                        let _e4825 = phi_4053_;
-                        if _e4819 {
-                            phi_4058_ = type_35(1u, _e4817);
-                            phi_4059_ = false;
-                            phi_4060_ = false;
-                            phi_4061_ = false;
+                        let _e5231 = phi_4562_;
+                        let _e5233 = phi_4563_;
+                        let _e5235 = phi_4564_;
+                        let _e5237 = phi_4565_;
+                        let _e5239 = phi_4566_;
+                        if _e5231 {
+                            let _e5241 = local_27;
+                            phi_4571_ = type_28(1u, _e5241);
+                            phi_4572_ = false;
+                            phi_4573_ = false;
+                            phi_4574_ = false;
+                            phi_4575_ = false;
+                            phi_4576_ = false;
                         } else {
-                            phi_4058_ = type_35();
-                            phi_4059_ = _e4821;
-                            phi_4060_ = _e4823;
-                            phi_4061_ = _e4825;
+                            phi_4571_ = type_28();
+                            phi_4572_ = _e5233;
+                            phi_4573_ = _e5235;
+                            let _e6718 = local_50;
+                            phi_4574_ = _e6718;
+                            phi_4575_ = _e5237;
+                            phi_4576_ = _e5239;
                         }
-                        let _e4828 = phi_4058_;
-                        let _e4830 = phi_4059_;
-                        let _e4832 = phi_4060_;
-                        let _e4834 = phi_4061_;
-                        if _e4830 {
-                            let _e4836 = local_26;
-                            phi_4066_ = type_35(1u, _e4836);
-                            phi_4067_ = false;
-                            phi_4068_ = false;
+                        let _e5244 = phi_4571_;
+                        let _e5246 = phi_4572_;
+                        let _e5248 = phi_4573_;
+                        let _e5250 = phi_4574_;
+                        let _e5252 = phi_4575_;
+                        let _e5254 = phi_4576_;
+                        if _e5246 {
+                            phi_4581_ = type_28(0u, type_28().member_1);
+                            phi_4582_ = false;
+                            phi_4583_ = false;
+                            phi_4584_ = false;
+                            phi_4585_ = false;
+                            phi_4586_ = true;
                         } else {
-                            phi_4066_ = type_35();
-                            phi_4067_ = _e4832;
-                            phi_4068_ = _e4834;
+                            phi_4581_ = _e5244;
+                            phi_4582_ = _e5248;
+                            phi_4583_ = _e5250;
+                            phi_4584_ = _e5252;
+                            phi_4585_ = _e5254;
+                            phi_4586_ = _e5231;
                         }
-                        let _e4839 = phi_4066_;
-                        let _e4841 = phi_4067_;
-                        let _e4843 = phi_4068_;
-                        if _e4841 {
-                            phi_4073_ = type_35(0u, type_35().member_1);
-                            phi_4074_ = false;
-                            phi_4075_ = true;
+                        let _e5258 = phi_4581_;
+                        let _e5260 = phi_4582_;
+                        let _e5262 = phi_4583_;
+                        let _e5264 = phi_4584_;
+                        let _e5266 = phi_4585_;
+                        let _e5268 = phi_4586_;
+                        if _e5260 {
+                            let _e6729 = local_51;
+                            phi_4590_ = _e6729;
+                            phi_4591_ = true;
+                            phi_4592_ = false;
+                            phi_4593_ = false;
+                            phi_4594_ = false;
                         } else {
-                            phi_4073_ = _e4839;
-                            phi_4074_ = _e4843;
-                            phi_4075_ = _e4830;
+                            let _e6731 = local_52;
+                            phi_4590_ = _e6731;
+                            phi_4591_ = _e5262;
+                            phi_4592_ = _e5264;
+                            phi_4593_ = _e5266;
+                            phi_4594_ = _e5268;
                         }
-                        let _e4847 = phi_4073_;
-                        let _e4849 = phi_4074_;
-                        let _e4851 = phi_4075_;
-                        if _e4849 {
-                            phi_4080_ = type_35(0u, type_35().member_1);
-                            phi_4081_ = true;
+                        let _e5270 = phi_4590_;
+                        let _e5272 = phi_4591_;
+                        let _e5274 = phi_4592_;
+                        let _e5276 = phi_4593_;
+                        let _e5278 = phi_4594_;
+                        if _e5272 {
+                            phi_4598_ = _e5270;
+                            phi_4599_ = true;
+                            phi_4600_ = false;
+                            phi_4601_ = false;
                         } else {
-                            phi_4080_ = _e4847;
-                            phi_4081_ = _e4851;
+                            let _e6738 = local_53;
+                            phi_4598_ = _e6738;
+                            phi_4599_ = _e5274;
+                            phi_4600_ = _e5276;
+                            phi_4601_ = _e5278;
                         }
-                        let _e4855 = phi_4080_;
-                        let _e4857 = phi_4081_;
-                        if _e4857 {
-                            phi_4085_ = _e4855;
+                        let _e5280 = phi_4598_;
+                        let _e5282 = phi_4599_;
+                        let _e5284 = phi_4600_;
+                        let _e5286 = phi_4601_;
+                        if _e5282 {
+                            phi_4606_ = type_28(1u, _e5280);
+                            phi_4607_ = false;
+                            phi_4608_ = false;
                         } else {
-                            phi_4085_ = _e4828;
+                            phi_4606_ = type_28();
+                            phi_4607_ = _e5284;
+                            phi_4608_ = _e5286;
                         }
-                        let _e4859 = phi_4085_;
-                        if (_e4859.member != 0u) {
-                            local_11[0u] = 0f;
-                            local_11[1u] = (0.02f * 0.0000005f);
+                        let _e5289 = phi_4606_;
+                        let _e5291 = phi_4607_;
+                        let _e5293 = phi_4608_;
+                        if _e5291 {
+                            phi_4613_ = type_28(0u, type_28().member_1);
+                            phi_4614_ = true;
+                        } else {
+                            phi_4613_ = _e5258;
+                            phi_4614_ = _e5293;
+                        }
+                        let _e5297 = phi_4613_;
+                        let _e5299 = phi_4614_;
+                        if _e5299 {
+                            phi_4618_ = _e5297;
+                        } else {
+                            phi_4618_ = _e5289;
+                        }
+                        let _e5301 = phi_4618_;
+                        if (_e5301.member != 0u) {
+                            local_11[0u] = 0.00000001f;
+                            local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4099_ = type_9(0u, 3u);
+                            phi_4631_ = type_9(0u, 3u);
                             loop {
-                                let _e4871 = phi_4099_;
-                                if (_e4871.member < _e4871.member_1) {
-                                    phi_4100_ = type_9((_e4871.member + 1u), _e4871.member_1);
-                                    phi_4123_ = type_9(1u, _e4871.member);
+                                let _e5312 = phi_4631_;
+                                if (_e5312.member < _e5312.member_1) {
+                                    phi_4632_ = type_9((_e5312.member + 1u), _e5312.member_1);
+                                    phi_4655_ = type_9(1u, _e5312.member);
                                 } else {
-                                    phi_4100_ = _e4871;
-                                    phi_4123_ = type_9(0u, type_9().member_1);
+                                    phi_4632_ = _e5312;
+                                    phi_4655_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e4883 = phi_4100_;
-                                let _e4885 = phi_4123_;
-                                if (bitcast<i32>(_e4885.member) != 0i) {
-                                    let _e4891 = local_11[_e4885.member_1];
-                                    let _e4892 = (_e4859.member_1 + _e4891);
-                                    if (_e4892 < 1f) {
-                                        phi_4143_ = _e4892;
+                                let _e5324 = phi_4632_;
+                                let _e5326 = phi_4655_;
+                                if (bitcast<i32>(_e5326.member) != 0i) {
+                                    let _e5332 = local_11[_e5326.member_1];
+                                    let _e5333 = (_e5301.member_1 + _e5332);
+                                    if (_e5333 < 1f) {
+                                        phi_4675_ = _e5333;
                                     } else {
-                                        phi_4143_ = 1f;
+                                        phi_4675_ = 1f;
                                     }
-                                    let _e4895 = phi_4143_;
-                                    let _e4898 = local_12.member[0u];
-                                    let _e4904 = local_12.member[1u];
-                                    let _e4920 = local_12.member_1[0u];
-                                    let _e4926 = local_12.member_1[1u];
-                                    let _e4942 = local_12.member_2[0u];
-                                    let _e4948 = local_12.member_2[1u];
-                                    let _e4962 = function_1(array<f32, 3>((_e4898[0] + ((_e4904[0] - _e4898[0]) * _e4895)), (_e4898[1] + ((_e4904[1] - _e4898[1]) * _e4895)), (_e4898[2] + ((_e4904[2] - _e4898[2]) * _e4895))), array<f32, 3>((_e4920[0] + ((_e4926[0] - _e4920[0]) * _e4895)), (_e4920[1] + ((_e4926[1] - _e4920[1]) * _e4895)), (_e4920[2] + ((_e4926[2] - _e4920[2]) * _e4895))), array<f32, 3>((_e4942[0] + ((_e4948[0] - _e4942[0]) * _e4895)), (_e4942[1] + ((_e4948[1] - _e4942[1]) * _e4895)), (_e4942[2] + ((_e4948[2] - _e4942[2]) * _e4895))), 0u);
-                                    let _e4973 = (((_e4962[0] * _e4962[0]) + (_e4962[1] * _e4962[1])) + (_e4962[2] * _e4962[2]));
-                                    if (_e4973 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e4973 > 0f) {
-                                            phi_4266_ = (0.000000000000000000106433627f * 2f);
+                                    let _e5336 = phi_4675_;
+                                    let _e5339 = local_12.member[0u];
+                                    let _e5345 = local_12.member[1u];
+                                    let _e5361 = local_12.member_1[0u];
+                                    let _e5367 = local_12.member_1[1u];
+                                    let _e5383 = local_12.member_2[0u];
+                                    let _e5389 = local_12.member_2[1u];
+                                    let _e5403 = function_1(array<f32, 3>((_e5339[0] + ((_e5345[0] - _e5339[0]) * _e5336)), (_e5339[1] + ((_e5345[1] - _e5339[1]) * _e5336)), (_e5339[2] + ((_e5345[2] - _e5339[2]) * _e5336))), array<f32, 3>((_e5361[0] + ((_e5367[0] - _e5361[0]) * _e5336)), (_e5361[1] + ((_e5367[1] - _e5361[1]) * _e5336)), (_e5361[2] + ((_e5367[2] - _e5361[2]) * _e5336))), array<f32, 3>((_e5383[0] + ((_e5389[0] - _e5383[0]) * _e5336)), (_e5383[1] + ((_e5389[1] - _e5383[1]) * _e5336)), (_e5383[2] + ((_e5389[2] - _e5383[2]) * _e5336))), 0u);
+                                    let _e5414 = (((_e5403[0] * _e5403[0]) + (_e5403[1] * _e5403[1])) + (_e5403[2] * _e5403[2]));
+                                    if (_e5414 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e5414 > 0f) {
+                                            phi_4798_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_4266_ = 0f;
+                                            phi_4798_ = 0f;
                                         }
-                                        let _e5026 = phi_4266_;
-                                        phi_4330_ = _e5026;
+                                        let _e5467 = phi_4798_;
+                                        phi_4862_ = _e5467;
                                     } else {
-                                        phi_4273_ = type_14(0i, 5i);
-                                        phi_4276_ = bitcast<f32>(((bitcast<u32>(_e4973) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_4805_ = type_14(0i, 5i);
+                                        phi_4808_ = bitcast<f32>(((bitcast<u32>(_e5414) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4981 = phi_4273_;
-                                            let _e4983 = phi_4276_;
-                                            local_27 = _e4983;
-                                            if (_e4981.member < _e4981.member_1) {
-                                                let _e4990 = (_e4981.member + 1i);
-                                                if ((false == (_e4990 > _e4981.member)) != false) {
-                                                    phi_4297_ = true;
+                                            let _e5422 = phi_4805_;
+                                            let _e5424 = phi_4808_;
+                                            local_28 = _e5424;
+                                            if (_e5422.member < _e5422.member_1) {
+                                                let _e5431 = (_e5422.member + 1i);
+                                                if ((false == (_e5431 > _e5422.member)) != false) {
+                                                    phi_4829_ = true;
                                                 } else {
-                                                    phi_4297_ = false;
+                                                    phi_4829_ = false;
                                                 }
-                                                let _e4995 = phi_4297_;
-                                                if _e4995 {
-                                                    phi_4303_ = type_15(0u, type_15().member_1);
+                                                let _e5436 = phi_4829_;
+                                                if _e5436 {
+                                                    phi_4835_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_4303_ = type_15(1u, _e4990);
+                                                    phi_4835_ = type_15(1u, _e5431);
                                                 }
-                                                let _e5000 = phi_4303_;
-                                                phi_4274_ = type_14(_e5000.member_1, _e4981.member_1);
-                                                phi_4317_ = type_15(1u, _e4981.member);
+                                                let _e5441 = phi_4835_;
+                                                phi_4806_ = type_14(_e5441.member_1, _e5422.member_1);
+                                                phi_4849_ = type_15(1u, _e5422.member);
                                             } else {
-                                                phi_4274_ = _e4981;
-                                                phi_4317_ = type_15(0u, type_15().member_1);
+                                                phi_4806_ = _e5422;
+                                                phi_4849_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e5006 = phi_4274_;
-                                            let _e5008 = phi_4317_;
-                                            let _e5011 = (bitcast<i32>(_e5008.member) != 0i);
-                                            if _e5011 {
-                                                phi_4277_ = (0.5f * (_e4983 + (_e4973 / _e4983)));
+                                            let _e5447 = phi_4806_;
+                                            let _e5449 = phi_4849_;
+                                            let _e5452 = (bitcast<i32>(_e5449.member) != 0i);
+                                            if _e5452 {
+                                                phi_4809_ = (0.5f * (_e5424 + (_e5414 / _e5424)));
                                             } else {
-                                                phi_4277_ = f32();
+                                                phi_4809_ = f32();
                                             }
-                                            let _e5016 = phi_4277_;
+                                            let _e5457 = phi_4809_;
                                             continue;
                                             continuing {
-                                                phi_4273_ = _e5006;
-                                                phi_4276_ = _e5016;
-                                                break if !(_e5011);
+                                                phi_4805_ = _e5447;
+                                                phi_4808_ = _e5457;
+                                                break if !(_e5452);
                                             }
                                         }
-                                        let _e5021 = local_27;
-                                        phi_4330_ = (_e5021 * (1f + (8f * 0.000000059604645f)));
+                                        let _e5462 = local_28;
+                                        phi_4862_ = (_e5462 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e5028 = phi_4330_;
-                                    let _e5034 = local_12.member[0u];
-                                    if (_e5034[0] < 0f) {
-                                        phi_4346_ = -(_e5034[0]);
+                                    let _e5469 = phi_4862_;
+                                    let _e5475 = local_12.member[0u];
+                                    if (_e5475[0] < 0f) {
+                                        phi_4878_ = -(_e5475[0]);
                                     } else {
-                                        phi_4346_ = _e5034[0];
+                                        phi_4878_ = _e5475[0];
                                     }
-                                    let _e5041 = phi_4346_;
-                                    if (_e5034[1] < 0f) {
-                                        phi_4353_ = -(_e5034[1]);
+                                    let _e5482 = phi_4878_;
+                                    if (_e5475[1] < 0f) {
+                                        phi_4885_ = -(_e5475[1]);
                                     } else {
-                                        phi_4353_ = _e5034[1];
+                                        phi_4885_ = _e5475[1];
                                     }
-                                    let _e5045 = phi_4353_;
-                                    if (_e5041 > _e5045) {
-                                        phi_4358_ = _e5041;
+                                    let _e5486 = phi_4885_;
+                                    if (_e5482 > _e5486) {
+                                        phi_4890_ = _e5482;
                                     } else {
-                                        phi_4358_ = _e5045;
+                                        phi_4890_ = _e5486;
                                     }
-                                    let _e5048 = phi_4358_;
-                                    if (_e5034[2] < 0f) {
-                                        phi_4365_ = -(_e5034[2]);
+                                    let _e5489 = phi_4890_;
+                                    if (_e5475[2] < 0f) {
+                                        phi_4897_ = -(_e5475[2]);
                                     } else {
-                                        phi_4365_ = _e5034[2];
+                                        phi_4897_ = _e5475[2];
                                     }
-                                    let _e5052 = phi_4365_;
-                                    if (_e5048 > _e5052) {
-                                        phi_4370_ = _e5048;
+                                    let _e5493 = phi_4897_;
+                                    if (_e5489 > _e5493) {
+                                        phi_4902_ = _e5489;
                                     } else {
-                                        phi_4370_ = _e5052;
+                                        phi_4902_ = _e5493;
                                     }
-                                    let _e5055 = phi_4370_;
-                                    let _e5058 = local_12.member[1u];
-                                    if (_e5058[0] < 0f) {
-                                        phi_4383_ = -(_e5058[0]);
+                                    let _e5496 = phi_4902_;
+                                    let _e5499 = local_12.member[1u];
+                                    if (_e5499[0] < 0f) {
+                                        phi_4915_ = -(_e5499[0]);
                                     } else {
-                                        phi_4383_ = _e5058[0];
+                                        phi_4915_ = _e5499[0];
                                     }
-                                    let _e5065 = phi_4383_;
-                                    if (_e5058[1] < 0f) {
-                                        phi_4390_ = -(_e5058[1]);
+                                    let _e5506 = phi_4915_;
+                                    if (_e5499[1] < 0f) {
+                                        phi_4922_ = -(_e5499[1]);
                                     } else {
-                                        phi_4390_ = _e5058[1];
+                                        phi_4922_ = _e5499[1];
                                     }
-                                    let _e5069 = phi_4390_;
-                                    if (_e5065 > _e5069) {
-                                        phi_4395_ = _e5065;
+                                    let _e5510 = phi_4922_;
+                                    if (_e5506 > _e5510) {
+                                        phi_4927_ = _e5506;
                                     } else {
-                                        phi_4395_ = _e5069;
+                                        phi_4927_ = _e5510;
                                     }
-                                    let _e5072 = phi_4395_;
-                                    if (_e5058[2] < 0f) {
-                                        phi_4402_ = -(_e5058[2]);
+                                    let _e5513 = phi_4927_;
+                                    if (_e5499[2] < 0f) {
+                                        phi_4934_ = -(_e5499[2]);
                                     } else {
-                                        phi_4402_ = _e5058[2];
+                                        phi_4934_ = _e5499[2];
                                     }
-                                    let _e5076 = phi_4402_;
-                                    if (_e5072 > _e5076) {
-                                        phi_4407_ = _e5072;
+                                    let _e5517 = phi_4934_;
+                                    if (_e5513 > _e5517) {
+                                        phi_4939_ = _e5513;
                                     } else {
-                                        phi_4407_ = _e5076;
+                                        phi_4939_ = _e5517;
                                     }
-                                    let _e5079 = phi_4407_;
-                                    if (_e5055 > _e5079) {
-                                        phi_4412_ = _e5055;
+                                    let _e5520 = phi_4939_;
+                                    if (_e5496 > _e5520) {
+                                        phi_4944_ = _e5496;
                                     } else {
-                                        phi_4412_ = _e5079;
+                                        phi_4944_ = _e5520;
                                     }
-                                    let _e5082 = phi_4412_;
-                                    let _e5084 = local_12.member_3;
-                                    let _e5088 = local_12.member_1[0u];
-                                    if (_e5088[0] < 0f) {
-                                        phi_4429_ = -(_e5088[0]);
+                                    let _e5523 = phi_4944_;
+                                    let _e5525 = local_12.member_3;
+                                    let _e5529 = local_12.member_1[0u];
+                                    if (_e5529[0] < 0f) {
+                                        phi_4961_ = -(_e5529[0]);
                                     } else {
-                                        phi_4429_ = _e5088[0];
+                                        phi_4961_ = _e5529[0];
                                     }
-                                    let _e5095 = phi_4429_;
-                                    if (_e5088[1] < 0f) {
-                                        phi_4436_ = -(_e5088[1]);
+                                    let _e5536 = phi_4961_;
+                                    if (_e5529[1] < 0f) {
+                                        phi_4968_ = -(_e5529[1]);
                                     } else {
-                                        phi_4436_ = _e5088[1];
+                                        phi_4968_ = _e5529[1];
                                     }
-                                    let _e5099 = phi_4436_;
-                                    if (_e5095 > _e5099) {
-                                        phi_4441_ = _e5095;
+                                    let _e5540 = phi_4968_;
+                                    if (_e5536 > _e5540) {
+                                        phi_4973_ = _e5536;
                                     } else {
-                                        phi_4441_ = _e5099;
+                                        phi_4973_ = _e5540;
                                     }
-                                    let _e5102 = phi_4441_;
-                                    if (_e5088[2] < 0f) {
-                                        phi_4448_ = -(_e5088[2]);
+                                    let _e5543 = phi_4973_;
+                                    if (_e5529[2] < 0f) {
+                                        phi_4980_ = -(_e5529[2]);
                                     } else {
-                                        phi_4448_ = _e5088[2];
+                                        phi_4980_ = _e5529[2];
                                     }
-                                    let _e5106 = phi_4448_;
-                                    if (_e5102 > _e5106) {
-                                        phi_4453_ = _e5102;
+                                    let _e5547 = phi_4980_;
+                                    if (_e5543 > _e5547) {
+                                        phi_4985_ = _e5543;
                                     } else {
-                                        phi_4453_ = _e5106;
+                                        phi_4985_ = _e5547;
                                     }
-                                    let _e5109 = phi_4453_;
-                                    let _e5112 = local_12.member_1[1u];
-                                    if (_e5112[0] < 0f) {
-                                        phi_4467_ = -(_e5112[0]);
+                                    let _e5550 = phi_4985_;
+                                    let _e5553 = local_12.member_1[1u];
+                                    if (_e5553[0] < 0f) {
+                                        phi_4999_ = -(_e5553[0]);
                                     } else {
-                                        phi_4467_ = _e5112[0];
+                                        phi_4999_ = _e5553[0];
                                     }
-                                    let _e5119 = phi_4467_;
-                                    if (_e5112[1] < 0f) {
-                                        phi_4474_ = -(_e5112[1]);
+                                    let _e5560 = phi_4999_;
+                                    if (_e5553[1] < 0f) {
+                                        phi_5006_ = -(_e5553[1]);
                                     } else {
-                                        phi_4474_ = _e5112[1];
+                                        phi_5006_ = _e5553[1];
                                     }
-                                    let _e5123 = phi_4474_;
-                                    if (_e5119 > _e5123) {
-                                        phi_4479_ = _e5119;
+                                    let _e5564 = phi_5006_;
+                                    if (_e5560 > _e5564) {
+                                        phi_5011_ = _e5560;
                                     } else {
-                                        phi_4479_ = _e5123;
+                                        phi_5011_ = _e5564;
                                     }
-                                    let _e5126 = phi_4479_;
-                                    if (_e5112[2] < 0f) {
-                                        phi_4486_ = -(_e5112[2]);
+                                    let _e5567 = phi_5011_;
+                                    if (_e5553[2] < 0f) {
+                                        phi_5018_ = -(_e5553[2]);
                                     } else {
-                                        phi_4486_ = _e5112[2];
+                                        phi_5018_ = _e5553[2];
                                     }
-                                    let _e5130 = phi_4486_;
-                                    if (_e5126 > _e5130) {
-                                        phi_4491_ = _e5126;
+                                    let _e5571 = phi_5018_;
+                                    if (_e5567 > _e5571) {
+                                        phi_5023_ = _e5567;
                                     } else {
-                                        phi_4491_ = _e5130;
+                                        phi_5023_ = _e5571;
                                     }
-                                    let _e5133 = phi_4491_;
-                                    if (_e5109 > _e5133) {
-                                        phi_4496_ = _e5109;
+                                    let _e5574 = phi_5023_;
+                                    if (_e5550 > _e5574) {
+                                        phi_5028_ = _e5550;
                                     } else {
-                                        phi_4496_ = _e5133;
+                                        phi_5028_ = _e5574;
                                     }
-                                    let _e5136 = phi_4496_;
-                                    let _e5138 = local_12.member_3;
-                                    let _e5142 = local_12.member_2[0u];
-                                    if (_e5142[0] < 0f) {
-                                        phi_4513_ = -(_e5142[0]);
+                                    let _e5577 = phi_5028_;
+                                    let _e5579 = local_12.member_3;
+                                    let _e5583 = local_12.member_2[0u];
+                                    if (_e5583[0] < 0f) {
+                                        phi_5045_ = -(_e5583[0]);
                                     } else {
-                                        phi_4513_ = _e5142[0];
+                                        phi_5045_ = _e5583[0];
                                     }
-                                    let _e5149 = phi_4513_;
-                                    if (_e5142[1] < 0f) {
-                                        phi_4520_ = -(_e5142[1]);
+                                    let _e5590 = phi_5045_;
+                                    if (_e5583[1] < 0f) {
+                                        phi_5052_ = -(_e5583[1]);
                                     } else {
-                                        phi_4520_ = _e5142[1];
+                                        phi_5052_ = _e5583[1];
                                     }
-                                    let _e5153 = phi_4520_;
-                                    if (_e5149 > _e5153) {
-                                        phi_4525_ = _e5149;
+                                    let _e5594 = phi_5052_;
+                                    if (_e5590 > _e5594) {
+                                        phi_5057_ = _e5590;
                                     } else {
-                                        phi_4525_ = _e5153;
+                                        phi_5057_ = _e5594;
                                     }
-                                    let _e5156 = phi_4525_;
-                                    if (_e5142[2] < 0f) {
-                                        phi_4532_ = -(_e5142[2]);
+                                    let _e5597 = phi_5057_;
+                                    if (_e5583[2] < 0f) {
+                                        phi_5064_ = -(_e5583[2]);
                                     } else {
-                                        phi_4532_ = _e5142[2];
+                                        phi_5064_ = _e5583[2];
                                     }
-                                    let _e5160 = phi_4532_;
-                                    if (_e5156 > _e5160) {
-                                        phi_4537_ = _e5156;
+                                    let _e5601 = phi_5064_;
+                                    if (_e5597 > _e5601) {
+                                        phi_5069_ = _e5597;
                                     } else {
-                                        phi_4537_ = _e5160;
+                                        phi_5069_ = _e5601;
                                     }
-                                    let _e5163 = phi_4537_;
-                                    let _e5166 = local_12.member_2[1u];
-                                    if (_e5166[0] < 0f) {
-                                        phi_4551_ = -(_e5166[0]);
+                                    let _e5604 = phi_5069_;
+                                    let _e5607 = local_12.member_2[1u];
+                                    if (_e5607[0] < 0f) {
+                                        phi_5083_ = -(_e5607[0]);
                                     } else {
-                                        phi_4551_ = _e5166[0];
+                                        phi_5083_ = _e5607[0];
                                     }
-                                    let _e5173 = phi_4551_;
-                                    if (_e5166[1] < 0f) {
-                                        phi_4558_ = -(_e5166[1]);
+                                    let _e5614 = phi_5083_;
+                                    if (_e5607[1] < 0f) {
+                                        phi_5090_ = -(_e5607[1]);
                                     } else {
-                                        phi_4558_ = _e5166[1];
+                                        phi_5090_ = _e5607[1];
                                     }
-                                    let _e5177 = phi_4558_;
-                                    if (_e5173 > _e5177) {
-                                        phi_4563_ = _e5173;
+                                    let _e5618 = phi_5090_;
+                                    if (_e5614 > _e5618) {
+                                        phi_5095_ = _e5614;
                                     } else {
-                                        phi_4563_ = _e5177;
+                                        phi_5095_ = _e5618;
                                     }
-                                    let _e5180 = phi_4563_;
-                                    if (_e5166[2] < 0f) {
-                                        phi_4570_ = -(_e5166[2]);
+                                    let _e5621 = phi_5095_;
+                                    if (_e5607[2] < 0f) {
+                                        phi_5102_ = -(_e5607[2]);
                                     } else {
-                                        phi_4570_ = _e5166[2];
+                                        phi_5102_ = _e5607[2];
                                     }
-                                    let _e5184 = phi_4570_;
-                                    if (_e5180 > _e5184) {
-                                        phi_4575_ = _e5180;
+                                    let _e5625 = phi_5102_;
+                                    if (_e5621 > _e5625) {
+                                        phi_5107_ = _e5621;
                                     } else {
-                                        phi_4575_ = _e5184;
+                                        phi_5107_ = _e5625;
                                     }
-                                    let _e5187 = phi_4575_;
-                                    if (_e5163 > _e5187) {
-                                        phi_4580_ = _e5163;
+                                    let _e5628 = phi_5107_;
+                                    if (_e5604 > _e5628) {
+                                        phi_5112_ = _e5604;
                                     } else {
-                                        phi_4580_ = _e5187;
+                                        phi_5112_ = _e5628;
                                     }
-                                    let _e5190 = phi_4580_;
-                                    let _e5192 = local_12.member_3;
-                                    let _e5199 = local_12.member_3;
-                                    let _e5206 = (((_e5028 * (1f + (0.000000059604645f * 8f))) + (((((((_e5082 + _e5084) + (_e5136 + _e5138)) + (_e5190 + _e5192)) * (0.000000059604645f * 16f)) + (_e5199 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e452.member_1);
-                                    if _e5206 {
-                                        phi_4600_ = false;
+                                    let _e5631 = phi_5112_;
+                                    let _e5633 = local_12.member_3;
+                                    let _e5640 = local_12.member_3;
+                                    let _e5647 = (((_e5469 * (1f + (0.000000059604645f * 8f))) + (((((((_e5523 + _e5525) + (_e5577 + _e5579)) + (_e5631 + _e5633)) * (0.000000059604645f * 16f)) + (_e5640 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e452.member_1);
+                                    if _e5647 {
+                                        phi_5132_ = false;
                                     } else {
-                                        phi_4600_ = true;
+                                        phi_5132_ = true;
                                     }
-                                    let _e5208 = phi_4600_;
-                                    phi_4601_ = _e5208;
-                                    phi_4602_ = _e5206;
+                                    let _e5649 = phi_5132_;
+                                    phi_5133_ = _e5649;
+                                    phi_5134_ = _e5647;
                                 } else {
-                                    phi_4601_ = false;
-                                    phi_4602_ = false;
+                                    phi_5133_ = false;
+                                    phi_5134_ = false;
                                 }
-                                let _e5210 = phi_4601_;
-                                let _e5212 = phi_4602_;
-                                local_28 = _e5212;
+                                let _e5651 = phi_5133_;
+                                let _e5653 = phi_5134_;
+                                local_29 = _e5653;
                                 continue;
                                 continuing {
-                                    phi_4099_ = _e4883;
-                                    break if !(_e5210);
+                                    phi_4631_ = _e5324;
+                                    break if !(_e5651);
                                 }
                             }
-                            let _e5215 = local_28;
-                            if _e5215 {
-                                phi_4607_ = type_35(1u, _e4859.member_1);
-                                phi_4608_ = false;
+                            let _e5656 = local_29;
+                            if _e5656 {
+                                phi_5139_ = type_28(1u, _e5301.member_1);
+                                phi_5140_ = false;
                             } else {
-                                phi_4607_ = type_35();
-                                phi_4608_ = true;
+                                phi_5139_ = type_28();
+                                phi_5140_ = true;
                             }
-                            let _e5218 = phi_4607_;
-                            let _e5220 = phi_4608_;
-                            if _e5220 {
-                                phi_4613_ = type_35(2u, _e4859.member_1);
-                                phi_4614_ = false;
+                            let _e5659 = phi_5139_;
+                            let _e5661 = phi_5140_;
+                            if _e5661 {
+                                phi_5145_ = type_28(2u, _e5301.member_1);
+                                phi_5146_ = false;
                             } else {
-                                phi_4613_ = type_35();
-                                phi_4614_ = true;
+                                phi_5145_ = type_28();
+                                phi_5146_ = true;
                             }
-                            let _e5223 = phi_4613_;
-                            let _e5225 = phi_4614_;
-                            phi_4616_ = _e5223;
-                            phi_4617_ = _e5218;
-                            phi_4618_ = _e5225;
+                            let _e5664 = phi_5145_;
+                            let _e5666 = phi_5146_;
+                            phi_5148_ = _e5664;
+                            phi_5149_ = _e5659;
+                            phi_5150_ = _e5666;
                         } else {
-                            phi_4616_ = type_35();
-                            phi_4617_ = type_35(0u, type_35().member_1);
-                            phi_4618_ = true;
+                            phi_5148_ = type_28();
+                            phi_5149_ = type_28(0u, type_28().member_1);
+                            phi_5150_ = true;
                         }
-                        let _e5227 = phi_4616_;
-                        let _e5229 = phi_4617_;
-                        let _e5231 = phi_4618_;
-                        if _e5231 {
-                            phi_4622_ = _e5229;
+                        let _e5668 = phi_5148_;
+                        let _e5670 = phi_5149_;
+                        let _e5672 = phi_5150_;
+                        if _e5672 {
+                            phi_5154_ = _e5670;
                         } else {
-                            phi_4622_ = _e5227;
+                            phi_5154_ = _e5668;
                         }
-                        let _e5233 = phi_4622_;
-                        phi_8558_ = _e5233;
+                        let _e5674 = phi_5154_;
+                        phi_9623_ = _e5674;
                     } else {
                         if (_e590 < 0f) {
-                            phi_4632_ = -(_e590);
+                            phi_5164_ = -(_e590);
                         } else {
-                            phi_4632_ = _e590;
+                            phi_5164_ = _e590;
                         }
-                        let _e933 = phi_4632_;
+                        let _e933 = phi_5164_;
                         if (_e613 < 0f) {
-                            phi_4638_ = -(_e613);
+                            phi_5170_ = -(_e613);
                         } else {
-                            phi_4638_ = _e613;
+                            phi_5170_ = _e613;
                         }
-                        let _e937 = phi_4638_;
+                        let _e937 = phi_5170_;
                         if (_e933 > _e937) {
-                            phi_4643_ = _e933;
+                            phi_5175_ = _e933;
                         } else {
-                            phi_4643_ = _e937;
+                            phi_5175_ = _e937;
                         }
-                        let _e940 = phi_4643_;
+                        let _e940 = phi_5175_;
                         if (_e636 < 0f) {
-                            phi_4649_ = -(_e636);
+                            phi_5181_ = -(_e636);
                         } else {
-                            phi_4649_ = _e636;
+                            phi_5181_ = _e636;
                         }
-                        let _e944 = phi_4649_;
+                        let _e944 = phi_5181_;
                         if (_e647 < 0f) {
-                            phi_4655_ = -(_e647);
+                            phi_5187_ = -(_e647);
                         } else {
-                            phi_4655_ = _e647;
+                            phi_5187_ = _e647;
                         }
-                        let _e948 = phi_4655_;
+                        let _e948 = phi_5187_;
                         if (_e944 > _e948) {
-                            phi_4660_ = _e944;
+                            phi_5192_ = _e944;
                         } else {
-                            phi_4660_ = _e948;
+                            phi_5192_ = _e948;
                         }
-                        let _e951 = phi_4660_;
+                        let _e951 = phi_5192_;
                         if (_e940 > _e951) {
-                            phi_4665_ = _e940;
+                            phi_5197_ = _e940;
                         } else {
-                            phi_4665_ = _e951;
+                            phi_5197_ = _e951;
                         }
-                        let _e954 = phi_4665_;
+                        let _e954 = phi_5197_;
                         let _e955 = (0.000000000000000000000000000000000000011754944f * 67108864f);
                         if (_e954 >= _e955) {
-                            phi_4673_ = (_e954 <= (1f / _e955));
+                            phi_5205_ = (_e954 <= (1f / _e955));
                         } else {
-                            phi_4673_ = false;
+                            phi_5205_ = false;
                         }
-                        let _e960 = phi_4673_;
+                        let _e960 = phi_5205_;
                         if _e960 {
-                            phi_4678_ = (0.000000059604645f * 256f);
+                            phi_5210_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_4678_ = 2f;
+                            phi_5210_ = 2f;
                         }
-                        let _e963 = phi_4678_;
+                        let _e963 = phi_5210_;
                         let _e965 = ((_e897 * 0.34f) + (_e954 * _e963));
                         if _e960 {
-                            phi_4685_ = (1f / _e954);
+                            phi_5217_ = (1f / _e954);
                         } else {
-                            phi_4685_ = 0f;
+                            phi_5217_ = 0f;
                         }
-                        let _e968 = phi_4685_;
+                        let _e968 = phi_5217_;
                         let _e974 = ((_e613 - (3f * _e590)) * _e968);
                         let _e975 = ((_e636 - _e613) * _e968);
                         let _e976 = (((3f * _e647) - _e636) * _e968);
@@ -3743,65 +4285,65 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e983 > 0f) {
                             if (_e983 <= 0.000000000000000000000000000000000000011754944f) {
                                 if (_e983 > 0f) {
-                                    phi_4718_ = (0.000000000000000000106433627f * 2f);
+                                    phi_5250_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_4718_ = 0f;
+                                    phi_5250_ = 0f;
                                 }
-                                let _e1037 = phi_4718_;
-                                phi_4782_ = _e1037;
+                                let _e1037 = phi_5250_;
+                                phi_5314_ = _e1037;
                             } else {
-                                phi_4725_ = type_14(0i, 5i);
-                                phi_4728_ = bitcast<f32>(((bitcast<u32>(_e983) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_5257_ = type_14(0i, 5i);
+                                phi_5260_ = bitcast<f32>(((bitcast<u32>(_e983) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e992 = phi_4725_;
-                                    let _e994 = phi_4728_;
+                                    let _e992 = phi_5257_;
+                                    let _e994 = phi_5260_;
                                     local_13 = _e994;
                                     if (_e992.member < _e992.member_1) {
                                         let _e1001 = (_e992.member + 1i);
                                         if ((false == (_e1001 > _e992.member)) != false) {
-                                            phi_4749_ = true;
+                                            phi_5281_ = true;
                                         } else {
-                                            phi_4749_ = false;
+                                            phi_5281_ = false;
                                         }
-                                        let _e1006 = phi_4749_;
+                                        let _e1006 = phi_5281_;
                                         if _e1006 {
-                                            phi_4755_ = type_15(0u, type_15().member_1);
+                                            phi_5287_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_4755_ = type_15(1u, _e1001);
+                                            phi_5287_ = type_15(1u, _e1001);
                                         }
-                                        let _e1011 = phi_4755_;
-                                        phi_4726_ = type_14(_e1011.member_1, _e992.member_1);
-                                        phi_4769_ = type_15(1u, _e992.member);
+                                        let _e1011 = phi_5287_;
+                                        phi_5258_ = type_14(_e1011.member_1, _e992.member_1);
+                                        phi_5301_ = type_15(1u, _e992.member);
                                     } else {
-                                        phi_4726_ = _e992;
-                                        phi_4769_ = type_15(0u, type_15().member_1);
+                                        phi_5258_ = _e992;
+                                        phi_5301_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e1017 = phi_4726_;
-                                    let _e1019 = phi_4769_;
+                                    let _e1017 = phi_5258_;
+                                    let _e1019 = phi_5301_;
                                     let _e1022 = (bitcast<i32>(_e1019.member) != 0i);
                                     if _e1022 {
-                                        phi_4729_ = (0.5f * (_e994 + (_e983 / _e994)));
+                                        phi_5261_ = (0.5f * (_e994 + (_e983 / _e994)));
                                     } else {
-                                        phi_4729_ = f32();
+                                        phi_5261_ = f32();
                                     }
-                                    let _e1027 = phi_4729_;
+                                    let _e1027 = phi_5261_;
                                     continue;
                                     continuing {
-                                        phi_4725_ = _e1017;
-                                        phi_4728_ = _e1027;
+                                        phi_5257_ = _e1017;
+                                        phi_5260_ = _e1027;
                                         break if !(_e1022);
                                     }
                                 }
                                 let _e1032 = local_13;
-                                phi_4782_ = (_e1032 * (1f + (8f * 0.000000059604645f)));
+                                phi_5314_ = (_e1032 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e1039 = phi_4782_;
+                            let _e1039 = phi_5314_;
                             if (_e975 < 0f) {
-                                phi_4788_ = -(_e1039);
+                                phi_5320_ = -(_e1039);
                             } else {
-                                phi_4788_ = _e1039;
+                                phi_5320_ = _e1039;
                             }
-                            let _e1043 = phi_4788_;
+                            let _e1043 = phi_5320_;
                             let _e1045 = -((_e975 + _e1043));
                             local_7[0u] = (_e1045 / (_e1045 + _e976));
                             local_7[1u] = (_e974 / (_e974 + _e1045));
@@ -3813,21 +4355,21 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1058;
                                 local_7[1u] = _e1060;
                             }
-                            phi_4813_ = type_9(0u, 2u);
-                            phi_4816_ = 1u;
+                            phi_5345_ = type_9(0u, 2u);
+                            phi_5348_ = 1u;
                             loop {
-                                let _e1064 = phi_4813_;
-                                let _e1066 = phi_4816_;
-                                local_29 = _e1066;
+                                let _e1064 = phi_5345_;
+                                let _e1066 = phi_5348_;
+                                local_30 = _e1066;
                                 if (_e1064.member < _e1064.member_1) {
-                                    phi_4814_ = type_9((_e1064.member + 1u), _e1064.member_1);
-                                    phi_4839_ = type_9(1u, _e1064.member);
+                                    phi_5346_ = type_9((_e1064.member + 1u), _e1064.member_1);
+                                    phi_5371_ = type_9(1u, _e1064.member);
                                 } else {
-                                    phi_4814_ = _e1064;
-                                    phi_4839_ = type_9(0u, type_9().member_1);
+                                    phi_5346_ = _e1064;
+                                    phi_5371_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1078 = phi_4814_;
-                                let _e1080 = phi_4839_;
+                                let _e1078 = phi_5346_;
+                                let _e1080 = phi_5371_;
                                 let _e1084 = (bitcast<i32>(_e1080.member) != 0i);
                                 if _e1084 {
                                     let _e1086 = local_7[_e1080.member_1];
@@ -3836,49 +4378,49 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1089 < 1f) {
                                             let _e1092 = local_7[_e1080.member_1];
                                             local_6[_e1066] = _e1092;
-                                            phi_4883_ = (_e1066 + 1u);
+                                            phi_5415_ = (_e1066 + 1u);
                                         } else {
-                                            phi_4883_ = _e1066;
+                                            phi_5415_ = _e1066;
                                         }
-                                        let _e1096 = phi_4883_;
-                                        phi_4884_ = _e1096;
+                                        let _e1096 = phi_5415_;
+                                        phi_5416_ = _e1096;
                                     } else {
-                                        phi_4884_ = _e1066;
+                                        phi_5416_ = _e1066;
                                     }
-                                    let _e1098 = phi_4884_;
-                                    phi_4817_ = _e1098;
+                                    let _e1098 = phi_5416_;
+                                    phi_5349_ = _e1098;
                                 } else {
-                                    phi_4817_ = u32();
+                                    phi_5349_ = u32();
                                 }
-                                let _e1100 = phi_4817_;
+                                let _e1100 = phi_5349_;
                                 continue;
                                 continuing {
-                                    phi_4813_ = _e1078;
-                                    phi_4816_ = _e1100;
+                                    phi_5345_ = _e1078;
+                                    phi_5348_ = _e1100;
                                     break if !(_e1084);
                                 }
                             }
-                            let _e5493 = local_29;
-                            phi_4885_ = _e5493;
+                            let _e5934 = local_30;
+                            phi_5417_ = _e5934;
                         } else {
-                            phi_4885_ = 1u;
+                            phi_5417_ = 1u;
                         }
-                        let _e1103 = phi_4885_;
+                        let _e1103 = phi_5417_;
                         local_6[_e1103] = 1f;
                         let _e1105 = local_6;
                         local_8 = _e1105;
-                        phi_4905_ = type_9(0u, _e1103);
+                        phi_5437_ = type_9(0u, _e1103);
                         loop {
-                            let _e1108 = phi_4905_;
+                            let _e1108 = phi_5437_;
                             if (_e1108.member < _e1108.member_1) {
-                                phi_4906_ = type_9((_e1108.member + 1u), _e1108.member_1);
-                                phi_4929_ = type_9(1u, _e1108.member);
+                                phi_5438_ = type_9((_e1108.member + 1u), _e1108.member_1);
+                                phi_5461_ = type_9(1u, _e1108.member);
                             } else {
-                                phi_4906_ = _e1108;
-                                phi_4929_ = type_9(0u, type_9().member_1);
+                                phi_5438_ = _e1108;
+                                phi_5461_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1120 = phi_4906_;
-                            let _e1122 = phi_4929_;
+                            let _e1120 = phi_5438_;
+                            let _e1122 = phi_5461_;
                             if (bitcast<i32>(_e1122.member) != 0i) {
                                 let _e1128 = local_8[_e1122.member_1];
                                 let _e1131 = local_8[(_e1122.member_1 + 1u)];
@@ -3887,322 +4429,322 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1144 = (1f - _e1131);
                                 let _e1155 = ((((_e590 * _e1144) + (_e613 * _e1131)) * (_e1144 * _e1144)) + (((_e636 * _e1144) + (_e647 * _e1131)) * (_e1131 * _e1131)));
                                 if (_e1143 < 0f) {
-                                    phi_4981_ = -(_e1143);
+                                    phi_5513_ = -(_e1143);
                                 } else {
-                                    phi_4981_ = _e1143;
+                                    phi_5513_ = _e1143;
                                 }
-                                let _e1159 = phi_4981_;
+                                let _e1159 = phi_5513_;
                                 let _e1160 = (_e1159 > _e965);
                                 if (_e1155 < 0f) {
-                                    phi_4988_ = -(_e1155);
+                                    phi_5520_ = -(_e1155);
                                 } else {
-                                    phi_4988_ = _e1155;
+                                    phi_5520_ = _e1155;
                                 }
-                                let _e1164 = phi_4988_;
+                                let _e1164 = phi_5520_;
                                 let _e1165 = (_e1164 > _e965);
                                 if _e1160 {
                                     if _e1165 {
-                                        phi_4999_ = ((_e1143 > 0f) != (_e1155 > 0f));
-                                        phi_5000_ = false;
+                                        phi_5531_ = ((_e1143 > 0f) != (_e1155 > 0f));
+                                        phi_5532_ = false;
                                     } else {
-                                        phi_4999_ = bool();
-                                        phi_5000_ = true;
+                                        phi_5531_ = bool();
+                                        phi_5532_ = true;
                                     }
-                                    let _e1170 = phi_4999_;
-                                    let _e1172 = phi_5000_;
-                                    phi_5001_ = _e1170;
-                                    phi_5002_ = _e1172;
+                                    let _e1170 = phi_5531_;
+                                    let _e1172 = phi_5532_;
+                                    phi_5533_ = _e1170;
+                                    phi_5534_ = _e1172;
                                 } else {
-                                    phi_5001_ = bool();
-                                    phi_5002_ = true;
+                                    phi_5533_ = bool();
+                                    phi_5534_ = true;
                                 }
-                                let _e1174 = phi_5001_;
-                                let _e1176 = phi_5002_;
+                                let _e1174 = phi_5533_;
+                                let _e1176 = phi_5534_;
                                 if _e1176 {
-                                    phi_5006_ = false;
+                                    phi_5538_ = false;
                                 } else {
-                                    phi_5006_ = _e1174;
+                                    phi_5538_ = _e1174;
                                 }
-                                let _e1178 = phi_5006_;
+                                let _e1178 = phi_5538_;
                                 if _e1160 {
                                     if _e1165 {
                                         if _e1178 {
-                                            phi_5017_ = type_37();
+                                            phi_5549_ = type_37();
                                         } else {
-                                            phi_5017_ = type_37(1f, 0f, _e1178);
+                                            phi_5549_ = type_37(1f, 0f, _e1178);
                                         }
-                                        let _e1181 = phi_5017_;
-                                        phi_5018_ = _e1181;
-                                        phi_5019_ = _e1178;
+                                        let _e1181 = phi_5549_;
+                                        phi_5550_ = _e1181;
+                                        phi_5551_ = _e1178;
                                     } else {
-                                        phi_5018_ = type_37();
-                                        phi_5019_ = true;
+                                        phi_5550_ = type_37();
+                                        phi_5551_ = true;
                                     }
-                                    let _e1183 = phi_5018_;
-                                    let _e1185 = phi_5019_;
-                                    phi_5020_ = _e1183;
-                                    phi_5021_ = _e1185;
+                                    let _e1183 = phi_5550_;
+                                    let _e1185 = phi_5551_;
+                                    phi_5552_ = _e1183;
+                                    phi_5553_ = _e1185;
                                 } else {
-                                    phi_5020_ = type_37();
-                                    phi_5021_ = true;
+                                    phi_5552_ = type_37();
+                                    phi_5553_ = true;
                                 }
-                                let _e1187 = phi_5020_;
-                                let _e1189 = phi_5021_;
+                                let _e1187 = phi_5552_;
+                                let _e1189 = phi_5553_;
                                 if _e1189 {
                                     if _e1160 {
                                         if (_e1143 < 0f) {
-                                            phi_5032_ = -1f;
+                                            phi_5564_ = -1f;
                                         } else {
-                                            phi_5032_ = 1f;
+                                            phi_5564_ = 1f;
                                         }
-                                        let _e1192 = phi_5032_;
+                                        let _e1192 = phi_5564_;
                                         let _e1195 = (_e636 - _e613);
-                                        phi_5042_ = type_9(0u, 64u);
-                                        phi_5045_ = _e1131;
-                                        phi_5047_ = _e1128;
-                                        phi_5049_ = (0.5f * (_e1128 + _e1131));
+                                        phi_5574_ = type_9(0u, 64u);
+                                        phi_5577_ = _e1131;
+                                        phi_5579_ = _e1128;
+                                        phi_5581_ = (0.5f * (_e1128 + _e1131));
                                         loop {
-                                            let _e1201 = phi_5042_;
-                                            let _e1203 = phi_5045_;
-                                            let _e1205 = phi_5047_;
-                                            let _e1207 = phi_5049_;
-                                            local_31 = _e1205;
+                                            let _e1201 = phi_5574_;
+                                            let _e1203 = phi_5577_;
+                                            let _e1205 = phi_5579_;
+                                            let _e1207 = phi_5581_;
+                                            local_32 = _e1205;
                                             if (_e1201.member < _e1201.member_1) {
-                                                phi_5043_ = type_9((_e1201.member + 1u), _e1201.member_1);
-                                                phi_5072_ = type_9(1u, _e1201.member);
+                                                phi_5575_ = type_9((_e1201.member + 1u), _e1201.member_1);
+                                                phi_5604_ = type_9(1u, _e1201.member);
                                             } else {
-                                                phi_5043_ = _e1201;
-                                                phi_5072_ = type_9(0u, type_9().member_1);
+                                                phi_5575_ = _e1201;
+                                                phi_5604_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1219 = phi_5043_;
-                                            let _e1221 = phi_5072_;
+                                            let _e1219 = phi_5575_;
+                                            let _e1221 = phi_5604_;
                                             if (bitcast<i32>(_e1221.member) != 0i) {
                                                 let _e1225 = (1f - _e1207);
                                                 let _e1238 = ((_e1192 * ((((_e590 * _e1225) + (_e613 * _e1207)) * (_e1225 * _e1225)) + (((_e636 * _e1225) + (_e647 * _e1207)) * (_e1207 * _e1207)))) - _e965);
                                                 if (_e1238 > 0f) {
-                                                    phi_5097_ = _e1203;
-                                                    phi_5098_ = _e1207;
+                                                    phi_5629_ = _e1203;
+                                                    phi_5630_ = _e1207;
                                                 } else {
-                                                    phi_5097_ = _e1207;
-                                                    phi_5098_ = _e1205;
+                                                    phi_5629_ = _e1207;
+                                                    phi_5630_ = _e1205;
                                                 }
-                                                let _e1241 = phi_5097_;
-                                                let _e1243 = phi_5098_;
+                                                let _e1241 = phi_5629_;
+                                                let _e1243 = phi_5630_;
                                                 let _e1245 = ((_e1241 - _e1243) > 0.00000000000022737368f);
                                                 if _e1245 {
                                                     let _e1246 = (1f - _e1207);
                                                     let _e1258 = (-(_e1238) / (_e1192 * (((((_e613 - (3f * _e590)) * _e1246) + (_e1195 * _e1207)) * _e1246) + (((_e1195 * _e1246) + (((3f * _e647) - _e636) * _e1207)) * _e1207))));
                                                     if (_e1238 > 0f) {
-                                                        phi_5124_ = (0.5f * 0.00000000000022737368f);
+                                                        phi_5656_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_5124_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_5656_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1264 = phi_5124_;
+                                                    let _e1264 = phi_5656_;
                                                     let _e1266 = ((_e1207 + _e1258) + _e1264);
                                                     if (_e1266 > _e1243) {
                                                         if (_e1266 < _e1241) {
                                                             if (_e1258 < 0f) {
-                                                                phi_5140_ = -(_e1258);
+                                                                phi_5672_ = -(_e1258);
                                                             } else {
-                                                                phi_5140_ = _e1258;
+                                                                phi_5672_ = _e1258;
                                                             }
-                                                            let _e1272 = phi_5140_;
+                                                            let _e1272 = phi_5672_;
                                                             if (_e1272 < (0.5f * (_e1241 - _e1243))) {
-                                                                phi_5147_ = false;
+                                                                phi_5679_ = false;
                                                             } else {
-                                                                phi_5147_ = true;
+                                                                phi_5679_ = true;
                                                             }
-                                                            let _e1277 = phi_5147_;
-                                                            phi_5148_ = _e1277;
+                                                            let _e1277 = phi_5679_;
+                                                            phi_5680_ = _e1277;
                                                         } else {
-                                                            phi_5148_ = true;
+                                                            phi_5680_ = true;
                                                         }
-                                                        let _e1279 = phi_5148_;
-                                                        phi_5149_ = _e1279;
+                                                        let _e1279 = phi_5680_;
+                                                        phi_5681_ = _e1279;
                                                     } else {
-                                                        phi_5149_ = true;
+                                                        phi_5681_ = true;
                                                     }
-                                                    let _e1281 = phi_5149_;
+                                                    let _e1281 = phi_5681_;
                                                     if _e1281 {
-                                                        phi_5155_ = (0.5f * (_e1243 + _e1241));
+                                                        phi_5687_ = (0.5f * (_e1243 + _e1241));
                                                     } else {
-                                                        phi_5155_ = _e1266;
+                                                        phi_5687_ = _e1266;
                                                     }
-                                                    let _e1285 = phi_5155_;
-                                                    phi_5156_ = _e1285;
-                                                    phi_5157_ = false;
+                                                    let _e1285 = phi_5687_;
+                                                    phi_5688_ = _e1285;
+                                                    phi_5689_ = false;
                                                 } else {
-                                                    phi_5156_ = f32();
-                                                    phi_5157_ = true;
+                                                    phi_5688_ = f32();
+                                                    phi_5689_ = true;
                                                 }
-                                                let _e1287 = phi_5156_;
-                                                let _e1289 = phi_5157_;
-                                                phi_5046_ = _e1241;
-                                                phi_5048_ = _e1243;
-                                                phi_5050_ = _e1287;
-                                                phi_5158_ = _e1243;
-                                                phi_5159_ = _e1245;
-                                                phi_5160_ = _e1289;
+                                                let _e1287 = phi_5688_;
+                                                let _e1289 = phi_5689_;
+                                                phi_5578_ = _e1241;
+                                                phi_5580_ = _e1243;
+                                                phi_5582_ = _e1287;
+                                                phi_5690_ = _e1243;
+                                                phi_5691_ = _e1245;
+                                                phi_5692_ = _e1289;
                                             } else {
-                                                phi_5046_ = f32();
-                                                phi_5048_ = f32();
-                                                phi_5050_ = f32();
-                                                phi_5158_ = f32();
-                                                phi_5159_ = false;
-                                                phi_5160_ = false;
+                                                phi_5578_ = f32();
+                                                phi_5580_ = f32();
+                                                phi_5582_ = f32();
+                                                phi_5690_ = f32();
+                                                phi_5691_ = false;
+                                                phi_5692_ = false;
                                             }
-                                            let _e1291 = phi_5046_;
-                                            let _e1293 = phi_5048_;
-                                            let _e1295 = phi_5050_;
-                                            let _e1297 = phi_5158_;
-                                            let _e1299 = phi_5159_;
-                                            let _e1301 = phi_5160_;
+                                            let _e1291 = phi_5578_;
+                                            let _e1293 = phi_5580_;
+                                            let _e1295 = phi_5582_;
+                                            let _e1297 = phi_5690_;
+                                            let _e1299 = phi_5691_;
+                                            let _e1301 = phi_5692_;
                                             local_14 = _e1301;
-                                            local_30 = _e1297;
+                                            local_31 = _e1297;
                                             continue;
                                             continuing {
-                                                phi_5042_ = _e1219;
-                                                phi_5045_ = _e1291;
-                                                phi_5047_ = _e1293;
-                                                phi_5049_ = _e1295;
+                                                phi_5574_ = _e1219;
+                                                phi_5577_ = _e1291;
+                                                phi_5579_ = _e1293;
+                                                phi_5581_ = _e1295;
                                                 break if !(_e1299);
                                             }
                                         }
                                         let _e1304 = local_14;
                                         if _e1304 {
-                                            let _e5535 = local_30;
-                                            phi_5164_ = _e5535;
+                                            let _e5976 = local_31;
+                                            phi_5696_ = _e5976;
                                         } else {
-                                            let _e5537 = local_31;
-                                            phi_5164_ = _e5537;
+                                            let _e5978 = local_32;
+                                            phi_5696_ = _e5978;
                                         }
-                                        let _e1306 = phi_5164_;
-                                        phi_5165_ = _e1306;
+                                        let _e1306 = phi_5696_;
+                                        phi_5697_ = _e1306;
                                     } else {
-                                        phi_5165_ = _e1128;
+                                        phi_5697_ = _e1128;
                                     }
-                                    let _e1308 = phi_5165_;
+                                    let _e1308 = phi_5697_;
                                     if _e1165 {
                                         if (_e1155 < 0f) {
-                                            phi_5173_ = -1f;
+                                            phi_5705_ = -1f;
                                         } else {
-                                            phi_5173_ = 1f;
+                                            phi_5705_ = 1f;
                                         }
-                                        let _e1311 = phi_5173_;
-                                        phi_5177_ = type_9(0u, 64u);
-                                        phi_5180_ = (2f * 0.00000000000022737368f);
+                                        let _e1311 = phi_5705_;
+                                        phi_5709_ = type_9(0u, 64u);
+                                        phi_5712_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1314 = phi_5177_;
-                                            let _e1316 = phi_5180_;
+                                            let _e1314 = phi_5709_;
+                                            let _e1316 = phi_5712_;
                                             if (_e1314.member < _e1314.member_1) {
-                                                phi_5178_ = type_9((_e1314.member + 1u), _e1314.member_1);
-                                                phi_5203_ = type_9(1u, _e1314.member);
+                                                phi_5710_ = type_9((_e1314.member + 1u), _e1314.member_1);
+                                                phi_5735_ = type_9(1u, _e1314.member);
                                             } else {
-                                                phi_5178_ = _e1314;
-                                                phi_5203_ = type_9(0u, type_9().member_1);
+                                                phi_5710_ = _e1314;
+                                                phi_5735_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1328 = phi_5178_;
-                                            let _e1330 = phi_5203_;
+                                            let _e1328 = phi_5710_;
+                                            let _e1330 = phi_5735_;
                                             if (bitcast<i32>(_e1330.member) != 0i) {
                                                 let _e1334 = (_e1308 + _e1316);
                                                 if (_e1334 < _e1131) {
                                                     let _e1336 = (1f - _e1334);
                                                     let _e1349 = ((_e1311 * ((((_e590 * _e1336) + (_e613 * _e1334)) * (_e1336 * _e1336)) + (((_e636 * _e1336) + (_e647 * _e1334)) * (_e1334 * _e1334)))) > _e965);
                                                     if _e1349 {
-                                                        phi_5233_ = f32();
-                                                        phi_5234_ = false;
+                                                        phi_5765_ = f32();
+                                                        phi_5766_ = false;
                                                     } else {
-                                                        phi_5233_ = (_e1316 + _e1316);
-                                                        phi_5234_ = true;
+                                                        phi_5765_ = (_e1316 + _e1316);
+                                                        phi_5766_ = true;
                                                     }
-                                                    let _e1352 = phi_5233_;
-                                                    let _e1354 = phi_5234_;
-                                                    phi_5235_ = _e1352;
-                                                    phi_5236_ = _e1354;
-                                                    phi_5237_ = _e1349;
-                                                    phi_5238_ = false;
+                                                    let _e1352 = phi_5765_;
+                                                    let _e1354 = phi_5766_;
+                                                    phi_5767_ = _e1352;
+                                                    phi_5768_ = _e1354;
+                                                    phi_5769_ = _e1349;
+                                                    phi_5770_ = false;
                                                 } else {
-                                                    phi_5235_ = f32();
-                                                    phi_5236_ = false;
-                                                    phi_5237_ = false;
-                                                    phi_5238_ = true;
+                                                    phi_5767_ = f32();
+                                                    phi_5768_ = false;
+                                                    phi_5769_ = false;
+                                                    phi_5770_ = true;
                                                 }
-                                                let _e1356 = phi_5235_;
-                                                let _e1358 = phi_5236_;
-                                                let _e1360 = phi_5237_;
-                                                let _e1362 = phi_5238_;
-                                                phi_5239_ = _e1334;
-                                                phi_5181_ = _e1356;
-                                                phi_5240_ = _e1358;
-                                                phi_5241_ = _e1360;
-                                                phi_5242_ = _e1362;
-                                                phi_5243_ = false;
+                                                let _e1356 = phi_5767_;
+                                                let _e1358 = phi_5768_;
+                                                let _e1360 = phi_5769_;
+                                                let _e1362 = phi_5770_;
+                                                phi_5771_ = _e1334;
+                                                phi_5713_ = _e1356;
+                                                phi_5772_ = _e1358;
+                                                phi_5773_ = _e1360;
+                                                phi_5774_ = _e1362;
+                                                phi_5775_ = false;
                                             } else {
-                                                phi_5239_ = f32();
-                                                phi_5181_ = f32();
-                                                phi_5240_ = false;
-                                                phi_5241_ = false;
-                                                phi_5242_ = false;
-                                                phi_5243_ = true;
+                                                phi_5771_ = f32();
+                                                phi_5713_ = f32();
+                                                phi_5772_ = false;
+                                                phi_5773_ = false;
+                                                phi_5774_ = false;
+                                                phi_5775_ = true;
                                             }
-                                            let _e1364 = phi_5239_;
-                                            let _e1366 = phi_5181_;
-                                            let _e1368 = phi_5240_;
-                                            let _e1370 = phi_5241_;
-                                            let _e1372 = phi_5242_;
-                                            let _e1374 = phi_5243_;
+                                            let _e1364 = phi_5771_;
+                                            let _e1366 = phi_5713_;
+                                            let _e1368 = phi_5772_;
+                                            let _e1370 = phi_5773_;
+                                            let _e1372 = phi_5774_;
+                                            let _e1374 = phi_5775_;
                                             local_15 = _e1370;
-                                            local_32 = _e1372;
-                                            local_33 = _e1374;
-                                            local_34 = _e1364;
+                                            local_33 = _e1372;
+                                            local_34 = _e1374;
+                                            local_35 = _e1364;
                                             continue;
                                             continuing {
-                                                phi_5177_ = _e1328;
-                                                phi_5180_ = _e1366;
+                                                phi_5709_ = _e1328;
+                                                phi_5712_ = _e1366;
                                                 break if !(_e1368);
                                             }
                                         }
                                         let _e1377 = local_15;
                                         if _e1377 {
-                                            phi_5247_ = false;
-                                            phi_5248_ = false;
+                                            phi_5779_ = false;
+                                            phi_5780_ = false;
                                         } else {
-                                            let _e5559 = local_32;
-                                            phi_5247_ = _e5559;
-                                            let _e5562 = local_33;
-                                            phi_5248_ = _e5562;
+                                            let _e6000 = local_33;
+                                            phi_5779_ = _e6000;
+                                            let _e6003 = local_34;
+                                            phi_5780_ = _e6003;
                                         }
-                                        let _e1379 = phi_5247_;
-                                        let _e1381 = phi_5248_;
+                                        let _e1379 = phi_5779_;
+                                        let _e1381 = phi_5780_;
                                         if _e1379 {
-                                            phi_5252_ = true;
+                                            phi_5784_ = true;
                                         } else {
-                                            phi_5252_ = _e1381;
+                                            phi_5784_ = _e1381;
                                         }
-                                        let _e1383 = phi_5252_;
+                                        let _e1383 = phi_5784_;
                                         if _e1383 {
-                                            phi_5256_ = _e1131;
+                                            phi_5788_ = _e1131;
                                         } else {
-                                            let _e5566 = local_34;
-                                            phi_5256_ = _e5566;
+                                            let _e6007 = local_35;
+                                            phi_5788_ = _e6007;
                                         }
-                                        let _e1385 = phi_5256_;
-                                        phi_5257_ = _e1385;
+                                        let _e1385 = phi_5788_;
+                                        phi_5789_ = _e1385;
                                     } else {
-                                        phi_5257_ = _e1131;
+                                        phi_5789_ = _e1131;
                                     }
-                                    let _e1387 = phi_5257_;
-                                    phi_5259_ = type_37(_e1308, _e1387, _e1178);
+                                    let _e1387 = phi_5789_;
+                                    phi_5791_ = type_37(_e1308, _e1387, _e1178);
                                 } else {
-                                    phi_5259_ = _e1187;
+                                    phi_5791_ = _e1187;
                                 }
-                                let _e1390 = phi_5259_;
+                                let _e1390 = phi_5791_;
                                 if (_e1390.member > _e1390.member_1) {
-                                    phi_8514_ = f32();
-                                    phi_8515_ = true;
-                                    phi_8516_ = false;
-                                    phi_8517_ = false;
-                                    phi_8518_ = false;
+                                    phi_9579_ = f32();
+                                    phi_9580_ = true;
+                                    phi_9581_ = false;
+                                    phi_9582_ = false;
+                                    phi_9583_ = false;
                                 } else {
                                     let _e1397 = ((_e1390.member_1 - _e1390.member) * 0.5f);
                                     let _e1398 = (_e1390.member + _e1397);
@@ -4210,72 +4752,72 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1402 = local_12.member_3;
                                     let _e1405 = local_12.member[0u];
                                     if (_e1405[0] < 0f) {
-                                        phi_5288_ = -(_e1405[0]);
+                                        phi_5820_ = -(_e1405[0]);
                                     } else {
-                                        phi_5288_ = _e1405[0];
+                                        phi_5820_ = _e1405[0];
                                     }
-                                    let _e1412 = phi_5288_;
+                                    let _e1412 = phi_5820_;
                                     if (_e1405[1] < 0f) {
-                                        phi_5295_ = -(_e1405[1]);
+                                        phi_5827_ = -(_e1405[1]);
                                     } else {
-                                        phi_5295_ = _e1405[1];
+                                        phi_5827_ = _e1405[1];
                                     }
-                                    let _e1416 = phi_5295_;
+                                    let _e1416 = phi_5827_;
                                     if (_e1412 > _e1416) {
-                                        phi_5300_ = _e1412;
+                                        phi_5832_ = _e1412;
                                     } else {
-                                        phi_5300_ = _e1416;
+                                        phi_5832_ = _e1416;
                                     }
-                                    let _e1419 = phi_5300_;
+                                    let _e1419 = phi_5832_;
                                     if (_e1405[2] < 0f) {
-                                        phi_5307_ = -(_e1405[2]);
+                                        phi_5839_ = -(_e1405[2]);
                                     } else {
-                                        phi_5307_ = _e1405[2];
+                                        phi_5839_ = _e1405[2];
                                     }
-                                    let _e1423 = phi_5307_;
+                                    let _e1423 = phi_5839_;
                                     if (_e1419 > _e1423) {
-                                        phi_5312_ = _e1419;
+                                        phi_5844_ = _e1419;
                                     } else {
-                                        phi_5312_ = _e1423;
+                                        phi_5844_ = _e1423;
                                     }
-                                    let _e1426 = phi_5312_;
+                                    let _e1426 = phi_5844_;
                                     let _e1428 = local_12.member[1u];
                                     if (_e1428[0] < 0f) {
-                                        phi_5325_ = -(_e1428[0]);
+                                        phi_5857_ = -(_e1428[0]);
                                     } else {
-                                        phi_5325_ = _e1428[0];
+                                        phi_5857_ = _e1428[0];
                                     }
-                                    let _e1435 = phi_5325_;
+                                    let _e1435 = phi_5857_;
                                     if (_e1428[1] < 0f) {
-                                        phi_5332_ = -(_e1428[1]);
+                                        phi_5864_ = -(_e1428[1]);
                                     } else {
-                                        phi_5332_ = _e1428[1];
+                                        phi_5864_ = _e1428[1];
                                     }
-                                    let _e1439 = phi_5332_;
+                                    let _e1439 = phi_5864_;
                                     if (_e1435 > _e1439) {
-                                        phi_5337_ = _e1435;
+                                        phi_5869_ = _e1435;
                                     } else {
-                                        phi_5337_ = _e1439;
+                                        phi_5869_ = _e1439;
                                     }
-                                    let _e1442 = phi_5337_;
+                                    let _e1442 = phi_5869_;
                                     if (_e1428[2] < 0f) {
-                                        phi_5344_ = -(_e1428[2]);
+                                        phi_5876_ = -(_e1428[2]);
                                     } else {
-                                        phi_5344_ = _e1428[2];
+                                        phi_5876_ = _e1428[2];
                                     }
-                                    let _e1446 = phi_5344_;
+                                    let _e1446 = phi_5876_;
                                     if (_e1442 > _e1446) {
-                                        phi_5349_ = _e1442;
+                                        phi_5881_ = _e1442;
                                     } else {
-                                        phi_5349_ = _e1446;
+                                        phi_5881_ = _e1446;
                                     }
-                                    let _e1449 = phi_5349_;
+                                    let _e1449 = phi_5881_;
                                     if (_e1426 > _e1449) {
-                                        phi_5354_ = _e1426;
+                                        phi_5886_ = _e1426;
                                     } else {
-                                        phi_5354_ = _e1449;
+                                        phi_5886_ = _e1449;
                                     }
-                                    let _e1452 = phi_5354_;
+                                    let _e1452 = phi_5886_;
                                     let _e1455 = local_12.member[0u];
                                     let _e1460 = local_12.member[1u];
                                     let _e1470 = (_e1455[0] + ((_e1460[0] - _e1455[0]) * _e1398));
@@ -4287,136 +4829,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1484 = (_e1474[1] - _e1479[1]);
                                     let _e1485 = (_e1474[2] - _e1479[2]);
                                     if (_e1483 < 0f) {
-                                        phi_5413_ = -(_e1483);
+                                        phi_5945_ = -(_e1483);
                                     } else {
-                                        phi_5413_ = _e1483;
+                                        phi_5945_ = _e1483;
                                     }
-                                    let _e1489 = phi_5413_;
+                                    let _e1489 = phi_5945_;
                                     if (_e1484 < 0f) {
-                                        phi_5419_ = -(_e1484);
+                                        phi_5951_ = -(_e1484);
                                     } else {
-                                        phi_5419_ = _e1484;
+                                        phi_5951_ = _e1484;
                                     }
-                                    let _e1493 = phi_5419_;
+                                    let _e1493 = phi_5951_;
                                     if (_e1489 > _e1493) {
-                                        phi_5424_ = _e1489;
+                                        phi_5956_ = _e1489;
                                     } else {
-                                        phi_5424_ = _e1493;
+                                        phi_5956_ = _e1493;
                                     }
-                                    let _e1496 = phi_5424_;
+                                    let _e1496 = phi_5956_;
                                     if (_e1485 < 0f) {
-                                        phi_5430_ = -(_e1485);
+                                        phi_5962_ = -(_e1485);
                                     } else {
-                                        phi_5430_ = _e1485;
+                                        phi_5962_ = _e1485;
                                     }
-                                    let _e1500 = phi_5430_;
+                                    let _e1500 = phi_5962_;
                                     if (_e1496 > _e1500) {
-                                        phi_5435_ = _e1496;
+                                        phi_5967_ = _e1496;
                                     } else {
-                                        phi_5435_ = _e1500;
+                                        phi_5967_ = _e1500;
                                     }
-                                    let _e1503 = phi_5435_;
+                                    let _e1503 = phi_5967_;
                                     let _e1509 = ((((_e1400 * _e1503) * 1.01f) + ((_e1452 + _e1402) * (0.000000059604645f * 8f))) + _e1402);
                                     if (_e1470 < 0f) {
-                                        phi_5447_ = -(_e1470);
+                                        phi_5979_ = -(_e1470);
                                     } else {
-                                        phi_5447_ = _e1470;
+                                        phi_5979_ = _e1470;
                                     }
-                                    let _e1513 = phi_5447_;
+                                    let _e1513 = phi_5979_;
                                     if (_e1471 < 0f) {
-                                        phi_5453_ = -(_e1471);
+                                        phi_5985_ = -(_e1471);
                                     } else {
-                                        phi_5453_ = _e1471;
+                                        phi_5985_ = _e1471;
                                     }
-                                    let _e1517 = phi_5453_;
+                                    let _e1517 = phi_5985_;
                                     if (_e1513 > _e1517) {
-                                        phi_5458_ = _e1513;
+                                        phi_5990_ = _e1513;
                                     } else {
-                                        phi_5458_ = _e1517;
+                                        phi_5990_ = _e1517;
                                     }
-                                    let _e1520 = phi_5458_;
+                                    let _e1520 = phi_5990_;
                                     if (_e1472 < 0f) {
-                                        phi_5464_ = -(_e1472);
+                                        phi_5996_ = -(_e1472);
                                     } else {
-                                        phi_5464_ = _e1472;
+                                        phi_5996_ = _e1472;
                                     }
-                                    let _e1524 = phi_5464_;
+                                    let _e1524 = phi_5996_;
                                     if (_e1520 > _e1524) {
-                                        phi_5469_ = _e1520;
+                                        phi_6001_ = _e1520;
                                     } else {
-                                        phi_5469_ = _e1524;
+                                        phi_6001_ = _e1524;
                                     }
-                                    let _e1527 = phi_5469_;
-                                    local_2 = type_27(array<f32, 3>(_e1470, _e1471, _e1472), _e1509, (_e1527 + _e1509));
+                                    let _e1527 = phi_6001_;
+                                    local_2 = type_24(array<f32, 3>(_e1470, _e1471, _e1472), _e1509, (_e1527 + _e1509));
                                     let _e1533 = local_12.member_3;
                                     let _e1535 = local_12.member_1[0u];
                                     if (_e1535[0] < 0f) {
-                                        phi_5495_ = -(_e1535[0]);
+                                        phi_6027_ = -(_e1535[0]);
                                     } else {
-                                        phi_5495_ = _e1535[0];
+                                        phi_6027_ = _e1535[0];
                                     }
-                                    let _e1542 = phi_5495_;
+                                    let _e1542 = phi_6027_;
                                     if (_e1535[1] < 0f) {
-                                        phi_5502_ = -(_e1535[1]);
+                                        phi_6034_ = -(_e1535[1]);
                                     } else {
-                                        phi_5502_ = _e1535[1];
+                                        phi_6034_ = _e1535[1];
                                     }
-                                    let _e1546 = phi_5502_;
+                                    let _e1546 = phi_6034_;
                                     if (_e1542 > _e1546) {
-                                        phi_5507_ = _e1542;
+                                        phi_6039_ = _e1542;
                                     } else {
-                                        phi_5507_ = _e1546;
+                                        phi_6039_ = _e1546;
                                     }
-                                    let _e1549 = phi_5507_;
+                                    let _e1549 = phi_6039_;
                                     if (_e1535[2] < 0f) {
-                                        phi_5514_ = -(_e1535[2]);
+                                        phi_6046_ = -(_e1535[2]);
                                     } else {
-                                        phi_5514_ = _e1535[2];
+                                        phi_6046_ = _e1535[2];
                                     }
-                                    let _e1553 = phi_5514_;
+                                    let _e1553 = phi_6046_;
                                     if (_e1549 > _e1553) {
-                                        phi_5519_ = _e1549;
+                                        phi_6051_ = _e1549;
                                     } else {
-                                        phi_5519_ = _e1553;
+                                        phi_6051_ = _e1553;
                                     }
-                                    let _e1556 = phi_5519_;
+                                    let _e1556 = phi_6051_;
                                     let _e1558 = local_12.member_1[1u];
                                     if (_e1558[0] < 0f) {
-                                        phi_5532_ = -(_e1558[0]);
+                                        phi_6064_ = -(_e1558[0]);
                                     } else {
-                                        phi_5532_ = _e1558[0];
+                                        phi_6064_ = _e1558[0];
                                     }
-                                    let _e1565 = phi_5532_;
+                                    let _e1565 = phi_6064_;
                                     if (_e1558[1] < 0f) {
-                                        phi_5539_ = -(_e1558[1]);
+                                        phi_6071_ = -(_e1558[1]);
                                     } else {
-                                        phi_5539_ = _e1558[1];
+                                        phi_6071_ = _e1558[1];
                                     }
-                                    let _e1569 = phi_5539_;
+                                    let _e1569 = phi_6071_;
                                     if (_e1565 > _e1569) {
-                                        phi_5544_ = _e1565;
+                                        phi_6076_ = _e1565;
                                     } else {
-                                        phi_5544_ = _e1569;
+                                        phi_6076_ = _e1569;
                                     }
-                                    let _e1572 = phi_5544_;
+                                    let _e1572 = phi_6076_;
                                     if (_e1558[2] < 0f) {
-                                        phi_5551_ = -(_e1558[2]);
+                                        phi_6083_ = -(_e1558[2]);
                                     } else {
-                                        phi_5551_ = _e1558[2];
+                                        phi_6083_ = _e1558[2];
                                     }
-                                    let _e1576 = phi_5551_;
+                                    let _e1576 = phi_6083_;
                                     if (_e1572 > _e1576) {
-                                        phi_5556_ = _e1572;
+                                        phi_6088_ = _e1572;
                                     } else {
-                                        phi_5556_ = _e1576;
+                                        phi_6088_ = _e1576;
                                     }
-                                    let _e1579 = phi_5556_;
+                                    let _e1579 = phi_6088_;
                                     if (_e1556 > _e1579) {
-                                        phi_5561_ = _e1556;
+                                        phi_6093_ = _e1556;
                                     } else {
-                                        phi_5561_ = _e1579;
+                                        phi_6093_ = _e1579;
                                     }
-                                    let _e1582 = phi_5561_;
+                                    let _e1582 = phi_6093_;
                                     let _e1585 = local_12.member_1[0u];
                                     let _e1590 = local_12.member_1[1u];
                                     let _e1600 = (_e1585[0] + ((_e1590[0] - _e1585[0]) * _e1398));
@@ -4428,136 +4970,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1614 = (_e1604[1] - _e1609[1]);
                                     let _e1615 = (_e1604[2] - _e1609[2]);
                                     if (_e1613 < 0f) {
-                                        phi_5620_ = -(_e1613);
+                                        phi_6152_ = -(_e1613);
                                     } else {
-                                        phi_5620_ = _e1613;
+                                        phi_6152_ = _e1613;
                                     }
-                                    let _e1619 = phi_5620_;
+                                    let _e1619 = phi_6152_;
                                     if (_e1614 < 0f) {
-                                        phi_5626_ = -(_e1614);
+                                        phi_6158_ = -(_e1614);
                                     } else {
-                                        phi_5626_ = _e1614;
+                                        phi_6158_ = _e1614;
                                     }
-                                    let _e1623 = phi_5626_;
+                                    let _e1623 = phi_6158_;
                                     if (_e1619 > _e1623) {
-                                        phi_5631_ = _e1619;
+                                        phi_6163_ = _e1619;
                                     } else {
-                                        phi_5631_ = _e1623;
+                                        phi_6163_ = _e1623;
                                     }
-                                    let _e1626 = phi_5631_;
+                                    let _e1626 = phi_6163_;
                                     if (_e1615 < 0f) {
-                                        phi_5637_ = -(_e1615);
+                                        phi_6169_ = -(_e1615);
                                     } else {
-                                        phi_5637_ = _e1615;
+                                        phi_6169_ = _e1615;
                                     }
-                                    let _e1630 = phi_5637_;
+                                    let _e1630 = phi_6169_;
                                     if (_e1626 > _e1630) {
-                                        phi_5642_ = _e1626;
+                                        phi_6174_ = _e1626;
                                     } else {
-                                        phi_5642_ = _e1630;
+                                        phi_6174_ = _e1630;
                                     }
-                                    let _e1633 = phi_5642_;
+                                    let _e1633 = phi_6174_;
                                     let _e1639 = ((((_e1400 * _e1633) * 1.01f) + ((_e1582 + _e1533) * (0.000000059604645f * 8f))) + _e1533);
                                     if (_e1600 < 0f) {
-                                        phi_5654_ = -(_e1600);
+                                        phi_6186_ = -(_e1600);
                                     } else {
-                                        phi_5654_ = _e1600;
+                                        phi_6186_ = _e1600;
                                     }
-                                    let _e1643 = phi_5654_;
+                                    let _e1643 = phi_6186_;
                                     if (_e1601 < 0f) {
-                                        phi_5660_ = -(_e1601);
+                                        phi_6192_ = -(_e1601);
                                     } else {
-                                        phi_5660_ = _e1601;
+                                        phi_6192_ = _e1601;
                                     }
-                                    let _e1647 = phi_5660_;
+                                    let _e1647 = phi_6192_;
                                     if (_e1643 > _e1647) {
-                                        phi_5665_ = _e1643;
+                                        phi_6197_ = _e1643;
                                     } else {
-                                        phi_5665_ = _e1647;
+                                        phi_6197_ = _e1647;
                                     }
-                                    let _e1650 = phi_5665_;
+                                    let _e1650 = phi_6197_;
                                     if (_e1602 < 0f) {
-                                        phi_5671_ = -(_e1602);
+                                        phi_6203_ = -(_e1602);
                                     } else {
-                                        phi_5671_ = _e1602;
+                                        phi_6203_ = _e1602;
                                     }
-                                    let _e1654 = phi_5671_;
+                                    let _e1654 = phi_6203_;
                                     if (_e1650 > _e1654) {
-                                        phi_5676_ = _e1650;
+                                        phi_6208_ = _e1650;
                                     } else {
-                                        phi_5676_ = _e1654;
+                                        phi_6208_ = _e1654;
                                     }
-                                    let _e1657 = phi_5676_;
-                                    local_3 = type_27(array<f32, 3>(_e1600, _e1601, _e1602), _e1639, (_e1657 + _e1639));
+                                    let _e1657 = phi_6208_;
+                                    local_3 = type_24(array<f32, 3>(_e1600, _e1601, _e1602), _e1639, (_e1657 + _e1639));
                                     let _e1663 = local_12.member_3;
                                     let _e1665 = local_12.member_2[0u];
                                     if (_e1665[0] < 0f) {
-                                        phi_5702_ = -(_e1665[0]);
+                                        phi_6234_ = -(_e1665[0]);
                                     } else {
-                                        phi_5702_ = _e1665[0];
+                                        phi_6234_ = _e1665[0];
                                     }
-                                    let _e1672 = phi_5702_;
+                                    let _e1672 = phi_6234_;
                                     if (_e1665[1] < 0f) {
-                                        phi_5709_ = -(_e1665[1]);
+                                        phi_6241_ = -(_e1665[1]);
                                     } else {
-                                        phi_5709_ = _e1665[1];
+                                        phi_6241_ = _e1665[1];
                                     }
-                                    let _e1676 = phi_5709_;
+                                    let _e1676 = phi_6241_;
                                     if (_e1672 > _e1676) {
-                                        phi_5714_ = _e1672;
+                                        phi_6246_ = _e1672;
                                     } else {
-                                        phi_5714_ = _e1676;
+                                        phi_6246_ = _e1676;
                                     }
-                                    let _e1679 = phi_5714_;
+                                    let _e1679 = phi_6246_;
                                     if (_e1665[2] < 0f) {
-                                        phi_5721_ = -(_e1665[2]);
+                                        phi_6253_ = -(_e1665[2]);
                                     } else {
-                                        phi_5721_ = _e1665[2];
+                                        phi_6253_ = _e1665[2];
                                     }
-                                    let _e1683 = phi_5721_;
+                                    let _e1683 = phi_6253_;
                                     if (_e1679 > _e1683) {
-                                        phi_5726_ = _e1679;
+                                        phi_6258_ = _e1679;
                                     } else {
-                                        phi_5726_ = _e1683;
+                                        phi_6258_ = _e1683;
                                     }
-                                    let _e1686 = phi_5726_;
+                                    let _e1686 = phi_6258_;
                                     let _e1688 = local_12.member_2[1u];
                                     if (_e1688[0] < 0f) {
-                                        phi_5739_ = -(_e1688[0]);
+                                        phi_6271_ = -(_e1688[0]);
                                     } else {
-                                        phi_5739_ = _e1688[0];
+                                        phi_6271_ = _e1688[0];
                                     }
-                                    let _e1695 = phi_5739_;
+                                    let _e1695 = phi_6271_;
                                     if (_e1688[1] < 0f) {
-                                        phi_5746_ = -(_e1688[1]);
+                                        phi_6278_ = -(_e1688[1]);
                                     } else {
-                                        phi_5746_ = _e1688[1];
+                                        phi_6278_ = _e1688[1];
                                     }
-                                    let _e1699 = phi_5746_;
+                                    let _e1699 = phi_6278_;
                                     if (_e1695 > _e1699) {
-                                        phi_5751_ = _e1695;
+                                        phi_6283_ = _e1695;
                                     } else {
-                                        phi_5751_ = _e1699;
+                                        phi_6283_ = _e1699;
                                     }
-                                    let _e1702 = phi_5751_;
+                                    let _e1702 = phi_6283_;
                                     if (_e1688[2] < 0f) {
-                                        phi_5758_ = -(_e1688[2]);
+                                        phi_6290_ = -(_e1688[2]);
                                     } else {
-                                        phi_5758_ = _e1688[2];
+                                        phi_6290_ = _e1688[2];
                                     }
-                                    let _e1706 = phi_5758_;
+                                    let _e1706 = phi_6290_;
                                     if (_e1702 > _e1706) {
-                                        phi_5763_ = _e1702;
+                                        phi_6295_ = _e1702;
                                     } else {
-                                        phi_5763_ = _e1706;
+                                        phi_6295_ = _e1706;
                                     }
-                                    let _e1709 = phi_5763_;
+                                    let _e1709 = phi_6295_;
                                     if (_e1686 > _e1709) {
-                                        phi_5768_ = _e1686;
+                                        phi_6300_ = _e1686;
                                     } else {
-                                        phi_5768_ = _e1709;
+                                        phi_6300_ = _e1709;
                                     }
-                                    let _e1712 = phi_5768_;
+                                    let _e1712 = phi_6300_;
                                     let _e1715 = local_12.member_2[0u];
                                     let _e1720 = local_12.member_2[1u];
                                     let _e1730 = (_e1715[0] + ((_e1720[0] - _e1715[0]) * _e1398));
@@ -4569,135 +5111,135 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1744 = (_e1734[1] - _e1739[1]);
                                     let _e1745 = (_e1734[2] - _e1739[2]);
                                     if (_e1743 < 0f) {
-                                        phi_5827_ = -(_e1743);
+                                        phi_6359_ = -(_e1743);
                                     } else {
-                                        phi_5827_ = _e1743;
+                                        phi_6359_ = _e1743;
                                     }
-                                    let _e1749 = phi_5827_;
+                                    let _e1749 = phi_6359_;
                                     if (_e1744 < 0f) {
-                                        phi_5833_ = -(_e1744);
+                                        phi_6365_ = -(_e1744);
                                     } else {
-                                        phi_5833_ = _e1744;
+                                        phi_6365_ = _e1744;
                                     }
-                                    let _e1753 = phi_5833_;
+                                    let _e1753 = phi_6365_;
                                     if (_e1749 > _e1753) {
-                                        phi_5838_ = _e1749;
+                                        phi_6370_ = _e1749;
                                     } else {
-                                        phi_5838_ = _e1753;
+                                        phi_6370_ = _e1753;
                                     }
-                                    let _e1756 = phi_5838_;
+                                    let _e1756 = phi_6370_;
                                     if (_e1745 < 0f) {
-                                        phi_5844_ = -(_e1745);
+                                        phi_6376_ = -(_e1745);
                                     } else {
-                                        phi_5844_ = _e1745;
+                                        phi_6376_ = _e1745;
                                     }
-                                    let _e1760 = phi_5844_;
+                                    let _e1760 = phi_6376_;
                                     if (_e1756 > _e1760) {
-                                        phi_5849_ = _e1756;
+                                        phi_6381_ = _e1756;
                                     } else {
-                                        phi_5849_ = _e1760;
+                                        phi_6381_ = _e1760;
                                     }
-                                    let _e1763 = phi_5849_;
+                                    let _e1763 = phi_6381_;
                                     let _e1769 = ((((_e1400 * _e1763) * 1.01f) + ((_e1712 + _e1663) * (0.000000059604645f * 8f))) + _e1663);
                                     if (_e1730 < 0f) {
-                                        phi_5861_ = -(_e1730);
+                                        phi_6393_ = -(_e1730);
                                     } else {
-                                        phi_5861_ = _e1730;
+                                        phi_6393_ = _e1730;
                                     }
-                                    let _e1773 = phi_5861_;
+                                    let _e1773 = phi_6393_;
                                     if (_e1731 < 0f) {
-                                        phi_5867_ = -(_e1731);
+                                        phi_6399_ = -(_e1731);
                                     } else {
-                                        phi_5867_ = _e1731;
+                                        phi_6399_ = _e1731;
                                     }
-                                    let _e1777 = phi_5867_;
+                                    let _e1777 = phi_6399_;
                                     if (_e1773 > _e1777) {
-                                        phi_5872_ = _e1773;
+                                        phi_6404_ = _e1773;
                                     } else {
-                                        phi_5872_ = _e1777;
+                                        phi_6404_ = _e1777;
                                     }
-                                    let _e1780 = phi_5872_;
+                                    let _e1780 = phi_6404_;
                                     if (_e1732 < 0f) {
-                                        phi_5878_ = -(_e1732);
+                                        phi_6410_ = -(_e1732);
                                     } else {
-                                        phi_5878_ = _e1732;
+                                        phi_6410_ = _e1732;
                                     }
-                                    let _e1784 = phi_5878_;
+                                    let _e1784 = phi_6410_;
                                     if (_e1780 > _e1784) {
-                                        phi_5883_ = _e1780;
+                                        phi_6415_ = _e1780;
                                     } else {
-                                        phi_5883_ = _e1784;
+                                        phi_6415_ = _e1784;
                                     }
-                                    let _e1787 = phi_5883_;
-                                    local_4 = type_27(array<f32, 3>(_e1730, _e1731, _e1732), _e1769, (_e1787 + _e1769));
+                                    let _e1787 = phi_6415_;
+                                    local_4 = type_24(array<f32, 3>(_e1730, _e1731, _e1732), _e1769, (_e1787 + _e1769));
                                     let _e1792 = local_3.member;
                                     let _e1797 = local_4.member;
                                     let _e1803 = ((_e1792[1] * _e1797[2]) - (_e1792[2] * _e1797[1]));
                                     let _e1806 = ((_e1792[2] * _e1797[0]) - (_e1792[0] * _e1797[2]));
                                     let _e1809 = ((_e1792[0] * _e1797[1]) - (_e1792[1] * _e1797[0]));
                                     if (_e1803 < 0f) {
-                                        phi_5932_ = -(_e1803);
+                                        phi_6464_ = -(_e1803);
                                     } else {
-                                        phi_5932_ = _e1803;
+                                        phi_6464_ = _e1803;
                                     }
-                                    let _e1813 = phi_5932_;
+                                    let _e1813 = phi_6464_;
                                     if (_e1806 < 0f) {
-                                        phi_5938_ = -(_e1806);
+                                        phi_6470_ = -(_e1806);
                                     } else {
-                                        phi_5938_ = _e1806;
+                                        phi_6470_ = _e1806;
                                     }
-                                    let _e1817 = phi_5938_;
+                                    let _e1817 = phi_6470_;
                                     if (_e1813 > _e1817) {
                                         if (_e1803 < 0f) {
-                                            phi_5948_ = -(_e1803);
+                                            phi_6480_ = -(_e1803);
                                         } else {
-                                            phi_5948_ = _e1803;
+                                            phi_6480_ = _e1803;
                                         }
-                                        let _e1835 = phi_5948_;
+                                        let _e1835 = phi_6480_;
                                         if (_e1809 < 0f) {
-                                            phi_5954_ = -(_e1809);
+                                            phi_6486_ = -(_e1809);
                                         } else {
-                                            phi_5954_ = _e1809;
+                                            phi_6486_ = _e1809;
                                         }
-                                        let _e1839 = phi_5954_;
+                                        let _e1839 = phi_6486_;
                                         if (_e1835 > _e1839) {
-                                            phi_5959_ = 2u;
-                                            phi_5960_ = 1u;
+                                            phi_6491_ = 2u;
+                                            phi_6492_ = 1u;
                                         } else {
-                                            phi_5959_ = 1u;
-                                            phi_5960_ = 0u;
+                                            phi_6491_ = 1u;
+                                            phi_6492_ = 0u;
                                         }
-                                        let _e1842 = phi_5959_;
-                                        let _e1844 = phi_5960_;
-                                        phi_5979_ = _e1842;
-                                        phi_5980_ = _e1844;
+                                        let _e1842 = phi_6491_;
+                                        let _e1844 = phi_6492_;
+                                        phi_6511_ = _e1842;
+                                        phi_6512_ = _e1844;
                                     } else {
                                         if (_e1806 < 0f) {
-                                            phi_5966_ = -(_e1806);
+                                            phi_6498_ = -(_e1806);
                                         } else {
-                                            phi_5966_ = _e1806;
+                                            phi_6498_ = _e1806;
                                         }
-                                        let _e1822 = phi_5966_;
+                                        let _e1822 = phi_6498_;
                                         if (_e1809 < 0f) {
-                                            phi_5972_ = -(_e1809);
+                                            phi_6504_ = -(_e1809);
                                         } else {
-                                            phi_5972_ = _e1809;
+                                            phi_6504_ = _e1809;
                                         }
-                                        let _e1826 = phi_5972_;
+                                        let _e1826 = phi_6504_;
                                         if (_e1822 > _e1826) {
-                                            phi_5977_ = 0u;
-                                            phi_5978_ = 2u;
+                                            phi_6509_ = 0u;
+                                            phi_6510_ = 2u;
                                         } else {
-                                            phi_5977_ = 1u;
-                                            phi_5978_ = 0u;
+                                            phi_6509_ = 1u;
+                                            phi_6510_ = 0u;
                                         }
-                                        let _e1829 = phi_5977_;
-                                        let _e1831 = phi_5978_;
-                                        phi_5979_ = _e1829;
-                                        phi_5980_ = _e1831;
+                                        let _e1829 = phi_6509_;
+                                        let _e1831 = phi_6510_;
+                                        phi_6511_ = _e1829;
+                                        phi_6512_ = _e1831;
                                     }
-                                    let _e1846 = phi_5979_;
-                                    let _e1848 = phi_5980_;
+                                    let _e1846 = phi_6511_;
+                                    let _e1848 = phi_6512_;
                                     let _e1851 = local_3.member[_e1848];
                                     let _e1854 = local_4.member[_e1846];
                                     let _e1858 = local_3.member[_e1846];
@@ -4713,18 +5255,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1891 = local_4.member_2;
                                     let _e1895 = (((((_e1865 * _e1867) + (_e1870 * _e1872)) * 2.01f) + (((_e1877 * 2f) * (_e1880 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1888) * (1f + _e1891))));
                                     if (_e1863 < 0f) {
-                                        phi_6049_ = -(_e1863);
+                                        phi_6581_ = -(_e1863);
                                     } else {
-                                        phi_6049_ = _e1863;
+                                        phi_6581_ = _e1863;
                                     }
-                                    let _e1899 = phi_6049_;
+                                    let _e1899 = phi_6581_;
                                     if (_e1899 > _e1895) {
                                         if (_e1863 < 0f) {
-                                            phi_6058_ = -1f;
+                                            phi_6590_ = -1f;
                                         } else {
-                                            phi_6058_ = 1f;
+                                            phi_6590_ = 1f;
                                         }
-                                        let _e1903 = phi_6058_;
+                                        let _e1903 = phi_6590_;
                                         let _e1906 = local_2.member[_e1848];
                                         let _e1909 = local_4.member[_e1846];
                                         let _e1913 = local_2.member[_e1846];
@@ -4755,138 +5297,138 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1999 = (((_e1906 * _e1909) - (_e1913 * _e1916)) * _e1903);
                                         let _e2000 = (((_e1953 * _e1956) - (_e1960 * _e1963)) * _e1903);
                                         if (_e1998 < 0f) {
-                                            phi_6193_ = -(_e1998);
+                                            phi_6725_ = -(_e1998);
                                         } else {
-                                            phi_6193_ = _e1998;
+                                            phi_6725_ = _e1998;
                                         }
-                                        let _e2004 = phi_6193_;
+                                        let _e2004 = phi_6725_;
                                         if (_e1999 < 0f) {
-                                            phi_6199_ = -(_e1999);
+                                            phi_6731_ = -(_e1999);
                                         } else {
-                                            phi_6199_ = _e1999;
+                                            phi_6731_ = _e1999;
                                         }
-                                        let _e2008 = phi_6199_;
+                                        let _e2008 = phi_6731_;
                                         if (_e2000 < 0f) {
-                                            phi_6206_ = -(_e2000);
+                                            phi_6738_ = -(_e2000);
                                         } else {
-                                            phi_6206_ = _e2000;
+                                            phi_6738_ = _e2000;
                                         }
-                                        let _e2013 = phi_6206_;
+                                        let _e2013 = phi_6738_;
                                         let _e2018 = ((_e1998 - _e1999) - _e2000);
                                         let _e2021 = (((_e1895 + _e1950) + _e1997) + (((_e2004 + _e2008) + _e2013) * (0.000000059604645f * 4f)));
-                                        local_5 = array<type_31, 4>(type_31(_e1999, _e1950), type_31(_e2000, _e1997), type_31(_e2018, _e2021), type_31(_e2018, _e2021));
-                                        phi_6261_ = type_9(0u, 4u);
-                                        phi_6264_ = true;
+                                        local_5 = array<type_32, 4>(type_32(_e1999, _e1950), type_32(_e2000, _e1997), type_32(_e2018, _e2021), type_32(_e2018, _e2021));
+                                        phi_6793_ = type_9(0u, 4u);
+                                        phi_6796_ = true;
                                         loop {
-                                            let _e2028 = phi_6261_;
-                                            let _e2030 = phi_6264_;
+                                            let _e2028 = phi_6793_;
+                                            let _e2030 = phi_6796_;
                                             local_17 = _e2030;
                                             if (_e2028.member < _e2028.member_1) {
-                                                phi_6262_ = type_9((_e2028.member + 1u), _e2028.member_1);
-                                                phi_6287_ = type_9(1u, _e2028.member);
+                                                phi_6794_ = type_9((_e2028.member + 1u), _e2028.member_1);
+                                                phi_6819_ = type_9(1u, _e2028.member);
                                             } else {
-                                                phi_6262_ = _e2028;
-                                                phi_6287_ = type_9(0u, type_9().member_1);
+                                                phi_6794_ = _e2028;
+                                                phi_6819_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2042 = phi_6262_;
-                                            let _e2044 = phi_6287_;
+                                            let _e2042 = phi_6794_;
+                                            let _e2044 = phi_6819_;
                                             if (bitcast<i32>(_e2044.member) != 0i) {
                                                 let _e2051 = local_5[_e2044.member_1].member;
                                                 let _e2054 = local_5[_e2044.member_1].member_1;
                                                 let _e2056 = (_e2051 < -(_e2054));
                                                 if _e2056 {
-                                                    phi_6314_ = bool();
-                                                    phi_6315_ = false;
+                                                    phi_6846_ = bool();
+                                                    phi_6847_ = false;
                                                 } else {
-                                                    phi_6314_ = (_e2030 && (_e2051 > _e2054));
-                                                    phi_6315_ = true;
+                                                    phi_6846_ = (_e2030 && (_e2051 > _e2054));
+                                                    phi_6847_ = true;
                                                 }
-                                                let _e2060 = phi_6314_;
-                                                let _e2062 = phi_6315_;
-                                                phi_6265_ = _e2060;
-                                                phi_6316_ = _e2062;
-                                                phi_6317_ = _e2056;
+                                                let _e2060 = phi_6846_;
+                                                let _e2062 = phi_6847_;
+                                                phi_6797_ = _e2060;
+                                                phi_6848_ = _e2062;
+                                                phi_6849_ = _e2056;
                                             } else {
-                                                phi_6265_ = bool();
-                                                phi_6316_ = false;
-                                                phi_6317_ = false;
+                                                phi_6797_ = bool();
+                                                phi_6848_ = false;
+                                                phi_6849_ = false;
                                             }
-                                            let _e2064 = phi_6265_;
-                                            let _e2066 = phi_6316_;
-                                            let _e2068 = phi_6317_;
+                                            let _e2064 = phi_6797_;
+                                            let _e2066 = phi_6848_;
+                                            let _e2068 = phi_6849_;
                                             local_16 = _e2068;
                                             continue;
                                             continuing {
-                                                phi_6261_ = _e2042;
-                                                phi_6264_ = _e2064;
+                                                phi_6793_ = _e2042;
+                                                phi_6796_ = _e2064;
                                                 break if !(_e2066);
                                             }
                                         }
                                         let _e2071 = local_16;
                                         if _e2071 {
-                                            phi_6321_ = false;
+                                            phi_6853_ = false;
                                         } else {
-                                            phi_6321_ = true;
+                                            phi_6853_ = true;
                                         }
-                                        let _e2073 = phi_6321_;
+                                        let _e2073 = phi_6853_;
                                         if _e2073 {
                                             let _e2075 = local_17;
                                             if _e2075 {
-                                                phi_6328_ = 1u;
+                                                phi_6860_ = 1u;
                                             } else {
-                                                phi_6328_ = 2u;
+                                                phi_6860_ = 2u;
                                             }
-                                            let _e2077 = phi_6328_;
-                                            phi_6329_ = _e2077;
-                                            phi_6330_ = false;
+                                            let _e2077 = phi_6860_;
+                                            phi_6861_ = _e2077;
+                                            phi_6862_ = false;
                                         } else {
-                                            phi_6329_ = u32();
-                                            phi_6330_ = true;
+                                            phi_6861_ = u32();
+                                            phi_6862_ = true;
                                         }
-                                        let _e2079 = phi_6329_;
-                                        let _e2081 = phi_6330_;
-                                        phi_6331_ = _e2079;
-                                        phi_6332_ = 0u;
-                                        phi_6333_ = _e2081;
+                                        let _e2079 = phi_6861_;
+                                        let _e2081 = phi_6862_;
+                                        phi_6863_ = _e2079;
+                                        phi_6864_ = 0u;
+                                        phi_6865_ = _e2081;
                                     } else {
-                                        phi_6331_ = u32();
-                                        phi_6332_ = 2u;
-                                        phi_6333_ = true;
+                                        phi_6863_ = u32();
+                                        phi_6864_ = 2u;
+                                        phi_6865_ = true;
                                     }
-                                    let _e2083 = phi_6331_;
-                                    let _e2085 = phi_6332_;
-                                    let _e2087 = phi_6333_;
+                                    let _e2083 = phi_6863_;
+                                    let _e2085 = phi_6864_;
+                                    let _e2087 = phi_6865_;
                                     if _e2087 {
-                                        phi_6337_ = _e2085;
+                                        phi_6869_ = _e2085;
                                     } else {
-                                        phi_6337_ = _e2083;
+                                        phi_6869_ = _e2083;
                                     }
-                                    let _e2089 = phi_6337_;
+                                    let _e2089 = phi_6869_;
                                     let _e2090 = (_e2089 == 0u);
                                     if _e2090 {
-                                        phi_8510_ = f32();
-                                        phi_8511_ = false;
-                                        phi_8512_ = false;
-                                        phi_8513_ = false;
+                                        phi_9575_ = f32();
+                                        phi_9576_ = false;
+                                        phi_9577_ = false;
+                                        phi_9578_ = false;
                                     } else {
                                         if (_e2089 == 1u) {
                                             if _e1390.member_2 {
                                                 if ((_e1390.member_1 - _e1390.member) <= 0.0000005f) {
-                                                    phi_6357_ = false;
+                                                    phi_6889_ = false;
                                                 } else {
-                                                    phi_6357_ = true;
+                                                    phi_6889_ = true;
                                                 }
-                                                let _e2098 = phi_6357_;
-                                                phi_6358_ = _e2098;
+                                                let _e2098 = phi_6889_;
+                                                phi_6890_ = _e2098;
                                             } else {
-                                                phi_6358_ = true;
+                                                phi_6890_ = true;
                                             }
-                                            let _e2100 = phi_6358_;
-                                            phi_6359_ = _e2100;
+                                            let _e2100 = phi_6890_;
+                                            phi_6891_ = _e2100;
                                         } else {
-                                            phi_6359_ = true;
+                                            phi_6891_ = true;
                                         }
-                                        let _e2102 = phi_6359_;
+                                        let _e2102 = phi_6891_;
                                         if _e2102 {
                                             let _e2107 = local_12.member[0u];
                                             let _e2113 = local_12.member_1[0u];
@@ -4896,1472 +5438,1538 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2143 = local_12.member_2[1u];
                                             let _e2155 = local_12.member[0u];
                                             if (_e2155[0] < 0f) {
-                                                phi_6507_ = -(_e2155[0]);
+                                                phi_7039_ = -(_e2155[0]);
                                             } else {
-                                                phi_6507_ = _e2155[0];
+                                                phi_7039_ = _e2155[0];
                                             }
-                                            let _e2162 = phi_6507_;
+                                            let _e2162 = phi_7039_;
                                             if (_e2155[1] < 0f) {
-                                                phi_6514_ = -(_e2155[1]);
+                                                phi_7046_ = -(_e2155[1]);
                                             } else {
-                                                phi_6514_ = _e2155[1];
+                                                phi_7046_ = _e2155[1];
                                             }
-                                            let _e2166 = phi_6514_;
+                                            let _e2166 = phi_7046_;
                                             if (_e2162 > _e2166) {
-                                                phi_6519_ = _e2162;
+                                                phi_7051_ = _e2162;
                                             } else {
-                                                phi_6519_ = _e2166;
+                                                phi_7051_ = _e2166;
                                             }
-                                            let _e2169 = phi_6519_;
+                                            let _e2169 = phi_7051_;
                                             if (_e2155[2] < 0f) {
-                                                phi_6526_ = -(_e2155[2]);
+                                                phi_7058_ = -(_e2155[2]);
                                             } else {
-                                                phi_6526_ = _e2155[2];
+                                                phi_7058_ = _e2155[2];
                                             }
-                                            let _e2173 = phi_6526_;
+                                            let _e2173 = phi_7058_;
                                             if (_e2169 > _e2173) {
-                                                phi_6531_ = _e2169;
+                                                phi_7063_ = _e2169;
                                             } else {
-                                                phi_6531_ = _e2173;
+                                                phi_7063_ = _e2173;
                                             }
-                                            let _e2176 = phi_6531_;
+                                            let _e2176 = phi_7063_;
                                             let _e2179 = local_12.member[1u];
                                             if (_e2179[0] < 0f) {
-                                                phi_6544_ = -(_e2179[0]);
+                                                phi_7076_ = -(_e2179[0]);
                                             } else {
-                                                phi_6544_ = _e2179[0];
+                                                phi_7076_ = _e2179[0];
                                             }
-                                            let _e2186 = phi_6544_;
+                                            let _e2186 = phi_7076_;
                                             if (_e2179[1] < 0f) {
-                                                phi_6551_ = -(_e2179[1]);
+                                                phi_7083_ = -(_e2179[1]);
                                             } else {
-                                                phi_6551_ = _e2179[1];
+                                                phi_7083_ = _e2179[1];
                                             }
-                                            let _e2190 = phi_6551_;
+                                            let _e2190 = phi_7083_;
                                             if (_e2186 > _e2190) {
-                                                phi_6556_ = _e2186;
+                                                phi_7088_ = _e2186;
                                             } else {
-                                                phi_6556_ = _e2190;
+                                                phi_7088_ = _e2190;
                                             }
-                                            let _e2193 = phi_6556_;
+                                            let _e2193 = phi_7088_;
                                             if (_e2179[2] < 0f) {
-                                                phi_6563_ = -(_e2179[2]);
+                                                phi_7095_ = -(_e2179[2]);
                                             } else {
-                                                phi_6563_ = _e2179[2];
+                                                phi_7095_ = _e2179[2];
                                             }
-                                            let _e2197 = phi_6563_;
+                                            let _e2197 = phi_7095_;
                                             if (_e2193 > _e2197) {
-                                                phi_6568_ = _e2193;
+                                                phi_7100_ = _e2193;
                                             } else {
-                                                phi_6568_ = _e2197;
+                                                phi_7100_ = _e2197;
                                             }
-                                            let _e2200 = phi_6568_;
+                                            let _e2200 = phi_7100_;
                                             if (_e2176 > _e2200) {
-                                                phi_6573_ = _e2176;
+                                                phi_7105_ = _e2176;
                                             } else {
-                                                phi_6573_ = _e2200;
+                                                phi_7105_ = _e2200;
                                             }
-                                            let _e2203 = phi_6573_;
+                                            let _e2203 = phi_7105_;
                                             let _e2205 = local_12.member_3;
                                             let _e2209 = local_12.member_1[0u];
                                             if (_e2209[0] < 0f) {
-                                                phi_6590_ = -(_e2209[0]);
+                                                phi_7122_ = -(_e2209[0]);
                                             } else {
-                                                phi_6590_ = _e2209[0];
+                                                phi_7122_ = _e2209[0];
                                             }
-                                            let _e2216 = phi_6590_;
+                                            let _e2216 = phi_7122_;
                                             if (_e2209[1] < 0f) {
-                                                phi_6597_ = -(_e2209[1]);
+                                                phi_7129_ = -(_e2209[1]);
                                             } else {
-                                                phi_6597_ = _e2209[1];
+                                                phi_7129_ = _e2209[1];
                                             }
-                                            let _e2220 = phi_6597_;
+                                            let _e2220 = phi_7129_;
                                             if (_e2216 > _e2220) {
-                                                phi_6602_ = _e2216;
+                                                phi_7134_ = _e2216;
                                             } else {
-                                                phi_6602_ = _e2220;
+                                                phi_7134_ = _e2220;
                                             }
-                                            let _e2223 = phi_6602_;
+                                            let _e2223 = phi_7134_;
                                             if (_e2209[2] < 0f) {
-                                                phi_6609_ = -(_e2209[2]);
+                                                phi_7141_ = -(_e2209[2]);
                                             } else {
-                                                phi_6609_ = _e2209[2];
+                                                phi_7141_ = _e2209[2];
                                             }
-                                            let _e2227 = phi_6609_;
+                                            let _e2227 = phi_7141_;
                                             if (_e2223 > _e2227) {
-                                                phi_6614_ = _e2223;
+                                                phi_7146_ = _e2223;
                                             } else {
-                                                phi_6614_ = _e2227;
+                                                phi_7146_ = _e2227;
                                             }
-                                            let _e2230 = phi_6614_;
+                                            let _e2230 = phi_7146_;
                                             let _e2233 = local_12.member_1[1u];
                                             if (_e2233[0] < 0f) {
-                                                phi_6628_ = -(_e2233[0]);
+                                                phi_7160_ = -(_e2233[0]);
                                             } else {
-                                                phi_6628_ = _e2233[0];
+                                                phi_7160_ = _e2233[0];
                                             }
-                                            let _e2240 = phi_6628_;
+                                            let _e2240 = phi_7160_;
                                             if (_e2233[1] < 0f) {
-                                                phi_6635_ = -(_e2233[1]);
+                                                phi_7167_ = -(_e2233[1]);
                                             } else {
-                                                phi_6635_ = _e2233[1];
+                                                phi_7167_ = _e2233[1];
                                             }
-                                            let _e2244 = phi_6635_;
+                                            let _e2244 = phi_7167_;
                                             if (_e2240 > _e2244) {
-                                                phi_6640_ = _e2240;
+                                                phi_7172_ = _e2240;
                                             } else {
-                                                phi_6640_ = _e2244;
+                                                phi_7172_ = _e2244;
                                             }
-                                            let _e2247 = phi_6640_;
+                                            let _e2247 = phi_7172_;
                                             if (_e2233[2] < 0f) {
-                                                phi_6647_ = -(_e2233[2]);
+                                                phi_7179_ = -(_e2233[2]);
                                             } else {
-                                                phi_6647_ = _e2233[2];
+                                                phi_7179_ = _e2233[2];
                                             }
-                                            let _e2251 = phi_6647_;
+                                            let _e2251 = phi_7179_;
                                             if (_e2247 > _e2251) {
-                                                phi_6652_ = _e2247;
+                                                phi_7184_ = _e2247;
                                             } else {
-                                                phi_6652_ = _e2251;
+                                                phi_7184_ = _e2251;
                                             }
-                                            let _e2254 = phi_6652_;
+                                            let _e2254 = phi_7184_;
                                             if (_e2230 > _e2254) {
-                                                phi_6657_ = _e2230;
+                                                phi_7189_ = _e2230;
                                             } else {
-                                                phi_6657_ = _e2254;
+                                                phi_7189_ = _e2254;
                                             }
-                                            let _e2257 = phi_6657_;
+                                            let _e2257 = phi_7189_;
                                             let _e2259 = local_12.member_3;
                                             let _e2263 = local_12.member_2[0u];
                                             if (_e2263[0] < 0f) {
-                                                phi_6674_ = -(_e2263[0]);
+                                                phi_7206_ = -(_e2263[0]);
                                             } else {
-                                                phi_6674_ = _e2263[0];
+                                                phi_7206_ = _e2263[0];
                                             }
-                                            let _e2270 = phi_6674_;
+                                            let _e2270 = phi_7206_;
                                             if (_e2263[1] < 0f) {
-                                                phi_6681_ = -(_e2263[1]);
+                                                phi_7213_ = -(_e2263[1]);
                                             } else {
-                                                phi_6681_ = _e2263[1];
+                                                phi_7213_ = _e2263[1];
                                             }
-                                            let _e2274 = phi_6681_;
+                                            let _e2274 = phi_7213_;
                                             if (_e2270 > _e2274) {
-                                                phi_6686_ = _e2270;
+                                                phi_7218_ = _e2270;
                                             } else {
-                                                phi_6686_ = _e2274;
+                                                phi_7218_ = _e2274;
                                             }
-                                            let _e2277 = phi_6686_;
+                                            let _e2277 = phi_7218_;
                                             if (_e2263[2] < 0f) {
-                                                phi_6693_ = -(_e2263[2]);
+                                                phi_7225_ = -(_e2263[2]);
                                             } else {
-                                                phi_6693_ = _e2263[2];
+                                                phi_7225_ = _e2263[2];
                                             }
-                                            let _e2281 = phi_6693_;
+                                            let _e2281 = phi_7225_;
                                             if (_e2277 > _e2281) {
-                                                phi_6698_ = _e2277;
+                                                phi_7230_ = _e2277;
                                             } else {
-                                                phi_6698_ = _e2281;
+                                                phi_7230_ = _e2281;
                                             }
-                                            let _e2284 = phi_6698_;
+                                            let _e2284 = phi_7230_;
                                             let _e2287 = local_12.member_2[1u];
                                             if (_e2287[0] < 0f) {
-                                                phi_6712_ = -(_e2287[0]);
+                                                phi_7244_ = -(_e2287[0]);
                                             } else {
-                                                phi_6712_ = _e2287[0];
+                                                phi_7244_ = _e2287[0];
                                             }
-                                            let _e2294 = phi_6712_;
+                                            let _e2294 = phi_7244_;
                                             if (_e2287[1] < 0f) {
-                                                phi_6719_ = -(_e2287[1]);
+                                                phi_7251_ = -(_e2287[1]);
                                             } else {
-                                                phi_6719_ = _e2287[1];
+                                                phi_7251_ = _e2287[1];
                                             }
-                                            let _e2298 = phi_6719_;
+                                            let _e2298 = phi_7251_;
                                             if (_e2294 > _e2298) {
-                                                phi_6724_ = _e2294;
+                                                phi_7256_ = _e2294;
                                             } else {
-                                                phi_6724_ = _e2298;
+                                                phi_7256_ = _e2298;
                                             }
-                                            let _e2301 = phi_6724_;
+                                            let _e2301 = phi_7256_;
                                             if (_e2287[2] < 0f) {
-                                                phi_6731_ = -(_e2287[2]);
+                                                phi_7263_ = -(_e2287[2]);
                                             } else {
-                                                phi_6731_ = _e2287[2];
+                                                phi_7263_ = _e2287[2];
                                             }
-                                            let _e2305 = phi_6731_;
+                                            let _e2305 = phi_7263_;
                                             if (_e2301 > _e2305) {
-                                                phi_6736_ = _e2301;
+                                                phi_7268_ = _e2301;
                                             } else {
-                                                phi_6736_ = _e2305;
+                                                phi_7268_ = _e2305;
                                             }
-                                            let _e2308 = phi_6736_;
+                                            let _e2308 = phi_7268_;
                                             if (_e2284 > _e2308) {
-                                                phi_6741_ = _e2284;
+                                                phi_7273_ = _e2284;
                                             } else {
-                                                phi_6741_ = _e2308;
+                                                phi_7273_ = _e2308;
                                             }
-                                            let _e2311 = phi_6741_;
+                                            let _e2311 = phi_7273_;
                                             let _e2313 = local_12.member_3;
                                             let _e2320 = local_12.member_3;
-                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                            phi_6780_ = type_9(0u, 96u);
-                                            phi_6783_ = _e1390.member;
-                                            phi_6785_ = _e1390.member;
-                                            phi_6787_ = _e1390.member;
-                                            phi_6789_ = false;
-                                            phi_6791_ = 0u;
+                                            local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            phi_7313_ = type_9(0u, 96u);
+                                            phi_7316_ = _e1390.member;
+                                            phi_7318_ = _e1390.member;
+                                            phi_7320_ = (_e1390.member_1 - _e1390.member);
+                                            phi_7322_ = _e1390.member;
+                                            phi_7324_ = false;
+                                            phi_7326_ = 0u;
                                             loop {
-                                                let _e2326 = phi_6780_;
-                                                let _e2328 = phi_6783_;
-                                                let _e2330 = phi_6785_;
-                                                let _e2332 = phi_6787_;
-                                                let _e2334 = phi_6789_;
-                                                let _e2336 = phi_6791_;
-                                                local_36 = _e2330;
-                                                local_20 = _e2328;
-                                                if (_e2326.member < _e2326.member_1) {
-                                                    phi_6781_ = type_9((_e2326.member + 1u), _e2326.member_1);
-                                                    phi_6814_ = type_9(1u, _e2326.member);
+                                                let _e2327 = phi_7313_;
+                                                let _e2329 = phi_7316_;
+                                                let _e2331 = phi_7318_;
+                                                let _e2333 = phi_7320_;
+                                                let _e2335 = phi_7322_;
+                                                let _e2337 = phi_7324_;
+                                                let _e2339 = phi_7326_;
+                                                local_20 = _e2329;
+                                                local_42 = _e2331;
+                                                if (_e2327.member < _e2327.member_1) {
+                                                    phi_7314_ = type_9((_e2327.member + 1u), _e2327.member_1);
+                                                    phi_7349_ = type_9(1u, _e2327.member);
                                                 } else {
-                                                    phi_6781_ = _e2326;
-                                                    phi_6814_ = type_9(0u, type_9().member_1);
+                                                    phi_7314_ = _e2327;
+                                                    phi_7349_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2348 = phi_6781_;
-                                                let _e2350 = phi_6814_;
-                                                if (bitcast<i32>(_e2350.member) != 0i) {
-                                                    let _e2356 = local_12.member[0u];
-                                                    let _e2362 = local_12.member[1u];
-                                                    let _e2378 = local_12.member_1[0u];
-                                                    let _e2384 = local_12.member_1[1u];
-                                                    let _e2400 = local_12.member_2[0u];
-                                                    let _e2406 = local_12.member_2[1u];
-                                                    let _e2420 = function_1(array<f32, 3>((_e2356[0] + ((_e2362[0] - _e2356[0]) * _e2328)), (_e2356[1] + ((_e2362[1] - _e2356[1]) * _e2328)), (_e2356[2] + ((_e2362[2] - _e2356[2]) * _e2328))), array<f32, 3>((_e2378[0] + ((_e2384[0] - _e2378[0]) * _e2328)), (_e2378[1] + ((_e2384[1] - _e2378[1]) * _e2328)), (_e2378[2] + ((_e2384[2] - _e2378[2]) * _e2328))), array<f32, 3>((_e2400[0] + ((_e2406[0] - _e2400[0]) * _e2328)), (_e2400[1] + ((_e2406[1] - _e2400[1]) * _e2328)), (_e2400[2] + ((_e2406[2] - _e2400[2]) * _e2328))), 0u);
-                                                    if (_e2336 == 0u) {
-                                                        phi_6942_ = _e2420;
+                                                let _e2351 = phi_7314_;
+                                                let _e2353 = phi_7349_;
+                                                if (bitcast<i32>(_e2353.member) != 0i) {
+                                                    let _e2359 = local_12.member[0u];
+                                                    let _e2365 = local_12.member[1u];
+                                                    let _e2381 = local_12.member_1[0u];
+                                                    let _e2387 = local_12.member_1[1u];
+                                                    let _e2403 = local_12.member_2[0u];
+                                                    let _e2409 = local_12.member_2[1u];
+                                                    let _e2423 = function_1(array<f32, 3>((_e2359[0] + ((_e2365[0] - _e2359[0]) * _e2329)), (_e2359[1] + ((_e2365[1] - _e2359[1]) * _e2329)), (_e2359[2] + ((_e2365[2] - _e2359[2]) * _e2329))), array<f32, 3>((_e2381[0] + ((_e2387[0] - _e2381[0]) * _e2329)), (_e2381[1] + ((_e2387[1] - _e2381[1]) * _e2329)), (_e2381[2] + ((_e2387[2] - _e2381[2]) * _e2329))), array<f32, 3>((_e2403[0] + ((_e2409[0] - _e2403[0]) * _e2329)), (_e2403[1] + ((_e2409[1] - _e2403[1]) * _e2329)), (_e2403[2] + ((_e2409[2] - _e2403[2]) * _e2329))), 0u);
+                                                    if (_e2339 == 0u) {
+                                                        phi_7477_ = _e2423;
                                                     } else {
-                                                        if (_e2336 == 1u) {
-                                                            phi_6928_ = _e2420[0];
+                                                        if (_e2339 == 1u) {
+                                                            phi_7463_ = _e2423[0];
                                                         } else {
-                                                            phi_6928_ = 0f;
+                                                            phi_7463_ = 0f;
                                                         }
-                                                        let _e2425 = phi_6928_;
-                                                        if (_e2336 == 2u) {
-                                                            phi_6934_ = _e2420[1];
+                                                        let _e2428 = phi_7463_;
+                                                        if (_e2339 == 2u) {
+                                                            phi_7469_ = _e2423[1];
                                                         } else {
-                                                            phi_6934_ = 0f;
+                                                            phi_7469_ = 0f;
                                                         }
-                                                        let _e2429 = phi_6934_;
-                                                        if (_e2336 == 3u) {
-                                                            phi_6940_ = _e2420[2];
+                                                        let _e2432 = phi_7469_;
+                                                        if (_e2339 == 3u) {
+                                                            phi_7475_ = _e2423[2];
                                                         } else {
-                                                            phi_6940_ = 0f;
+                                                            phi_7475_ = 0f;
                                                         }
-                                                        let _e2433 = phi_6940_;
-                                                        phi_6942_ = array<f32, 3>(_e2425, _e2429, _e2433);
+                                                        let _e2436 = phi_7475_;
+                                                        phi_7477_ = array<f32, 3>(_e2428, _e2432, _e2436);
                                                     }
-                                                    let _e2436 = phi_6942_;
-                                                    if (_e2436[0] < 0f) {
-                                                        phi_6949_ = -(_e2436[0]);
+                                                    let _e2439 = phi_7477_;
+                                                    if (_e2439[0] < 0f) {
+                                                        phi_7484_ = -(_e2439[0]);
                                                     } else {
-                                                        phi_6949_ = _e2436[0];
+                                                        phi_7484_ = _e2439[0];
                                                     }
-                                                    let _e2441 = phi_6949_;
-                                                    if (_e2436[1] < 0f) {
-                                                        phi_6956_ = -(_e2436[1]);
+                                                    let _e2444 = phi_7484_;
+                                                    if (_e2439[1] < 0f) {
+                                                        phi_7491_ = -(_e2439[1]);
                                                     } else {
-                                                        phi_6956_ = _e2436[1];
+                                                        phi_7491_ = _e2439[1];
                                                     }
-                                                    let _e2446 = phi_6956_;
-                                                    if (_e2436[2] < 0f) {
-                                                        phi_6964_ = -(_e2436[2]);
+                                                    let _e2449 = phi_7491_;
+                                                    if (_e2439[2] < 0f) {
+                                                        phi_7499_ = -(_e2439[2]);
                                                     } else {
-                                                        phi_6964_ = _e2436[2];
+                                                        phi_7499_ = _e2439[2];
                                                     }
-                                                    let _e2452 = phi_6964_;
-                                                    let _e2453 = ((_e2441 + _e2446) + _e2452);
-                                                    if (_e2453 > 0f) {
-                                                        if ((bitcast<u32>(_e2453) & 2139095040u) != 2139095040u) {
-                                                            let _e2458 = (1f / _e2453);
-                                                            let _e2460 = (_e2436[0] * _e2458);
-                                                            let _e2462 = (_e2436[1] * _e2458);
-                                                            let _e2464 = (_e2436[2] * _e2458);
-                                                            let _e2469 = (((_e2460 * _e2460) + (_e2462 * _e2462)) + (_e2464 * _e2464));
-                                                            if (_e2469 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2469 > 0f) {
-                                                                    phi_7001_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2455 = phi_7499_;
+                                                    let _e2456 = ((_e2444 + _e2449) + _e2455);
+                                                    if (_e2456 > 0f) {
+                                                        if ((bitcast<u32>(_e2456) & 2139095040u) != 2139095040u) {
+                                                            let _e2461 = (1f / _e2456);
+                                                            let _e2463 = (_e2439[0] * _e2461);
+                                                            let _e2465 = (_e2439[1] * _e2461);
+                                                            let _e2467 = (_e2439[2] * _e2461);
+                                                            let _e2472 = (((_e2463 * _e2463) + (_e2465 * _e2465)) + (_e2467 * _e2467));
+                                                            if (_e2472 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2472 > 0f) {
+                                                                    phi_7536_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_7001_ = 0f;
+                                                                    phi_7536_ = 0f;
                                                                 }
-                                                                let _e2522 = phi_7001_;
-                                                                phi_7065_ = _e2522;
+                                                                let _e2525 = phi_7536_;
+                                                                phi_7600_ = _e2525;
                                                             } else {
-                                                                phi_7008_ = type_14(0i, 5i);
-                                                                phi_7011_ = bitcast<f32>(((bitcast<u32>(_e2469) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_7543_ = type_14(0i, 5i);
+                                                                phi_7546_ = bitcast<f32>(((bitcast<u32>(_e2472) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2477 = phi_7008_;
-                                                                    let _e2479 = phi_7011_;
-                                                                    local_18 = _e2479;
-                                                                    if (_e2477.member < _e2477.member_1) {
-                                                                        let _e2486 = (_e2477.member + 1i);
-                                                                        if ((false == (_e2486 > _e2477.member)) != false) {
-                                                                            phi_7032_ = true;
+                                                                    let _e2480 = phi_7543_;
+                                                                    let _e2482 = phi_7546_;
+                                                                    local_18 = _e2482;
+                                                                    if (_e2480.member < _e2480.member_1) {
+                                                                        let _e2489 = (_e2480.member + 1i);
+                                                                        if ((false == (_e2489 > _e2480.member)) != false) {
+                                                                            phi_7567_ = true;
                                                                         } else {
-                                                                            phi_7032_ = false;
+                                                                            phi_7567_ = false;
                                                                         }
-                                                                        let _e2491 = phi_7032_;
-                                                                        if _e2491 {
-                                                                            phi_7038_ = type_15(0u, type_15().member_1);
+                                                                        let _e2494 = phi_7567_;
+                                                                        if _e2494 {
+                                                                            phi_7573_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_7038_ = type_15(1u, _e2486);
+                                                                            phi_7573_ = type_15(1u, _e2489);
                                                                         }
-                                                                        let _e2496 = phi_7038_;
-                                                                        phi_7009_ = type_14(_e2496.member_1, _e2477.member_1);
-                                                                        phi_7052_ = type_15(1u, _e2477.member);
+                                                                        let _e2499 = phi_7573_;
+                                                                        phi_7544_ = type_14(_e2499.member_1, _e2480.member_1);
+                                                                        phi_7587_ = type_15(1u, _e2480.member);
                                                                     } else {
-                                                                        phi_7009_ = _e2477;
-                                                                        phi_7052_ = type_15(0u, type_15().member_1);
+                                                                        phi_7544_ = _e2480;
+                                                                        phi_7587_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2502 = phi_7009_;
-                                                                    let _e2504 = phi_7052_;
-                                                                    let _e2507 = (bitcast<i32>(_e2504.member) != 0i);
-                                                                    if _e2507 {
-                                                                        phi_7012_ = (0.5f * (_e2479 + (_e2469 / _e2479)));
+                                                                    let _e2505 = phi_7544_;
+                                                                    let _e2507 = phi_7587_;
+                                                                    let _e2510 = (bitcast<i32>(_e2507.member) != 0i);
+                                                                    if _e2510 {
+                                                                        phi_7547_ = (0.5f * (_e2482 + (_e2472 / _e2482)));
                                                                     } else {
-                                                                        phi_7012_ = f32();
+                                                                        phi_7547_ = f32();
                                                                     }
-                                                                    let _e2512 = phi_7012_;
+                                                                    let _e2515 = phi_7547_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7008_ = _e2502;
-                                                                        phi_7011_ = _e2512;
-                                                                        break if !(_e2507);
+                                                                        phi_7543_ = _e2505;
+                                                                        phi_7546_ = _e2515;
+                                                                        break if !(_e2510);
                                                                     }
                                                                 }
-                                                                let _e2517 = local_18;
-                                                                phi_7065_ = (_e2517 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2520 = local_18;
+                                                                phi_7600_ = (_e2520 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2524 = phi_7065_;
-                                                            let _e2525 = (0.000000059604645f * 12f);
-                                                            let _e2530 = ((((((((_e2203 + _e2205) + (_e2257 + _e2259)) + (_e2311 + _e2313)) * (0.000000059604645f * 16f)) + (_e2320 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2524) * (1f + _e2525)));
-                                                            let _e2535 = (((_e2460 * _e2107[0]) + (_e2462 * _e2107[1])) + (_e2464 * _e2107[2]));
-                                                            let _e2540 = (((_e2460 * (_e2107[0] - _e2113[0])) + (_e2462 * (_e2107[1] - _e2113[1]))) + (_e2464 * (_e2107[2] - _e2113[2])));
-                                                            let _e2545 = (((_e2460 * (_e2107[0] - _e2119[0])) + (_e2462 * (_e2107[1] - _e2119[1]))) + (_e2464 * (_e2107[2] - _e2119[2])));
-                                                            let _e2550 = (((_e2460 * _e2107[0]) + (_e2462 * _e2107[1])) + (_e2464 * _e2107[2]));
-                                                            let _e2556 = (((_e2460 * _e2131[0]) + (_e2462 * _e2131[1])) + (_e2464 * _e2131[2]));
-                                                            let _e2561 = (((_e2460 * (_e2131[0] - _e2137[0])) + (_e2462 * (_e2131[1] - _e2137[1]))) + (_e2464 * (_e2131[2] - _e2137[2])));
-                                                            let _e2566 = (((_e2460 * (_e2131[0] - _e2143[0])) + (_e2462 * (_e2131[1] - _e2143[1]))) + (_e2464 * (_e2131[2] - _e2143[2])));
-                                                            let _e2571 = (((_e2460 * _e2131[0]) + (_e2462 * _e2131[1])) + (_e2464 * _e2131[2]));
-                                                            if (_e2535 < 0f) {
-                                                                phi_7131_ = -(_e2535);
+                                                            let _e2527 = phi_7600_;
+                                                            let _e2528 = (0.000000059604645f * 12f);
+                                                            let _e2533 = ((((((((_e2203 + _e2205) + (_e2257 + _e2259)) + (_e2311 + _e2313)) * (0.000000059604645f * 16f)) + (_e2320 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2527) * (1f + _e2528)));
+                                                            let _e2538 = (((_e2463 * _e2107[0]) + (_e2465 * _e2107[1])) + (_e2467 * _e2107[2]));
+                                                            let _e2543 = (((_e2463 * (_e2107[0] - _e2113[0])) + (_e2465 * (_e2107[1] - _e2113[1]))) + (_e2467 * (_e2107[2] - _e2113[2])));
+                                                            let _e2548 = (((_e2463 * (_e2107[0] - _e2119[0])) + (_e2465 * (_e2107[1] - _e2119[1]))) + (_e2467 * (_e2107[2] - _e2119[2])));
+                                                            let _e2553 = (((_e2463 * _e2107[0]) + (_e2465 * _e2107[1])) + (_e2467 * _e2107[2]));
+                                                            let _e2559 = (((_e2463 * _e2131[0]) + (_e2465 * _e2131[1])) + (_e2467 * _e2131[2]));
+                                                            let _e2564 = (((_e2463 * (_e2131[0] - _e2137[0])) + (_e2465 * (_e2131[1] - _e2137[1]))) + (_e2467 * (_e2131[2] - _e2137[2])));
+                                                            let _e2569 = (((_e2463 * (_e2131[0] - _e2143[0])) + (_e2465 * (_e2131[1] - _e2143[1]))) + (_e2467 * (_e2131[2] - _e2143[2])));
+                                                            let _e2574 = (((_e2463 * _e2131[0]) + (_e2465 * _e2131[1])) + (_e2467 * _e2131[2]));
+                                                            if (_e2538 < 0f) {
+                                                                phi_7666_ = -(_e2538);
                                                             } else {
-                                                                phi_7131_ = _e2535;
+                                                                phi_7666_ = _e2538;
                                                             }
-                                                            let _e2576 = phi_7131_;
-                                                            if (_e2556 < 0f) {
-                                                                phi_7137_ = -(_e2556);
+                                                            let _e2579 = phi_7666_;
+                                                            if (_e2559 < 0f) {
+                                                                phi_7672_ = -(_e2559);
                                                             } else {
-                                                                phi_7137_ = _e2556;
+                                                                phi_7672_ = _e2559;
                                                             }
-                                                            let _e2580 = phi_7137_;
-                                                            if (_e2540 < 0f) {
-                                                                phi_7146_ = -(_e2540);
+                                                            let _e2583 = phi_7672_;
+                                                            if (_e2543 < 0f) {
+                                                                phi_7681_ = -(_e2543);
                                                             } else {
-                                                                phi_7146_ = _e2540;
+                                                                phi_7681_ = _e2543;
                                                             }
-                                                            let _e2587 = phi_7146_;
-                                                            if (_e2561 < 0f) {
-                                                                phi_7152_ = -(_e2561);
+                                                            let _e2590 = phi_7681_;
+                                                            if (_e2564 < 0f) {
+                                                                phi_7687_ = -(_e2564);
                                                             } else {
-                                                                phi_7152_ = _e2561;
+                                                                phi_7687_ = _e2564;
                                                             }
-                                                            let _e2591 = phi_7152_;
-                                                            if (_e2545 < 0f) {
-                                                                phi_7161_ = -(_e2545);
+                                                            let _e2594 = phi_7687_;
+                                                            if (_e2548 < 0f) {
+                                                                phi_7696_ = -(_e2548);
                                                             } else {
-                                                                phi_7161_ = _e2545;
+                                                                phi_7696_ = _e2548;
                                                             }
-                                                            let _e2598 = phi_7161_;
-                                                            if (_e2566 < 0f) {
-                                                                phi_7167_ = -(_e2566);
+                                                            let _e2601 = phi_7696_;
+                                                            if (_e2569 < 0f) {
+                                                                phi_7702_ = -(_e2569);
                                                             } else {
-                                                                phi_7167_ = _e2566;
+                                                                phi_7702_ = _e2569;
                                                             }
-                                                            let _e2602 = phi_7167_;
-                                                            if (_e2550 < 0f) {
-                                                                phi_7176_ = -(_e2550);
+                                                            let _e2605 = phi_7702_;
+                                                            if (_e2553 < 0f) {
+                                                                phi_7711_ = -(_e2553);
                                                             } else {
-                                                                phi_7176_ = _e2550;
+                                                                phi_7711_ = _e2553;
                                                             }
-                                                            let _e2609 = phi_7176_;
-                                                            if (_e2571 < 0f) {
-                                                                phi_7182_ = -(_e2571);
+                                                            let _e2612 = phi_7711_;
+                                                            if (_e2574 < 0f) {
+                                                                phi_7717_ = -(_e2574);
                                                             } else {
-                                                                phi_7182_ = _e2571;
+                                                                phi_7717_ = _e2574;
                                                             }
-                                                            let _e2613 = phi_7182_;
-                                                            phi_7188_ = type_30(array<f32, 4>(_e2535, _e2540, _e2545, _e2550), array<f32, 4>(_e2556, _e2561, _e2566, _e2571), array<f32, 4>((_e2530 + ((_e2576 + _e2580) * _e2525)), (_e2530 + ((_e2587 + _e2591) * _e2525)), (_e2530 + ((_e2598 + _e2602) * _e2525)), (_e2530 + ((_e2609 + _e2613) * _e2525))));
-                                                            phi_7189_ = false;
+                                                            let _e2616 = phi_7717_;
+                                                            phi_7723_ = type_31(array<f32, 4>(_e2538, _e2543, _e2548, _e2553), array<f32, 4>(_e2559, _e2564, _e2569, _e2574), array<f32, 4>((_e2533 + ((_e2579 + _e2583) * _e2528)), (_e2533 + ((_e2590 + _e2594) * _e2528)), (_e2533 + ((_e2601 + _e2605) * _e2528)), (_e2533 + ((_e2612 + _e2616) * _e2528))));
+                                                            phi_7724_ = false;
                                                         } else {
-                                                            phi_7188_ = type_30();
-                                                            phi_7189_ = true;
+                                                            phi_7723_ = type_31();
+                                                            phi_7724_ = true;
                                                         }
-                                                        let _e2620 = phi_7188_;
-                                                        let _e2622 = phi_7189_;
-                                                        phi_7190_ = _e2620;
-                                                        phi_7191_ = _e2622;
+                                                        let _e2623 = phi_7723_;
+                                                        let _e2625 = phi_7724_;
+                                                        phi_7725_ = _e2623;
+                                                        phi_7726_ = _e2625;
                                                     } else {
-                                                        phi_7190_ = type_30();
-                                                        phi_7191_ = true;
+                                                        phi_7725_ = type_31();
+                                                        phi_7726_ = true;
                                                     }
-                                                    let _e2624 = phi_7190_;
-                                                    let _e2626 = phi_7191_;
-                                                    if _e2626 {
-                                                        phi_7199_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                    let _e2627 = phi_7725_;
+                                                    let _e2629 = phi_7726_;
+                                                    if _e2629 {
+                                                        phi_7734_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                                     } else {
-                                                        phi_7199_ = _e2624;
+                                                        phi_7734_ = _e2627;
                                                     }
-                                                    let _e2628 = phi_7199_;
-                                                    local_1 = type_30(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
-                                                    let _e2648 = (_e2328 - _e2332);
-                                                    let _e2652 = local_1.member[0u];
-                                                    let _e2655 = local_1.member_1[0u];
-                                                    let _e2658 = local_1.member[0u];
-                                                    let _e2664 = local_1.member_2[0u];
-                                                    if (((_e2652 + ((_e2655 - _e2658) * _e2328)) - _e2664) > 0f) {
-                                                        let _e2669 = local_1.member[1u];
-                                                        let _e2672 = local_1.member_1[1u];
-                                                        let _e2675 = local_1.member[1u];
-                                                        let _e2681 = local_1.member_2[1u];
-                                                        if (((_e2669 + ((_e2672 - _e2675) * _e2328)) - _e2681) > 0f) {
-                                                            let _e2686 = local_1.member[2u];
-                                                            let _e2689 = local_1.member_1[2u];
-                                                            let _e2692 = local_1.member[2u];
-                                                            let _e2698 = local_1.member_2[2u];
-                                                            if (((_e2686 + ((_e2689 - _e2692) * _e2328)) - _e2698) > 0f) {
-                                                                let _e2703 = local_1.member[3u];
-                                                                let _e2706 = local_1.member_1[3u];
-                                                                let _e2709 = local_1.member[3u];
-                                                                let _e2715 = local_1.member_2[3u];
-                                                                phi_7370_ = (((_e2703 + ((_e2706 - _e2709) * _e2328)) - _e2715) > 0f);
-                                                                phi_7371_ = false;
+                                                    let _e2631 = phi_7734_;
+                                                    local_1 = type_31(array<f32, 4>(_e2631.member[0], _e2631.member[1], _e2631.member[2], _e2631.member[3]), array<f32, 4>(_e2631.member_1[0], _e2631.member_1[1], _e2631.member_1[2], _e2631.member_1[3]), array<f32, 4>(_e2631.member_2[0], _e2631.member_2[1], _e2631.member_2[2], _e2631.member_2[3]));
+                                                    let _e2651 = (_e2329 - _e2335);
+                                                    let _e2655 = local_1.member[0u];
+                                                    let _e2658 = local_1.member_1[0u];
+                                                    let _e2661 = local_1.member[0u];
+                                                    let _e2667 = local_1.member_2[0u];
+                                                    if (((_e2655 + ((_e2658 - _e2661) * _e2329)) - _e2667) > 0f) {
+                                                        let _e2672 = local_1.member[1u];
+                                                        let _e2675 = local_1.member_1[1u];
+                                                        let _e2678 = local_1.member[1u];
+                                                        let _e2684 = local_1.member_2[1u];
+                                                        if (((_e2672 + ((_e2675 - _e2678) * _e2329)) - _e2684) > 0f) {
+                                                            let _e2689 = local_1.member[2u];
+                                                            let _e2692 = local_1.member_1[2u];
+                                                            let _e2695 = local_1.member[2u];
+                                                            let _e2701 = local_1.member_2[2u];
+                                                            if (((_e2689 + ((_e2692 - _e2695) * _e2329)) - _e2701) > 0f) {
+                                                                let _e2706 = local_1.member[3u];
+                                                                let _e2709 = local_1.member_1[3u];
+                                                                let _e2712 = local_1.member[3u];
+                                                                let _e2718 = local_1.member_2[3u];
+                                                                phi_7905_ = (((_e2706 + ((_e2709 - _e2712) * _e2329)) - _e2718) > 0f);
+                                                                phi_7906_ = false;
                                                             } else {
-                                                                phi_7370_ = bool();
-                                                                phi_7371_ = true;
+                                                                phi_7905_ = bool();
+                                                                phi_7906_ = true;
                                                             }
-                                                            let _e2719 = phi_7370_;
-                                                            let _e2721 = phi_7371_;
-                                                            phi_7372_ = _e2719;
-                                                            phi_7373_ = _e2721;
+                                                            let _e2722 = phi_7905_;
+                                                            let _e2724 = phi_7906_;
+                                                            phi_7907_ = _e2722;
+                                                            phi_7908_ = _e2724;
                                                         } else {
-                                                            phi_7372_ = bool();
-                                                            phi_7373_ = true;
+                                                            phi_7907_ = bool();
+                                                            phi_7908_ = true;
                                                         }
-                                                        let _e2723 = phi_7372_;
-                                                        let _e2725 = phi_7373_;
-                                                        phi_7374_ = _e2723;
-                                                        phi_7375_ = _e2725;
+                                                        let _e2726 = phi_7907_;
+                                                        let _e2728 = phi_7908_;
+                                                        phi_7909_ = _e2726;
+                                                        phi_7910_ = _e2728;
                                                     } else {
-                                                        phi_7374_ = bool();
-                                                        phi_7375_ = true;
+                                                        phi_7909_ = bool();
+                                                        phi_7910_ = true;
                                                     }
-                                                    let _e2727 = phi_7374_;
-                                                    let _e2729 = phi_7375_;
-                                                    if _e2729 {
-                                                        phi_7379_ = false;
+                                                    let _e2730 = phi_7909_;
+                                                    let _e2732 = phi_7910_;
+                                                    if _e2732 {
+                                                        phi_7914_ = false;
                                                     } else {
-                                                        phi_7379_ = _e2727;
+                                                        phi_7914_ = _e2730;
                                                     }
-                                                    let _e2731 = phi_7379_;
-                                                    if _e2731 {
-                                                        if (_e2328 <= _e2330) {
-                                                            phi_7689_ = true;
+                                                    let _e2734 = phi_7914_;
+                                                    if _e2734 {
+                                                        if (_e2329 <= _e2331) {
+                                                            phi_8224_ = true;
                                                         } else {
-                                                            let _e2735 = local.member[0u];
-                                                            let _e2738 = local.member_1[0u];
-                                                            let _e2741 = local.member[0u];
-                                                            let _e2747 = local.member_2[0u];
-                                                            let _e2751 = local_1.member[0u];
-                                                            let _e2754 = local_1.member_1[0u];
-                                                            let _e2757 = local_1.member[0u];
-                                                            let _e2763 = local_1.member_2[0u];
-                                                            if ((((_e2735 + ((_e2738 - _e2741) * _e2328)) - _e2747) + ((_e2751 + ((_e2754 - _e2757) * _e2332)) - _e2763)) > 0f) {
-                                                                let _e2769 = local.member[1u];
-                                                                let _e2772 = local.member_1[1u];
-                                                                let _e2775 = local.member[1u];
-                                                                let _e2781 = local.member_2[1u];
-                                                                let _e2785 = local_1.member[1u];
-                                                                let _e2788 = local_1.member_1[1u];
-                                                                let _e2791 = local_1.member[1u];
-                                                                let _e2797 = local_1.member_2[1u];
-                                                                if ((((_e2769 + ((_e2772 - _e2775) * _e2328)) - _e2781) + ((_e2785 + ((_e2788 - _e2791) * _e2332)) - _e2797)) > 0f) {
-                                                                    let _e2803 = local.member[2u];
-                                                                    let _e2806 = local.member_1[2u];
-                                                                    let _e2809 = local.member[2u];
-                                                                    let _e2815 = local.member_2[2u];
-                                                                    let _e2819 = local_1.member[2u];
-                                                                    let _e2822 = local_1.member_1[2u];
-                                                                    let _e2825 = local_1.member[2u];
-                                                                    let _e2831 = local_1.member_2[2u];
-                                                                    if ((((_e2803 + ((_e2806 - _e2809) * _e2328)) - _e2815) + ((_e2819 + ((_e2822 - _e2825) * _e2332)) - _e2831)) > 0f) {
-                                                                        let _e2837 = local.member[3u];
-                                                                        let _e2840 = local.member_1[3u];
-                                                                        let _e2843 = local.member[3u];
-                                                                        let _e2849 = local.member_2[3u];
-                                                                        let _e2853 = local_1.member[3u];
-                                                                        let _e2856 = local_1.member_1[3u];
-                                                                        let _e2859 = local_1.member[3u];
-                                                                        let _e2865 = local_1.member_2[3u];
-                                                                        phi_7676_ = ((((_e2837 + ((_e2840 - _e2843) * _e2328)) - _e2849) + ((_e2853 + ((_e2856 - _e2859) * _e2332)) - _e2865)) > 0f);
-                                                                        phi_7677_ = false;
+                                                            let _e2738 = local.member[0u];
+                                                            let _e2741 = local.member_1[0u];
+                                                            let _e2744 = local.member[0u];
+                                                            let _e2750 = local.member_2[0u];
+                                                            let _e2754 = local_1.member[0u];
+                                                            let _e2757 = local_1.member_1[0u];
+                                                            let _e2760 = local_1.member[0u];
+                                                            let _e2766 = local_1.member_2[0u];
+                                                            if ((((_e2738 + ((_e2741 - _e2744) * _e2329)) - _e2750) + ((_e2754 + ((_e2757 - _e2760) * _e2335)) - _e2766)) > 0f) {
+                                                                let _e2772 = local.member[1u];
+                                                                let _e2775 = local.member_1[1u];
+                                                                let _e2778 = local.member[1u];
+                                                                let _e2784 = local.member_2[1u];
+                                                                let _e2788 = local_1.member[1u];
+                                                                let _e2791 = local_1.member_1[1u];
+                                                                let _e2794 = local_1.member[1u];
+                                                                let _e2800 = local_1.member_2[1u];
+                                                                if ((((_e2772 + ((_e2775 - _e2778) * _e2329)) - _e2784) + ((_e2788 + ((_e2791 - _e2794) * _e2335)) - _e2800)) > 0f) {
+                                                                    let _e2806 = local.member[2u];
+                                                                    let _e2809 = local.member_1[2u];
+                                                                    let _e2812 = local.member[2u];
+                                                                    let _e2818 = local.member_2[2u];
+                                                                    let _e2822 = local_1.member[2u];
+                                                                    let _e2825 = local_1.member_1[2u];
+                                                                    let _e2828 = local_1.member[2u];
+                                                                    let _e2834 = local_1.member_2[2u];
+                                                                    if ((((_e2806 + ((_e2809 - _e2812) * _e2329)) - _e2818) + ((_e2822 + ((_e2825 - _e2828) * _e2335)) - _e2834)) > 0f) {
+                                                                        let _e2840 = local.member[3u];
+                                                                        let _e2843 = local.member_1[3u];
+                                                                        let _e2846 = local.member[3u];
+                                                                        let _e2852 = local.member_2[3u];
+                                                                        let _e2856 = local_1.member[3u];
+                                                                        let _e2859 = local_1.member_1[3u];
+                                                                        let _e2862 = local_1.member[3u];
+                                                                        let _e2868 = local_1.member_2[3u];
+                                                                        phi_8211_ = ((((_e2840 + ((_e2843 - _e2846) * _e2329)) - _e2852) + ((_e2856 + ((_e2859 - _e2862) * _e2335)) - _e2868)) > 0f);
+                                                                        phi_8212_ = false;
                                                                     } else {
-                                                                        phi_7676_ = bool();
-                                                                        phi_7677_ = true;
+                                                                        phi_8211_ = bool();
+                                                                        phi_8212_ = true;
                                                                     }
-                                                                    let _e2870 = phi_7676_;
-                                                                    let _e2872 = phi_7677_;
-                                                                    phi_7678_ = _e2870;
-                                                                    phi_7679_ = _e2872;
+                                                                    let _e2873 = phi_8211_;
+                                                                    let _e2875 = phi_8212_;
+                                                                    phi_8213_ = _e2873;
+                                                                    phi_8214_ = _e2875;
                                                                 } else {
-                                                                    phi_7678_ = bool();
-                                                                    phi_7679_ = true;
+                                                                    phi_8213_ = bool();
+                                                                    phi_8214_ = true;
                                                                 }
-                                                                let _e2874 = phi_7678_;
-                                                                let _e2876 = phi_7679_;
-                                                                phi_7680_ = _e2874;
-                                                                phi_7681_ = _e2876;
+                                                                let _e2877 = phi_8213_;
+                                                                let _e2879 = phi_8214_;
+                                                                phi_8215_ = _e2877;
+                                                                phi_8216_ = _e2879;
                                                             } else {
-                                                                phi_7680_ = bool();
-                                                                phi_7681_ = true;
+                                                                phi_8215_ = bool();
+                                                                phi_8216_ = true;
                                                             }
-                                                            let _e2878 = phi_7680_;
-                                                            let _e2880 = phi_7681_;
-                                                            if _e2880 {
-                                                                phi_7685_ = false;
+                                                            let _e2881 = phi_8215_;
+                                                            let _e2883 = phi_8216_;
+                                                            if _e2883 {
+                                                                phi_8220_ = false;
                                                             } else {
-                                                                phi_7685_ = _e2878;
+                                                                phi_8220_ = _e2881;
                                                             }
-                                                            let _e2882 = phi_7685_;
-                                                            phi_7689_ = _e2882;
+                                                            let _e2885 = phi_8220_;
+                                                            phi_8224_ = _e2885;
                                                         }
-                                                        let _e2884 = phi_7689_;
-                                                        if _e2884 {
-                                                            if _e2334 {
-                                                                if (_e2328 >= _e1390.member_1) {
-                                                                    phi_7700_ = false;
+                                                        let _e2887 = phi_8224_;
+                                                        if _e2887 {
+                                                            if _e2337 {
+                                                                if (_e2329 >= _e1390.member_1) {
+                                                                    phi_8235_ = false;
                                                                 } else {
-                                                                    phi_7700_ = true;
+                                                                    phi_8235_ = true;
                                                                 }
-                                                                let _e2887 = phi_7700_;
-                                                                phi_7701_ = _e2887;
+                                                                let _e2890 = phi_8235_;
+                                                                phi_8236_ = _e2890;
                                                             } else {
-                                                                phi_7701_ = true;
+                                                                phi_8236_ = true;
                                                             }
-                                                            let _e2889 = phi_7701_;
-                                                            if _e2889 {
-                                                                local = type_30(array<f32, 4>(_e2628.member[0], _e2628.member[1], _e2628.member[2], _e2628.member[3]), array<f32, 4>(_e2628.member_1[0], _e2628.member_1[1], _e2628.member_1[2], _e2628.member_1[3]), array<f32, 4>(_e2628.member_2[0], _e2628.member_2[1], _e2628.member_2[2], _e2628.member_2[3]));
-                                                                let _e2911 = local.member[0u];
-                                                                let _e2914 = local.member_1[0u];
-                                                                let _e2917 = local.member_2[0u];
-                                                                if (_e2911 > _e2917) {
-                                                                    if (_e2914 > _e2917) {
-                                                                        phi_7775_ = false;
+                                                            let _e2892 = phi_8236_;
+                                                            if _e2892 {
+                                                                local = type_31(array<f32, 4>(_e2631.member[0], _e2631.member[1], _e2631.member[2], _e2631.member[3]), array<f32, 4>(_e2631.member_1[0], _e2631.member_1[1], _e2631.member_1[2], _e2631.member_1[3]), array<f32, 4>(_e2631.member_2[0], _e2631.member_2[1], _e2631.member_2[2], _e2631.member_2[3]));
+                                                                let _e2914 = local.member[0u];
+                                                                let _e2917 = local.member_1[0u];
+                                                                let _e2920 = local.member_2[0u];
+                                                                if (_e2914 > _e2920) {
+                                                                    if (_e2917 > _e2920) {
+                                                                        phi_8310_ = false;
                                                                     } else {
-                                                                        phi_7775_ = true;
+                                                                        phi_8310_ = true;
                                                                     }
-                                                                    let _e2921 = phi_7775_;
-                                                                    phi_7776_ = _e2921;
+                                                                    let _e2924 = phi_8310_;
+                                                                    phi_8311_ = _e2924;
                                                                 } else {
-                                                                    phi_7776_ = true;
+                                                                    phi_8311_ = true;
                                                                 }
-                                                                let _e2923 = phi_7776_;
-                                                                if _e2923 {
-                                                                    let _e2924 = (_e2914 >= _e2911);
-                                                                    if _e2924 {
-                                                                        phi_7798_ = f32();
-                                                                        phi_7799_ = false;
+                                                                let _e2926 = phi_8311_;
+                                                                if _e2926 {
+                                                                    let _e2927 = (_e2917 >= _e2914);
+                                                                    if _e2927 {
+                                                                        phi_8333_ = f32();
+                                                                        phi_8334_ = false;
                                                                     } else {
-                                                                        if ((_e2911 - _e2914) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7796_ = (((_e2911 - _e2917) / (_e2911 - _e2914)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7797_ = false;
+                                                                        if ((_e2914 - _e2917) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_8331_ = (((_e2914 - _e2920) / (_e2914 - _e2917)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_8332_ = false;
                                                                         } else {
-                                                                            phi_7796_ = f32();
-                                                                            phi_7797_ = true;
+                                                                            phi_8331_ = f32();
+                                                                            phi_8332_ = true;
                                                                         }
-                                                                        let _e2935 = phi_7796_;
-                                                                        let _e2937 = phi_7797_;
-                                                                        phi_7798_ = _e2935;
-                                                                        phi_7799_ = _e2937;
+                                                                        let _e2938 = phi_8331_;
+                                                                        let _e2940 = phi_8332_;
+                                                                        phi_8333_ = _e2938;
+                                                                        phi_8334_ = _e2940;
                                                                     }
-                                                                    let _e2939 = phi_7798_;
-                                                                    let _e2941 = phi_7799_;
-                                                                    phi_7800_ = _e2939;
-                                                                    phi_7801_ = _e2924;
-                                                                    phi_7802_ = _e2941;
+                                                                    let _e2942 = phi_8333_;
+                                                                    let _e2944 = phi_8334_;
+                                                                    phi_8335_ = _e2942;
+                                                                    phi_8336_ = _e2927;
+                                                                    phi_8337_ = _e2944;
                                                                 } else {
-                                                                    phi_7800_ = f32();
-                                                                    phi_7801_ = true;
-                                                                    phi_7802_ = false;
+                                                                    phi_8335_ = f32();
+                                                                    phi_8336_ = true;
+                                                                    phi_8337_ = false;
                                                                 }
-                                                                let _e2943 = phi_7800_;
-                                                                let _e2945 = phi_7801_;
-                                                                let _e2947 = phi_7802_;
-                                                                if _e2945 {
-                                                                    phi_7806_ = 2f;
-                                                                    phi_7807_ = true;
+                                                                let _e2946 = phi_8335_;
+                                                                let _e2948 = phi_8336_;
+                                                                let _e2950 = phi_8337_;
+                                                                if _e2948 {
+                                                                    phi_8341_ = 2f;
+                                                                    phi_8342_ = true;
                                                                 } else {
-                                                                    phi_7806_ = _e2328;
-                                                                    phi_7807_ = _e2947;
+                                                                    phi_8341_ = _e2329;
+                                                                    phi_8342_ = _e2950;
                                                                 }
-                                                                let _e2949 = phi_7806_;
-                                                                let _e2951 = phi_7807_;
-                                                                if _e2951 {
-                                                                    phi_7811_ = _e2949;
+                                                                let _e2952 = phi_8341_;
+                                                                let _e2954 = phi_8342_;
+                                                                if _e2954 {
+                                                                    phi_8346_ = _e2952;
                                                                 } else {
-                                                                    phi_7811_ = _e2943;
+                                                                    phi_8346_ = _e2946;
                                                                 }
-                                                                let _e2953 = phi_7811_;
-                                                                let _e2956 = local.member[1u];
-                                                                let _e2959 = local.member_1[1u];
-                                                                let _e2962 = local.member_2[1u];
-                                                                if (_e2956 > _e2962) {
-                                                                    if (_e2959 > _e2962) {
-                                                                        phi_7843_ = false;
+                                                                let _e2956 = phi_8346_;
+                                                                let _e2959 = local.member[1u];
+                                                                let _e2962 = local.member_1[1u];
+                                                                let _e2965 = local.member_2[1u];
+                                                                if (_e2959 > _e2965) {
+                                                                    if (_e2962 > _e2965) {
+                                                                        phi_8378_ = false;
                                                                     } else {
-                                                                        phi_7843_ = true;
+                                                                        phi_8378_ = true;
                                                                     }
-                                                                    let _e2966 = phi_7843_;
-                                                                    phi_7844_ = _e2966;
+                                                                    let _e2969 = phi_8378_;
+                                                                    phi_8379_ = _e2969;
                                                                 } else {
-                                                                    phi_7844_ = true;
+                                                                    phi_8379_ = true;
                                                                 }
-                                                                let _e2968 = phi_7844_;
-                                                                if _e2968 {
-                                                                    let _e2969 = (_e2959 >= _e2956);
-                                                                    if _e2969 {
-                                                                        phi_7866_ = f32();
-                                                                        phi_7867_ = false;
+                                                                let _e2971 = phi_8379_;
+                                                                if _e2971 {
+                                                                    let _e2972 = (_e2962 >= _e2959);
+                                                                    if _e2972 {
+                                                                        phi_8401_ = f32();
+                                                                        phi_8402_ = false;
                                                                     } else {
-                                                                        if ((_e2956 - _e2959) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7864_ = (((_e2956 - _e2962) / (_e2956 - _e2959)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7865_ = false;
+                                                                        if ((_e2959 - _e2962) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_8399_ = (((_e2959 - _e2965) / (_e2959 - _e2962)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_8400_ = false;
                                                                         } else {
-                                                                            phi_7864_ = f32();
-                                                                            phi_7865_ = true;
+                                                                            phi_8399_ = f32();
+                                                                            phi_8400_ = true;
                                                                         }
-                                                                        let _e2980 = phi_7864_;
-                                                                        let _e2982 = phi_7865_;
-                                                                        phi_7866_ = _e2980;
-                                                                        phi_7867_ = _e2982;
+                                                                        let _e2983 = phi_8399_;
+                                                                        let _e2985 = phi_8400_;
+                                                                        phi_8401_ = _e2983;
+                                                                        phi_8402_ = _e2985;
                                                                     }
-                                                                    let _e2984 = phi_7866_;
-                                                                    let _e2986 = phi_7867_;
-                                                                    phi_7868_ = _e2984;
-                                                                    phi_7869_ = _e2969;
-                                                                    phi_7870_ = _e2986;
+                                                                    let _e2987 = phi_8401_;
+                                                                    let _e2989 = phi_8402_;
+                                                                    phi_8403_ = _e2987;
+                                                                    phi_8404_ = _e2972;
+                                                                    phi_8405_ = _e2989;
                                                                 } else {
-                                                                    phi_7868_ = f32();
-                                                                    phi_7869_ = true;
-                                                                    phi_7870_ = false;
+                                                                    phi_8403_ = f32();
+                                                                    phi_8404_ = true;
+                                                                    phi_8405_ = false;
                                                                 }
-                                                                let _e2988 = phi_7868_;
-                                                                let _e2990 = phi_7869_;
-                                                                let _e2992 = phi_7870_;
-                                                                if _e2990 {
-                                                                    phi_7874_ = 2f;
-                                                                    phi_7875_ = true;
+                                                                let _e2991 = phi_8403_;
+                                                                let _e2993 = phi_8404_;
+                                                                let _e2995 = phi_8405_;
+                                                                if _e2993 {
+                                                                    phi_8409_ = 2f;
+                                                                    phi_8410_ = true;
                                                                 } else {
-                                                                    phi_7874_ = _e2328;
-                                                                    phi_7875_ = _e2992;
+                                                                    phi_8409_ = _e2329;
+                                                                    phi_8410_ = _e2995;
                                                                 }
-                                                                let _e2994 = phi_7874_;
-                                                                let _e2996 = phi_7875_;
-                                                                if _e2996 {
-                                                                    phi_7879_ = _e2994;
+                                                                let _e2997 = phi_8409_;
+                                                                let _e2999 = phi_8410_;
+                                                                if _e2999 {
+                                                                    phi_8414_ = _e2997;
                                                                 } else {
-                                                                    phi_7879_ = _e2988;
+                                                                    phi_8414_ = _e2991;
                                                                 }
-                                                                let _e2998 = phi_7879_;
-                                                                if (_e2953 < _e2998) {
-                                                                    phi_7884_ = _e2953;
+                                                                let _e3001 = phi_8414_;
+                                                                if (_e2956 < _e3001) {
+                                                                    phi_8419_ = _e2956;
                                                                 } else {
-                                                                    phi_7884_ = _e2998;
+                                                                    phi_8419_ = _e3001;
                                                                 }
-                                                                let _e3001 = phi_7884_;
-                                                                let _e3004 = local.member[2u];
-                                                                let _e3007 = local.member_1[2u];
-                                                                let _e3010 = local.member_2[2u];
-                                                                if (_e3004 > _e3010) {
-                                                                    if (_e3007 > _e3010) {
-                                                                        phi_7916_ = false;
+                                                                let _e3004 = phi_8419_;
+                                                                let _e3007 = local.member[2u];
+                                                                let _e3010 = local.member_1[2u];
+                                                                let _e3013 = local.member_2[2u];
+                                                                if (_e3007 > _e3013) {
+                                                                    if (_e3010 > _e3013) {
+                                                                        phi_8451_ = false;
                                                                     } else {
-                                                                        phi_7916_ = true;
+                                                                        phi_8451_ = true;
                                                                     }
-                                                                    let _e3014 = phi_7916_;
-                                                                    phi_7917_ = _e3014;
+                                                                    let _e3017 = phi_8451_;
+                                                                    phi_8452_ = _e3017;
                                                                 } else {
-                                                                    phi_7917_ = true;
+                                                                    phi_8452_ = true;
                                                                 }
-                                                                let _e3016 = phi_7917_;
-                                                                if _e3016 {
-                                                                    let _e3017 = (_e3007 >= _e3004);
-                                                                    if _e3017 {
-                                                                        phi_7939_ = f32();
-                                                                        phi_7940_ = false;
+                                                                let _e3019 = phi_8452_;
+                                                                if _e3019 {
+                                                                    let _e3020 = (_e3010 >= _e3007);
+                                                                    if _e3020 {
+                                                                        phi_8474_ = f32();
+                                                                        phi_8475_ = false;
                                                                     } else {
-                                                                        if ((_e3004 - _e3007) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7937_ = (((_e3004 - _e3010) / (_e3004 - _e3007)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7938_ = false;
+                                                                        if ((_e3007 - _e3010) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_8472_ = (((_e3007 - _e3013) / (_e3007 - _e3010)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_8473_ = false;
                                                                         } else {
-                                                                            phi_7937_ = f32();
-                                                                            phi_7938_ = true;
+                                                                            phi_8472_ = f32();
+                                                                            phi_8473_ = true;
                                                                         }
-                                                                        let _e3028 = phi_7937_;
-                                                                        let _e3030 = phi_7938_;
-                                                                        phi_7939_ = _e3028;
-                                                                        phi_7940_ = _e3030;
+                                                                        let _e3031 = phi_8472_;
+                                                                        let _e3033 = phi_8473_;
+                                                                        phi_8474_ = _e3031;
+                                                                        phi_8475_ = _e3033;
                                                                     }
-                                                                    let _e3032 = phi_7939_;
-                                                                    let _e3034 = phi_7940_;
-                                                                    phi_7941_ = _e3032;
-                                                                    phi_7942_ = _e3017;
-                                                                    phi_7943_ = _e3034;
+                                                                    let _e3035 = phi_8474_;
+                                                                    let _e3037 = phi_8475_;
+                                                                    phi_8476_ = _e3035;
+                                                                    phi_8477_ = _e3020;
+                                                                    phi_8478_ = _e3037;
                                                                 } else {
-                                                                    phi_7941_ = f32();
-                                                                    phi_7942_ = true;
-                                                                    phi_7943_ = false;
+                                                                    phi_8476_ = f32();
+                                                                    phi_8477_ = true;
+                                                                    phi_8478_ = false;
                                                                 }
-                                                                let _e3036 = phi_7941_;
-                                                                let _e3038 = phi_7942_;
-                                                                let _e3040 = phi_7943_;
-                                                                if _e3038 {
-                                                                    phi_7947_ = 2f;
-                                                                    phi_7948_ = true;
+                                                                let _e3039 = phi_8476_;
+                                                                let _e3041 = phi_8477_;
+                                                                let _e3043 = phi_8478_;
+                                                                if _e3041 {
+                                                                    phi_8482_ = 2f;
+                                                                    phi_8483_ = true;
                                                                 } else {
-                                                                    phi_7947_ = _e2328;
-                                                                    phi_7948_ = _e3040;
+                                                                    phi_8482_ = _e2329;
+                                                                    phi_8483_ = _e3043;
                                                                 }
-                                                                let _e3042 = phi_7947_;
-                                                                let _e3044 = phi_7948_;
-                                                                if _e3044 {
-                                                                    phi_7952_ = _e3042;
+                                                                let _e3045 = phi_8482_;
+                                                                let _e3047 = phi_8483_;
+                                                                if _e3047 {
+                                                                    phi_8487_ = _e3045;
                                                                 } else {
-                                                                    phi_7952_ = _e3036;
+                                                                    phi_8487_ = _e3039;
                                                                 }
-                                                                let _e3046 = phi_7952_;
-                                                                let _e3049 = local.member[3u];
-                                                                let _e3052 = local.member_1[3u];
-                                                                let _e3055 = local.member_2[3u];
-                                                                if (_e3049 > _e3055) {
-                                                                    if (_e3052 > _e3055) {
-                                                                        phi_7984_ = false;
+                                                                let _e3049 = phi_8487_;
+                                                                let _e3052 = local.member[3u];
+                                                                let _e3055 = local.member_1[3u];
+                                                                let _e3058 = local.member_2[3u];
+                                                                if (_e3052 > _e3058) {
+                                                                    if (_e3055 > _e3058) {
+                                                                        phi_8519_ = false;
                                                                     } else {
-                                                                        phi_7984_ = true;
+                                                                        phi_8519_ = true;
                                                                     }
-                                                                    let _e3059 = phi_7984_;
-                                                                    phi_7985_ = _e3059;
+                                                                    let _e3062 = phi_8519_;
+                                                                    phi_8520_ = _e3062;
                                                                 } else {
-                                                                    phi_7985_ = true;
+                                                                    phi_8520_ = true;
                                                                 }
-                                                                let _e3061 = phi_7985_;
-                                                                if _e3061 {
-                                                                    let _e3062 = (_e3052 >= _e3049);
-                                                                    if _e3062 {
-                                                                        phi_8007_ = f32();
-                                                                        phi_8008_ = false;
+                                                                let _e3064 = phi_8520_;
+                                                                if _e3064 {
+                                                                    let _e3065 = (_e3055 >= _e3052);
+                                                                    if _e3065 {
+                                                                        phi_8542_ = f32();
+                                                                        phi_8543_ = false;
                                                                     } else {
-                                                                        if ((_e3049 - _e3052) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_8005_ = (((_e3049 - _e3055) / (_e3049 - _e3052)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_8006_ = false;
+                                                                        if ((_e3052 - _e3055) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_8540_ = (((_e3052 - _e3058) / (_e3052 - _e3055)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_8541_ = false;
                                                                         } else {
-                                                                            phi_8005_ = f32();
-                                                                            phi_8006_ = true;
+                                                                            phi_8540_ = f32();
+                                                                            phi_8541_ = true;
                                                                         }
-                                                                        let _e3073 = phi_8005_;
-                                                                        let _e3075 = phi_8006_;
-                                                                        phi_8007_ = _e3073;
-                                                                        phi_8008_ = _e3075;
+                                                                        let _e3076 = phi_8540_;
+                                                                        let _e3078 = phi_8541_;
+                                                                        phi_8542_ = _e3076;
+                                                                        phi_8543_ = _e3078;
                                                                     }
-                                                                    let _e3077 = phi_8007_;
-                                                                    let _e3079 = phi_8008_;
-                                                                    phi_8009_ = _e3077;
-                                                                    phi_8010_ = _e3062;
-                                                                    phi_8011_ = _e3079;
+                                                                    let _e3080 = phi_8542_;
+                                                                    let _e3082 = phi_8543_;
+                                                                    phi_8544_ = _e3080;
+                                                                    phi_8545_ = _e3065;
+                                                                    phi_8546_ = _e3082;
                                                                 } else {
-                                                                    phi_8009_ = f32();
-                                                                    phi_8010_ = true;
-                                                                    phi_8011_ = false;
+                                                                    phi_8544_ = f32();
+                                                                    phi_8545_ = true;
+                                                                    phi_8546_ = false;
                                                                 }
-                                                                let _e3081 = phi_8009_;
-                                                                let _e3083 = phi_8010_;
-                                                                let _e3085 = phi_8011_;
-                                                                if _e3083 {
-                                                                    phi_8015_ = 2f;
-                                                                    phi_8016_ = true;
+                                                                let _e3084 = phi_8544_;
+                                                                let _e3086 = phi_8545_;
+                                                                let _e3088 = phi_8546_;
+                                                                if _e3086 {
+                                                                    phi_8550_ = 2f;
+                                                                    phi_8551_ = true;
                                                                 } else {
-                                                                    phi_8015_ = _e2328;
-                                                                    phi_8016_ = _e3085;
+                                                                    phi_8550_ = _e2329;
+                                                                    phi_8551_ = _e3088;
                                                                 }
-                                                                let _e3087 = phi_8015_;
-                                                                let _e3089 = phi_8016_;
-                                                                if _e3089 {
-                                                                    phi_8020_ = _e3087;
+                                                                let _e3090 = phi_8550_;
+                                                                let _e3092 = phi_8551_;
+                                                                if _e3092 {
+                                                                    phi_8555_ = _e3090;
                                                                 } else {
-                                                                    phi_8020_ = _e3081;
+                                                                    phi_8555_ = _e3084;
                                                                 }
-                                                                let _e3091 = phi_8020_;
-                                                                if (_e3046 < _e3091) {
-                                                                    phi_8025_ = _e3046;
+                                                                let _e3094 = phi_8555_;
+                                                                if (_e3049 < _e3094) {
+                                                                    phi_8560_ = _e3049;
                                                                 } else {
-                                                                    phi_8025_ = _e3091;
+                                                                    phi_8560_ = _e3094;
                                                                 }
-                                                                let _e3094 = phi_8025_;
-                                                                if (_e3001 < _e3094) {
-                                                                    phi_8030_ = _e3001;
+                                                                let _e3097 = phi_8560_;
+                                                                if (_e3004 < _e3097) {
+                                                                    phi_8565_ = _e3004;
                                                                 } else {
-                                                                    phi_8030_ = _e3094;
+                                                                    phi_8565_ = _e3097;
                                                                 }
-                                                                let _e3097 = phi_8030_;
-                                                                if (_e3097 > _e2328) {
-                                                                    phi_8035_ = _e3097;
+                                                                let _e3100 = phi_8565_;
+                                                                if (_e3100 > _e2329) {
+                                                                    phi_8570_ = _e3100;
                                                                 } else {
-                                                                    phi_8035_ = _e2328;
+                                                                    phi_8570_ = _e2329;
                                                                 }
-                                                                let _e3100 = phi_8035_;
-                                                                let _e3101 = (_e3100 > _e1390.member_1);
-                                                                if _e3101 {
-                                                                    phi_8046_ = f32();
-                                                                    phi_8047_ = false;
+                                                                let _e3103 = phi_8570_;
+                                                                let _e3104 = (_e3103 > _e1390.member_1);
+                                                                if _e3104 {
+                                                                    phi_9074_ = f32();
+                                                                    phi_9075_ = f32();
+                                                                    phi_9076_ = false;
                                                                 } else {
-                                                                    if _e2334 {
-                                                                        phi_8045_ = (_e2648 + _e2648);
+                                                                    let _e3105 = (_e3103 - _e2329);
+                                                                    if _e2337 {
+                                                                        if (_e3105 <= 0.0000000037252903f) {
+                                                                            phi_9064_ = true;
+                                                                        } else {
+                                                                            if (_e3105 <= (_e2333 * 0.25f)) {
+                                                                                phi_9063_ = false;
+                                                                            } else {
+                                                                                phi_9063_ = true;
+                                                                            }
+                                                                            let _e3111 = phi_9063_;
+                                                                            phi_9064_ = _e3111;
+                                                                        }
+                                                                        let _e3113 = phi_9064_;
+                                                                        if _e3113 {
+                                                                            phi_9069_ = (_e2651 + _e2651);
+                                                                        } else {
+                                                                            phi_9069_ = 0f;
+                                                                        }
+                                                                        let _e3116 = phi_9069_;
+                                                                        phi_9071_ = _e3116;
                                                                     } else {
-                                                                        phi_8045_ = (_e1390.member_1 - _e2328);
+                                                                        phi_9071_ = (_e1390.member_1 - _e2329);
                                                                     }
-                                                                    let _e3105 = phi_8045_;
-                                                                    phi_8046_ = _e3105;
-                                                                    phi_8047_ = true;
+                                                                    let _e3118 = phi_9071_;
+                                                                    phi_9074_ = _e3118;
+                                                                    phi_9075_ = _e3105;
+                                                                    phi_9076_ = true;
                                                                 }
-                                                                let _e3107 = phi_8046_;
-                                                                let _e3109 = phi_8047_;
-                                                                phi_8048_ = _e3100;
-                                                                phi_8049_ = _e3107;
-                                                                phi_8050_ = _e3109;
-                                                                phi_8051_ = _e3101;
-                                                                phi_8052_ = false;
+                                                                let _e3120 = phi_9074_;
+                                                                let _e3122 = phi_9075_;
+                                                                let _e3124 = phi_9076_;
+                                                                phi_9078_ = _e3103;
+                                                                phi_9079_ = _e3120;
+                                                                phi_9080_ = _e3122;
+                                                                phi_9082_ = _e3124;
+                                                                phi_9083_ = _e3104;
+                                                                phi_9085_ = false;
                                                             } else {
-                                                                phi_8048_ = f32();
-                                                                phi_8049_ = f32();
-                                                                phi_8050_ = false;
-                                                                phi_8051_ = false;
-                                                                phi_8052_ = true;
+                                                                phi_9078_ = f32();
+                                                                phi_9079_ = f32();
+                                                                phi_9080_ = f32();
+                                                                phi_9082_ = false;
+                                                                phi_9083_ = false;
+                                                                phi_9085_ = true;
                                                             }
-                                                            let _e3111 = phi_8048_;
-                                                            let _e3113 = phi_8049_;
-                                                            let _e3115 = phi_8050_;
-                                                            let _e3117 = phi_8051_;
-                                                            let _e3119 = phi_8052_;
-                                                            phi_8053_ = _e3111;
-                                                            phi_8054_ = _e3113;
-                                                            phi_8055_ = false;
-                                                            phi_8056_ = _e3115;
-                                                            phi_8057_ = _e3117;
-                                                            phi_8058_ = _e3119;
+                                                            let _e3126 = phi_9078_;
+                                                            let _e3128 = phi_9079_;
+                                                            let _e3130 = phi_9080_;
+                                                            let _e3132 = phi_9082_;
+                                                            let _e3134 = phi_9083_;
+                                                            let _e3136 = phi_9085_;
+                                                            phi_9086_ = _e3126;
+                                                            phi_9087_ = _e3128;
+                                                            phi_9088_ = _e3130;
+                                                            phi_9090_ = false;
+                                                            phi_9091_ = _e3132;
+                                                            phi_9092_ = _e3134;
+                                                            phi_9094_ = _e3136;
                                                         } else {
-                                                            phi_8053_ = f32();
-                                                            phi_8054_ = f32();
-                                                            phi_8055_ = true;
-                                                            phi_8056_ = false;
-                                                            phi_8057_ = false;
-                                                            phi_8058_ = false;
+                                                            phi_9086_ = f32();
+                                                            phi_9087_ = f32();
+                                                            phi_9088_ = f32();
+                                                            phi_9090_ = true;
+                                                            phi_9091_ = false;
+                                                            phi_9092_ = false;
+                                                            phi_9094_ = false;
                                                         }
-                                                        let _e3121 = phi_8053_;
-                                                        let _e3123 = phi_8054_;
-                                                        let _e3125 = phi_8055_;
-                                                        let _e3127 = phi_8056_;
-                                                        let _e3129 = phi_8057_;
-                                                        let _e3131 = phi_8058_;
-                                                        phi_8059_ = _e3121;
-                                                        phi_8060_ = _e3123;
-                                                        phi_8061_ = _e3125;
-                                                        phi_8062_ = _e3127;
-                                                        phi_8063_ = _e3129;
-                                                        phi_8064_ = _e3131;
+                                                        let _e3138 = phi_9086_;
+                                                        let _e3140 = phi_9087_;
+                                                        let _e3142 = phi_9088_;
+                                                        let _e3144 = phi_9090_;
+                                                        let _e3146 = phi_9091_;
+                                                        let _e3148 = phi_9092_;
+                                                        let _e3150 = phi_9094_;
+                                                        phi_9095_ = _e3138;
+                                                        phi_9096_ = _e3140;
+                                                        phi_9097_ = _e3142;
+                                                        phi_9099_ = _e3144;
+                                                        phi_9100_ = _e3146;
+                                                        phi_9101_ = _e3148;
+                                                        phi_9103_ = _e3150;
                                                     } else {
-                                                        phi_8059_ = f32();
-                                                        phi_8060_ = f32();
-                                                        phi_8061_ = true;
-                                                        phi_8062_ = false;
-                                                        phi_8063_ = false;
-                                                        phi_8064_ = false;
+                                                        phi_9095_ = f32();
+                                                        phi_9096_ = f32();
+                                                        phi_9097_ = f32();
+                                                        phi_9099_ = true;
+                                                        phi_9100_ = false;
+                                                        phi_9101_ = false;
+                                                        phi_9103_ = false;
                                                     }
-                                                    let _e3133 = phi_8059_;
-                                                    let _e3135 = phi_8060_;
-                                                    let _e3137 = phi_8061_;
-                                                    let _e3139 = phi_8062_;
-                                                    let _e3141 = phi_8063_;
-                                                    let _e3143 = phi_8064_;
-                                                    if _e3137 {
-                                                        if (_e2328 <= _e2330) {
-                                                            let _e3304 = (_e2336 + 1u);
-                                                            let _e3305 = (_e3304 > 3u);
-                                                            if _e3305 {
-                                                                phi_8077_ = false;
+                                                    let _e3152 = phi_9095_;
+                                                    let _e3154 = phi_9096_;
+                                                    let _e3156 = phi_9097_;
+                                                    let _e3158 = phi_9099_;
+                                                    let _e3160 = phi_9100_;
+                                                    let _e3162 = phi_9101_;
+                                                    let _e3164 = phi_9103_;
+                                                    if _e3158 {
+                                                        if (_e2329 <= _e2331) {
+                                                            let _e3325 = (_e2339 + 1u);
+                                                            let _e3326 = (_e3325 > 3u);
+                                                            if _e3326 {
+                                                                phi_9116_ = false;
                                                             } else {
-                                                                phi_8077_ = true;
+                                                                phi_9116_ = true;
                                                             }
-                                                            let _e3307 = phi_8077_;
-                                                            phi_8399_ = _e3304;
-                                                            phi_8400_ = f32();
-                                                            phi_8401_ = false;
-                                                            phi_8402_ = _e3307;
-                                                            phi_8403_ = _e3305;
+                                                            let _e3328 = phi_9116_;
+                                                            phi_9438_ = _e3325;
+                                                            phi_9439_ = f32();
+                                                            phi_9440_ = false;
+                                                            phi_9441_ = _e3328;
+                                                            phi_9442_ = _e3326;
                                                         } else {
-                                                            let _e3147 = local.member[0u];
-                                                            let _e3150 = local.member_1[0u];
-                                                            let _e3153 = local.member[0u];
-                                                            let _e3159 = local.member_2[0u];
-                                                            let _e3160 = ((_e3147 + ((_e3150 - _e3153) * _e2332)) - _e3159);
-                                                            let _e3163 = local.member[1u];
-                                                            let _e3166 = local.member_1[1u];
-                                                            let _e3169 = local.member[1u];
-                                                            let _e3175 = local.member_2[1u];
-                                                            let _e3176 = ((_e3163 + ((_e3166 - _e3169) * _e2332)) - _e3175);
-                                                            if (_e3160 < _e3176) {
-                                                                phi_8150_ = _e3160;
+                                                            let _e3168 = local.member[0u];
+                                                            let _e3171 = local.member_1[0u];
+                                                            let _e3174 = local.member[0u];
+                                                            let _e3180 = local.member_2[0u];
+                                                            let _e3181 = ((_e3168 + ((_e3171 - _e3174) * _e2335)) - _e3180);
+                                                            let _e3184 = local.member[1u];
+                                                            let _e3187 = local.member_1[1u];
+                                                            let _e3190 = local.member[1u];
+                                                            let _e3196 = local.member_2[1u];
+                                                            let _e3197 = ((_e3184 + ((_e3187 - _e3190) * _e2335)) - _e3196);
+                                                            if (_e3181 < _e3197) {
+                                                                phi_9189_ = _e3181;
                                                             } else {
-                                                                phi_8150_ = _e3176;
+                                                                phi_9189_ = _e3197;
                                                             }
-                                                            let _e3179 = phi_8150_;
-                                                            let _e3182 = local.member[2u];
-                                                            let _e3185 = local.member_1[2u];
-                                                            let _e3188 = local.member[2u];
-                                                            let _e3194 = local.member_2[2u];
-                                                            let _e3195 = ((_e3182 + ((_e3185 - _e3188) * _e2332)) - _e3194);
-                                                            let _e3198 = local.member[3u];
-                                                            let _e3201 = local.member_1[3u];
-                                                            let _e3204 = local.member[3u];
-                                                            let _e3210 = local.member_2[3u];
-                                                            let _e3211 = ((_e3198 + ((_e3201 - _e3204) * _e2332)) - _e3210);
-                                                            if (_e3195 < _e3211) {
-                                                                phi_8223_ = _e3195;
+                                                            let _e3200 = phi_9189_;
+                                                            let _e3203 = local.member[2u];
+                                                            let _e3206 = local.member_1[2u];
+                                                            let _e3209 = local.member[2u];
+                                                            let _e3215 = local.member_2[2u];
+                                                            let _e3216 = ((_e3203 + ((_e3206 - _e3209) * _e2335)) - _e3215);
+                                                            let _e3219 = local.member[3u];
+                                                            let _e3222 = local.member_1[3u];
+                                                            let _e3225 = local.member[3u];
+                                                            let _e3231 = local.member_2[3u];
+                                                            let _e3232 = ((_e3219 + ((_e3222 - _e3225) * _e2335)) - _e3231);
+                                                            if (_e3216 < _e3232) {
+                                                                phi_9262_ = _e3216;
                                                             } else {
-                                                                phi_8223_ = _e3211;
+                                                                phi_9262_ = _e3232;
                                                             }
-                                                            let _e3214 = phi_8223_;
-                                                            if (_e3179 < _e3214) {
-                                                                phi_8228_ = _e3179;
+                                                            let _e3235 = phi_9262_;
+                                                            if (_e3200 < _e3235) {
+                                                                phi_9267_ = _e3200;
                                                             } else {
-                                                                phi_8228_ = _e3214;
+                                                                phi_9267_ = _e3235;
                                                             }
-                                                            let _e3217 = phi_8228_;
-                                                            let _e3220 = local_1.member[0u];
-                                                            let _e3223 = local_1.member_1[0u];
-                                                            let _e3226 = local_1.member[0u];
-                                                            let _e3232 = local_1.member_2[0u];
-                                                            let _e3233 = ((_e3220 + ((_e3223 - _e3226) * _e2328)) - _e3232);
-                                                            let _e3236 = local_1.member[1u];
-                                                            let _e3239 = local_1.member_1[1u];
-                                                            let _e3242 = local_1.member[1u];
-                                                            let _e3248 = local_1.member_2[1u];
-                                                            let _e3249 = ((_e3236 + ((_e3239 - _e3242) * _e2328)) - _e3248);
-                                                            if (_e3233 < _e3249) {
-                                                                phi_8301_ = _e3233;
+                                                            let _e3238 = phi_9267_;
+                                                            let _e3241 = local_1.member[0u];
+                                                            let _e3244 = local_1.member_1[0u];
+                                                            let _e3247 = local_1.member[0u];
+                                                            let _e3253 = local_1.member_2[0u];
+                                                            let _e3254 = ((_e3241 + ((_e3244 - _e3247) * _e2329)) - _e3253);
+                                                            let _e3257 = local_1.member[1u];
+                                                            let _e3260 = local_1.member_1[1u];
+                                                            let _e3263 = local_1.member[1u];
+                                                            let _e3269 = local_1.member_2[1u];
+                                                            let _e3270 = ((_e3257 + ((_e3260 - _e3263) * _e2329)) - _e3269);
+                                                            if (_e3254 < _e3270) {
+                                                                phi_9340_ = _e3254;
                                                             } else {
-                                                                phi_8301_ = _e3249;
+                                                                phi_9340_ = _e3270;
                                                             }
-                                                            let _e3252 = phi_8301_;
-                                                            let _e3255 = local_1.member[2u];
-                                                            let _e3258 = local_1.member_1[2u];
-                                                            let _e3261 = local_1.member[2u];
-                                                            let _e3267 = local_1.member_2[2u];
-                                                            let _e3268 = ((_e3255 + ((_e3258 - _e3261) * _e2328)) - _e3267);
-                                                            let _e3271 = local_1.member[3u];
-                                                            let _e3274 = local_1.member_1[3u];
-                                                            let _e3277 = local_1.member[3u];
-                                                            let _e3283 = local_1.member_2[3u];
-                                                            let _e3284 = ((_e3271 + ((_e3274 - _e3277) * _e2328)) - _e3283);
-                                                            if (_e3268 < _e3284) {
-                                                                phi_8374_ = _e3268;
+                                                            let _e3273 = phi_9340_;
+                                                            let _e3276 = local_1.member[2u];
+                                                            let _e3279 = local_1.member_1[2u];
+                                                            let _e3282 = local_1.member[2u];
+                                                            let _e3288 = local_1.member_2[2u];
+                                                            let _e3289 = ((_e3276 + ((_e3279 - _e3282) * _e2329)) - _e3288);
+                                                            let _e3292 = local_1.member[3u];
+                                                            let _e3295 = local_1.member_1[3u];
+                                                            let _e3298 = local_1.member[3u];
+                                                            let _e3304 = local_1.member_2[3u];
+                                                            let _e3305 = ((_e3292 + ((_e3295 - _e3298) * _e2329)) - _e3304);
+                                                            if (_e3289 < _e3305) {
+                                                                phi_9413_ = _e3289;
                                                             } else {
-                                                                phi_8374_ = _e3284;
+                                                                phi_9413_ = _e3305;
                                                             }
-                                                            let _e3287 = phi_8374_;
-                                                            if (_e3252 < _e3287) {
-                                                                phi_8379_ = _e3252;
+                                                            let _e3308 = phi_9413_;
+                                                            if (_e3273 < _e3308) {
+                                                                phi_9418_ = _e3273;
                                                             } else {
-                                                                phi_8379_ = _e3287;
+                                                                phi_9418_ = _e3308;
                                                             }
-                                                            let _e3290 = phi_8379_;
-                                                            if (_e3290 > 0f) {
-                                                                phi_8397_ = 0.5f;
+                                                            let _e3311 = phi_9418_;
+                                                            if (_e3311 > 0f) {
+                                                                phi_9436_ = 0.5f;
                                                             } else {
-                                                                let _e3294 = (0.95f * (_e3217 / (_e3217 - _e3290)));
-                                                                if (_e3294 > 0.0625f) {
-                                                                    if (_e3294 < 0.9f) {
-                                                                        phi_8395_ = _e3294;
+                                                                let _e3315 = (0.95f * (_e3238 / (_e3238 - _e3311)));
+                                                                if (_e3315 > 0.0625f) {
+                                                                    if (_e3315 < 0.9f) {
+                                                                        phi_9434_ = _e3315;
                                                                     } else {
-                                                                        phi_8395_ = 0.9f;
+                                                                        phi_9434_ = 0.9f;
                                                                     }
-                                                                    let _e3298 = phi_8395_;
-                                                                    phi_8396_ = _e3298;
+                                                                    let _e3319 = phi_9434_;
+                                                                    phi_9435_ = _e3319;
                                                                 } else {
-                                                                    phi_8396_ = 0.0625f;
+                                                                    phi_9435_ = 0.0625f;
                                                                 }
-                                                                let _e3300 = phi_8396_;
-                                                                phi_8397_ = _e3300;
+                                                                let _e3321 = phi_9435_;
+                                                                phi_9436_ = _e3321;
                                                             }
-                                                            let _e3302 = phi_8397_;
-                                                            phi_8399_ = u32();
-                                                            phi_8400_ = (_e2648 * _e3302);
-                                                            phi_8401_ = true;
-                                                            phi_8402_ = false;
-                                                            phi_8403_ = false;
+                                                            let _e3323 = phi_9436_;
+                                                            phi_9438_ = u32();
+                                                            phi_9439_ = (_e2651 * _e3323);
+                                                            phi_9440_ = true;
+                                                            phi_9441_ = false;
+                                                            phi_9442_ = false;
                                                         }
-                                                        let _e3309 = phi_8399_;
-                                                        let _e3311 = phi_8400_;
-                                                        let _e3313 = phi_8401_;
-                                                        let _e3315 = phi_8402_;
-                                                        let _e3317 = phi_8403_;
-                                                        phi_8404_ = _e3309;
-                                                        phi_8405_ = _e2330;
-                                                        phi_8406_ = _e3311;
-                                                        phi_8407_ = _e2332;
-                                                        phi_8408_ = _e2334;
-                                                        phi_8409_ = _e2336;
-                                                        phi_8410_ = _e3313;
-                                                        phi_8411_ = _e3315;
-                                                        phi_8412_ = _e3317;
-                                                        phi_8413_ = false;
-                                                        phi_8414_ = false;
+                                                        let _e3330 = phi_9438_;
+                                                        let _e3332 = phi_9439_;
+                                                        let _e3334 = phi_9440_;
+                                                        let _e3336 = phi_9441_;
+                                                        let _e3338 = phi_9442_;
+                                                        phi_9443_ = _e3330;
+                                                        phi_9444_ = _e2331;
+                                                        phi_9445_ = _e3332;
+                                                        phi_9446_ = _e2333;
+                                                        phi_9447_ = _e2335;
+                                                        phi_9448_ = _e2337;
+                                                        phi_9449_ = _e2339;
+                                                        phi_9450_ = _e3334;
+                                                        phi_9451_ = _e3336;
+                                                        phi_9452_ = _e3338;
+                                                        phi_9453_ = false;
+                                                        phi_9455_ = false;
                                                     } else {
-                                                        phi_8404_ = u32();
-                                                        phi_8405_ = _e3133;
-                                                        phi_8406_ = _e3135;
-                                                        phi_8407_ = _e2328;
-                                                        phi_8408_ = true;
-                                                        phi_8409_ = 0u;
-                                                        phi_8410_ = _e3139;
-                                                        phi_8411_ = false;
-                                                        phi_8412_ = false;
-                                                        phi_8413_ = _e3141;
-                                                        phi_8414_ = _e3143;
+                                                        phi_9443_ = u32();
+                                                        phi_9444_ = _e3152;
+                                                        phi_9445_ = _e3154;
+                                                        phi_9446_ = _e3156;
+                                                        phi_9447_ = _e2329;
+                                                        phi_9448_ = true;
+                                                        phi_9449_ = 0u;
+                                                        phi_9450_ = _e3160;
+                                                        phi_9451_ = false;
+                                                        phi_9452_ = false;
+                                                        phi_9453_ = _e3162;
+                                                        phi_9455_ = _e3164;
                                                     }
-                                                    let _e3319 = phi_8404_;
-                                                    let _e3321 = phi_8405_;
-                                                    let _e3323 = phi_8406_;
-                                                    let _e3325 = phi_8407_;
-                                                    let _e3327 = phi_8408_;
-                                                    let _e3329 = phi_8409_;
-                                                    let _e3331 = phi_8410_;
-                                                    let _e3333 = phi_8411_;
-                                                    let _e3335 = phi_8412_;
-                                                    let _e3337 = phi_8413_;
-                                                    let _e3339 = phi_8414_;
-                                                    if _e3331 {
-                                                        let _e3340 = (_e3325 + _e3323);
-                                                        if (_e3340 > _e3321) {
-                                                            phi_8423_ = _e3340;
+                                                    let _e3340 = phi_9443_;
+                                                    let _e3342 = phi_9444_;
+                                                    let _e3344 = phi_9445_;
+                                                    let _e3346 = phi_9446_;
+                                                    let _e3348 = phi_9447_;
+                                                    let _e3350 = phi_9448_;
+                                                    let _e3352 = phi_9449_;
+                                                    let _e3354 = phi_9450_;
+                                                    let _e3356 = phi_9451_;
+                                                    let _e3358 = phi_9452_;
+                                                    let _e3360 = phi_9453_;
+                                                    let _e3362 = phi_9455_;
+                                                    if _e3354 {
+                                                        let _e3363 = (_e3348 + _e3344);
+                                                        if (_e3363 > _e3342) {
+                                                            phi_9464_ = _e3363;
                                                         } else {
-                                                            phi_8423_ = _e3321;
+                                                            phi_9464_ = _e3342;
                                                         }
-                                                        let _e3343 = phi_8423_;
-                                                        if (_e3343 < _e1390.member_1) {
-                                                            phi_8428_ = _e3343;
+                                                        let _e3366 = phi_9464_;
+                                                        if (_e3366 < _e1390.member_1) {
+                                                            phi_9469_ = _e3366;
                                                         } else {
-                                                            phi_8428_ = _e1390.member_1;
+                                                            phi_9469_ = _e1390.member_1;
                                                         }
-                                                        let _e3346 = phi_8428_;
-                                                        if !(_e2334) {
-                                                            phi_8437_ = true;
+                                                        let _e3369 = phi_9469_;
+                                                        if !(_e2337) {
+                                                            phi_9478_ = true;
                                                         } else {
-                                                            phi_8437_ = ((_e3346 - _e3325) > 0.0000000037252903f);
+                                                            phi_9478_ = ((_e3369 - _e3348) > 0.0000000037252903f);
                                                         }
-                                                        let _e3350 = phi_8437_;
-                                                        if _e3350 {
-                                                            phi_8441_ = false;
+                                                        let _e3373 = phi_9478_;
+                                                        if _e3373 {
+                                                            phi_9482_ = false;
                                                         } else {
-                                                            phi_8441_ = true;
+                                                            phi_9482_ = true;
                                                         }
-                                                        let _e3352 = phi_8441_;
-                                                        phi_8442_ = _e3346;
-                                                        phi_8443_ = _e3321;
-                                                        phi_8444_ = _e3325;
-                                                        phi_8445_ = _e3327;
-                                                        phi_8446_ = _e3329;
-                                                        phi_8447_ = _e3350;
-                                                        phi_8448_ = _e3352;
-                                                        phi_8449_ = false;
-                                                        phi_8450_ = false;
-                                                        phi_8451_ = false;
+                                                        let _e3375 = phi_9482_;
+                                                        phi_9483_ = _e3369;
+                                                        phi_9484_ = _e3342;
+                                                        phi_9485_ = _e3346;
+                                                        phi_9486_ = _e3348;
+                                                        phi_9487_ = _e3350;
+                                                        phi_9488_ = _e3352;
+                                                        phi_9489_ = _e3373;
+                                                        phi_9490_ = _e3375;
+                                                        phi_9491_ = false;
+                                                        phi_9492_ = false;
+                                                        phi_9494_ = false;
                                                     } else {
-                                                        phi_8442_ = _e2328;
-                                                        phi_8443_ = _e2330;
-                                                        phi_8444_ = _e2332;
-                                                        phi_8445_ = _e2334;
-                                                        phi_8446_ = _e3319;
-                                                        phi_8447_ = _e3333;
-                                                        phi_8448_ = false;
-                                                        phi_8449_ = _e3335;
-                                                        phi_8450_ = _e3337;
-                                                        phi_8451_ = _e3339;
+                                                        phi_9483_ = _e2329;
+                                                        phi_9484_ = _e2331;
+                                                        phi_9485_ = _e2333;
+                                                        phi_9486_ = _e2335;
+                                                        phi_9487_ = _e2337;
+                                                        phi_9488_ = _e3340;
+                                                        phi_9489_ = _e3356;
+                                                        phi_9490_ = false;
+                                                        phi_9491_ = _e3358;
+                                                        phi_9492_ = _e3360;
+                                                        phi_9494_ = _e3362;
                                                     }
-                                                    let _e3354 = phi_8442_;
-                                                    let _e3356 = phi_8443_;
-                                                    let _e3358 = phi_8444_;
-                                                    let _e3360 = phi_8445_;
-                                                    let _e3362 = phi_8446_;
-                                                    let _e3364 = phi_8447_;
-                                                    let _e3366 = phi_8448_;
-                                                    let _e3368 = phi_8449_;
-                                                    let _e3370 = phi_8450_;
-                                                    let _e3372 = phi_8451_;
-                                                    phi_6784_ = _e3354;
-                                                    phi_6786_ = _e3356;
-                                                    phi_6788_ = _e3358;
-                                                    phi_6790_ = _e3360;
-                                                    phi_6792_ = _e3362;
-                                                    phi_8452_ = _e3321;
-                                                    phi_8453_ = _e3364;
-                                                    phi_8454_ = _e3366;
-                                                    phi_8455_ = false;
-                                                    phi_8456_ = _e3368;
-                                                    phi_8457_ = _e3370;
-                                                    phi_8458_ = _e3372;
+                                                    let _e3377 = phi_9483_;
+                                                    let _e3379 = phi_9484_;
+                                                    let _e3381 = phi_9485_;
+                                                    let _e3383 = phi_9486_;
+                                                    let _e3385 = phi_9487_;
+                                                    let _e3387 = phi_9488_;
+                                                    let _e3389 = phi_9489_;
+                                                    let _e3391 = phi_9490_;
+                                                    let _e3393 = phi_9491_;
+                                                    let _e3395 = phi_9492_;
+                                                    let _e3397 = phi_9494_;
+                                                    phi_7317_ = _e3377;
+                                                    phi_7319_ = _e3379;
+                                                    phi_7321_ = _e3381;
+                                                    phi_7323_ = _e3383;
+                                                    phi_7325_ = _e3385;
+                                                    phi_7327_ = _e3387;
+                                                    phi_9495_ = _e3342;
+                                                    phi_9497_ = _e3389;
+                                                    phi_9498_ = _e3391;
+                                                    phi_9499_ = _e3393;
+                                                    phi_9500_ = _e3395;
+                                                    phi_9502_ = false;
+                                                    phi_9503_ = _e3397;
                                                 } else {
-                                                    phi_6784_ = f32();
-                                                    phi_6786_ = f32();
-                                                    phi_6788_ = f32();
-                                                    phi_6790_ = bool();
-                                                    phi_6792_ = u32();
-                                                    phi_8452_ = f32();
-                                                    phi_8453_ = false;
-                                                    phi_8454_ = false;
-                                                    phi_8455_ = true;
-                                                    phi_8456_ = false;
-                                                    phi_8457_ = false;
-                                                    phi_8458_ = false;
+                                                    phi_7317_ = f32();
+                                                    phi_7319_ = f32();
+                                                    phi_7321_ = f32();
+                                                    phi_7323_ = f32();
+                                                    phi_7325_ = bool();
+                                                    phi_7327_ = u32();
+                                                    phi_9495_ = f32();
+                                                    phi_9497_ = false;
+                                                    phi_9498_ = false;
+                                                    phi_9499_ = false;
+                                                    phi_9500_ = false;
+                                                    phi_9502_ = true;
+                                                    phi_9503_ = false;
                                                 }
-                                                let _e3374 = phi_6784_;
-                                                let _e3376 = phi_6786_;
-                                                let _e3378 = phi_6788_;
-                                                let _e3380 = phi_6790_;
-                                                let _e3382 = phi_6792_;
-                                                let _e3384 = phi_8452_;
-                                                let _e3386 = phi_8453_;
-                                                let _e3388 = phi_8454_;
-                                                let _e3390 = phi_8455_;
-                                                let _e3392 = phi_8456_;
-                                                let _e3394 = phi_8457_;
-                                                let _e3396 = phi_8458_;
-                                                local_19 = _e3388;
-                                                local_35 = _e3384;
-                                                local_37 = _e3390;
-                                                local_38 = _e3392;
-                                                local_39 = _e3394;
-                                                local_40 = _e3396;
+                                                let _e3399 = phi_7317_;
+                                                let _e3401 = phi_7319_;
+                                                let _e3403 = phi_7321_;
+                                                let _e3405 = phi_7323_;
+                                                let _e3407 = phi_7325_;
+                                                let _e3409 = phi_7327_;
+                                                let _e3411 = phi_9495_;
+                                                let _e3413 = phi_9497_;
+                                                let _e3415 = phi_9498_;
+                                                let _e3417 = phi_9499_;
+                                                let _e3419 = phi_9500_;
+                                                let _e3421 = phi_9502_;
+                                                let _e3423 = phi_9503_;
+                                                local_19 = _e3415;
+                                                local_36 = _e3417;
+                                                local_37 = _e3419;
+                                                local_38 = _e3421;
+                                                local_39 = _e3423;
+                                                local_40 = _e3415;
+                                                local_41 = _e3411;
                                                 continue;
                                                 continuing {
-                                                    phi_6780_ = _e2348;
-                                                    phi_6783_ = _e3374;
-                                                    phi_6785_ = _e3376;
-                                                    phi_6787_ = _e3378;
-                                                    phi_6789_ = _e3380;
-                                                    phi_6791_ = _e3382;
-                                                    break if !(_e3386);
+                                                    phi_7313_ = _e2351;
+                                                    phi_7316_ = _e3399;
+                                                    phi_7318_ = _e3401;
+                                                    phi_7320_ = _e3403;
+                                                    phi_7322_ = _e3405;
+                                                    phi_7324_ = _e3407;
+                                                    phi_7326_ = _e3409;
+                                                    break if !(_e3413);
                                                 }
                                             }
-                                            let _e3399 = local_19;
-                                            if _e3399 {
-                                                let _e5886 = local_35;
-                                                phi_8462_ = _e5886;
-                                                phi_8463_ = true;
-                                                phi_8464_ = false;
-                                                phi_8465_ = false;
-                                                phi_8466_ = false;
+                                            let _e3426 = local_19;
+                                            if _e3426 {
+                                                phi_9507_ = false;
+                                                phi_9508_ = false;
+                                                phi_9510_ = false;
+                                                phi_9511_ = false;
                                             } else {
-                                                let _e5888 = local_36;
-                                                phi_8462_ = _e5888;
-                                                let _e5891 = local_37;
-                                                phi_8463_ = _e5891;
-                                                let _e5894 = local_38;
-                                                phi_8464_ = _e5894;
-                                                let _e5897 = local_39;
-                                                phi_8465_ = _e5897;
-                                                let _e5900 = local_40;
-                                                phi_8466_ = _e5900;
+                                                let _e6338 = local_36;
+                                                phi_9507_ = _e6338;
+                                                let _e6341 = local_37;
+                                                phi_9508_ = _e6341;
+                                                let _e6344 = local_38;
+                                                phi_9510_ = _e6344;
+                                                let _e6347 = local_39;
+                                                phi_9511_ = _e6347;
                                             }
-                                            let _e3401 = phi_8462_;
-                                            let _e3403 = phi_8463_;
-                                            let _e3405 = phi_8464_;
-                                            let _e3407 = phi_8465_;
-                                            let _e3409 = phi_8466_;
-                                            if _e3403 {
-                                                phi_8471_ = type_35(1u, _e3401);
-                                                phi_8472_ = false;
-                                                phi_8473_ = false;
-                                                phi_8474_ = false;
+                                            let _e3428 = phi_9507_;
+                                            let _e3430 = phi_9508_;
+                                            let _e3432 = phi_9510_;
+                                            let _e3434 = phi_9511_;
+                                            if _e3428 {
+                                                let _e3436 = local_20;
+                                                phi_9516_ = type_28(1u, _e3436);
+                                                phi_9517_ = false;
+                                                phi_9519_ = false;
+                                                phi_9520_ = false;
+                                                phi_9521_ = false;
                                             } else {
-                                                phi_8471_ = type_35();
-                                                phi_8472_ = _e3405;
-                                                phi_8473_ = _e3407;
-                                                phi_8474_ = _e3409;
+                                                phi_9516_ = type_28();
+                                                phi_9517_ = _e3430;
+                                                let _e6353 = local_40;
+                                                phi_9519_ = _e6353;
+                                                phi_9520_ = _e3432;
+                                                phi_9521_ = _e3434;
                                             }
-                                            let _e3412 = phi_8471_;
-                                            let _e3414 = phi_8472_;
-                                            let _e3416 = phi_8473_;
-                                            let _e3418 = phi_8474_;
-                                            if _e3414 {
-                                                let _e3420 = local_20;
-                                                phi_8479_ = type_35(1u, _e3420);
-                                                phi_8480_ = false;
-                                                phi_8481_ = false;
-                                            } else {
-                                                phi_8479_ = type_35();
-                                                phi_8480_ = _e3416;
-                                                phi_8481_ = _e3418;
-                                            }
-                                            let _e3423 = phi_8479_;
-                                            let _e3425 = phi_8480_;
-                                            let _e3427 = phi_8481_;
-                                            if _e3425 {
-                                                phi_8486_ = type_35(0u, type_35().member_1);
-                                                phi_8487_ = false;
-                                                phi_8488_ = true;
-                                            } else {
-                                                phi_8486_ = _e3423;
-                                                phi_8487_ = _e3427;
-                                                phi_8488_ = _e3414;
-                                            }
-                                            let _e3431 = phi_8486_;
-                                            let _e3433 = phi_8487_;
-                                            let _e3435 = phi_8488_;
-                                            if _e3433 {
-                                                phi_8493_ = type_35(0u, type_35().member_1);
-                                                phi_8494_ = true;
-                                            } else {
-                                                phi_8493_ = _e3431;
-                                                phi_8494_ = _e3435;
-                                            }
-                                            let _e3439 = phi_8493_;
-                                            let _e3441 = phi_8494_;
+                                            let _e3439 = phi_9516_;
+                                            let _e3441 = phi_9517_;
+                                            let _e3443 = phi_9519_;
+                                            let _e3445 = phi_9520_;
+                                            let _e3447 = phi_9521_;
                                             if _e3441 {
-                                                phi_8498_ = _e3439;
+                                                phi_9526_ = type_28(0u, type_28().member_1);
+                                                phi_9528_ = false;
+                                                phi_9529_ = false;
+                                                phi_9530_ = false;
+                                                phi_9531_ = true;
                                             } else {
-                                                phi_8498_ = _e3412;
+                                                phi_9526_ = _e3439;
+                                                phi_9528_ = _e3443;
+                                                phi_9529_ = _e3445;
+                                                phi_9530_ = _e3447;
+                                                phi_9531_ = _e3428;
                                             }
-                                            let _e3443 = phi_8498_;
-                                            let _e3446 = (_e3443.member != 0u);
-                                            if _e3446 {
-                                                phi_8505_ = false;
+                                            let _e3451 = phi_9526_;
+                                            let _e3453 = phi_9528_;
+                                            let _e3455 = phi_9529_;
+                                            let _e3457 = phi_9530_;
+                                            let _e3459 = phi_9531_;
+                                            if _e3453 {
+                                                let _e6363 = local_41;
+                                                phi_9543_ = _e6363;
+                                                phi_9544_ = true;
+                                                phi_9545_ = false;
+                                                phi_9546_ = false;
                                             } else {
-                                                phi_8505_ = true;
+                                                let _e6365 = local_42;
+                                                phi_9543_ = _e6365;
+                                                phi_9544_ = _e3455;
+                                                phi_9545_ = _e3457;
+                                                phi_9546_ = _e3459;
                                             }
-                                            let _e3448 = phi_8505_;
-                                            phi_8506_ = _e3443.member_1;
-                                            phi_8507_ = _e3448;
-                                            phi_8508_ = _e3446;
-                                            phi_8509_ = false;
+                                            let _e3461 = phi_9543_;
+                                            let _e3463 = phi_9544_;
+                                            let _e3465 = phi_9545_;
+                                            let _e3467 = phi_9546_;
+                                            if _e3463 {
+                                                phi_9551_ = type_28(1u, _e3461);
+                                                phi_9552_ = false;
+                                                phi_9553_ = false;
+                                            } else {
+                                                phi_9551_ = type_28();
+                                                phi_9552_ = _e3465;
+                                                phi_9553_ = _e3467;
+                                            }
+                                            let _e3470 = phi_9551_;
+                                            let _e3472 = phi_9552_;
+                                            let _e3474 = phi_9553_;
+                                            if _e3472 {
+                                                phi_9558_ = type_28(0u, type_28().member_1);
+                                                phi_9559_ = true;
+                                            } else {
+                                                phi_9558_ = _e3451;
+                                                phi_9559_ = _e3474;
+                                            }
+                                            let _e3478 = phi_9558_;
+                                            let _e3480 = phi_9559_;
+                                            if _e3480 {
+                                                phi_9563_ = _e3478;
+                                            } else {
+                                                phi_9563_ = _e3470;
+                                            }
+                                            let _e3482 = phi_9563_;
+                                            let _e3485 = (_e3482.member != 0u);
+                                            if _e3485 {
+                                                phi_9570_ = false;
+                                            } else {
+                                                phi_9570_ = true;
+                                            }
+                                            let _e3487 = phi_9570_;
+                                            phi_9571_ = _e3482.member_1;
+                                            phi_9572_ = _e3487;
+                                            phi_9573_ = _e3485;
+                                            phi_9574_ = false;
                                         } else {
-                                            phi_8506_ = f32();
-                                            phi_8507_ = false;
-                                            phi_8508_ = false;
-                                            phi_8509_ = true;
+                                            phi_9571_ = f32();
+                                            phi_9572_ = false;
+                                            phi_9573_ = false;
+                                            phi_9574_ = true;
                                         }
-                                        let _e3450 = phi_8506_;
-                                        let _e3452 = phi_8507_;
-                                        let _e3454 = phi_8508_;
-                                        let _e3456 = phi_8509_;
-                                        phi_8510_ = _e3450;
-                                        phi_8511_ = _e3452;
-                                        phi_8512_ = _e3454;
-                                        phi_8513_ = _e3456;
+                                        let _e3489 = phi_9571_;
+                                        let _e3491 = phi_9572_;
+                                        let _e3493 = phi_9573_;
+                                        let _e3495 = phi_9574_;
+                                        phi_9575_ = _e3489;
+                                        phi_9576_ = _e3491;
+                                        phi_9577_ = _e3493;
+                                        phi_9578_ = _e3495;
                                     }
-                                    let _e3458 = phi_8510_;
-                                    let _e3460 = phi_8511_;
-                                    let _e3462 = phi_8512_;
-                                    let _e3464 = phi_8513_;
-                                    phi_8514_ = _e3458;
-                                    phi_8515_ = _e2090;
-                                    phi_8516_ = _e3460;
-                                    phi_8517_ = _e3462;
-                                    phi_8518_ = _e3464;
+                                    let _e3497 = phi_9575_;
+                                    let _e3499 = phi_9576_;
+                                    let _e3501 = phi_9577_;
+                                    let _e3503 = phi_9578_;
+                                    phi_9579_ = _e3497;
+                                    phi_9580_ = _e2090;
+                                    phi_9581_ = _e3499;
+                                    phi_9582_ = _e3501;
+                                    phi_9583_ = _e3503;
                                 }
-                                let _e3466 = phi_8514_;
-                                let _e3468 = phi_8515_;
-                                let _e3470 = phi_8516_;
-                                let _e3472 = phi_8517_;
-                                let _e3474 = phi_8518_;
-                                if _e3468 {
-                                    phi_8522_ = true;
-                                    phi_8523_ = false;
-                                    phi_8524_ = false;
+                                let _e3505 = phi_9579_;
+                                let _e3507 = phi_9580_;
+                                let _e3509 = phi_9581_;
+                                let _e3511 = phi_9582_;
+                                let _e3513 = phi_9583_;
+                                if _e3507 {
+                                    phi_9587_ = true;
+                                    phi_9588_ = false;
+                                    phi_9589_ = false;
                                 } else {
-                                    phi_8522_ = _e3470;
-                                    phi_8523_ = _e3472;
-                                    phi_8524_ = _e3474;
+                                    phi_9587_ = _e3509;
+                                    phi_9588_ = _e3511;
+                                    phi_9589_ = _e3513;
                                 }
-                                let _e3476 = phi_8522_;
-                                let _e3478 = phi_8523_;
-                                let _e3480 = phi_8524_;
-                                phi_8525_ = _e3466;
-                                phi_8526_ = _e1390;
-                                phi_8527_ = _e3476;
-                                phi_8528_ = false;
-                                phi_8529_ = _e3478;
-                                phi_8530_ = _e3480;
+                                let _e3515 = phi_9587_;
+                                let _e3517 = phi_9588_;
+                                let _e3519 = phi_9589_;
+                                phi_9590_ = _e3505;
+                                phi_9591_ = _e1390;
+                                phi_9592_ = _e3515;
+                                phi_9593_ = false;
+                                phi_9594_ = _e3517;
+                                phi_9595_ = _e3519;
                             } else {
-                                phi_8525_ = f32();
-                                phi_8526_ = type_37();
-                                phi_8527_ = false;
-                                phi_8528_ = true;
-                                phi_8529_ = false;
-                                phi_8530_ = false;
+                                phi_9590_ = f32();
+                                phi_9591_ = type_37();
+                                phi_9592_ = false;
+                                phi_9593_ = true;
+                                phi_9594_ = false;
+                                phi_9595_ = false;
                             }
-                            let _e3482 = phi_8525_;
-                            let _e3484 = phi_8526_;
-                            let _e3486 = phi_8527_;
-                            let _e3488 = phi_8528_;
-                            let _e3490 = phi_8529_;
-                            let _e3492 = phi_8530_;
-                            local_21 = _e3488;
-                            local_41 = _e3490;
-                            local_42 = _e3492;
-                            local_22 = _e3482;
-                            local_23 = _e3484;
+                            let _e3521 = phi_9590_;
+                            let _e3523 = phi_9591_;
+                            let _e3525 = phi_9592_;
+                            let _e3527 = phi_9593_;
+                            let _e3529 = phi_9594_;
+                            let _e3531 = phi_9595_;
+                            local_21 = _e3527;
+                            local_43 = _e3529;
+                            local_44 = _e3531;
+                            local_22 = _e3521;
+                            local_23 = _e3523;
                             continue;
                             continuing {
-                                phi_4905_ = _e1120;
-                                break if !(_e3486);
+                                phi_5437_ = _e1120;
+                                break if !(_e3525);
                             }
                         }
-                        let _e3495 = local_21;
-                        if _e3495 {
-                            phi_8535_ = type_35(0u, type_35().member_1);
-                            phi_8536_ = false;
-                            phi_8537_ = false;
+                        let _e3534 = local_21;
+                        if _e3534 {
+                            phi_9600_ = type_28(0u, type_28().member_1);
+                            phi_9601_ = false;
+                            phi_9602_ = false;
                         } else {
-                            phi_8535_ = type_35();
-                            let _e5942 = local_41;
-                            phi_8536_ = _e5942;
-                            let _e5945 = local_42;
-                            phi_8537_ = _e5945;
+                            phi_9600_ = type_28();
+                            let _e6402 = local_43;
+                            phi_9601_ = _e6402;
+                            let _e6405 = local_44;
+                            phi_9602_ = _e6405;
                         }
-                        let _e3499 = phi_8535_;
-                        let _e3501 = phi_8536_;
-                        let _e3503 = phi_8537_;
-                        if _e3501 {
-                            let _e3505 = local_22;
-                            phi_8542_ = type_35(2u, _e3505);
-                            phi_8543_ = false;
+                        let _e3538 = phi_9600_;
+                        let _e3540 = phi_9601_;
+                        let _e3542 = phi_9602_;
+                        if _e3540 {
+                            let _e3544 = local_22;
+                            phi_9607_ = type_28(2u, _e3544);
+                            phi_9608_ = false;
                         } else {
-                            phi_8542_ = type_35();
-                            phi_8543_ = _e3503;
+                            phi_9607_ = type_28();
+                            phi_9608_ = _e3542;
                         }
-                        let _e3508 = phi_8542_;
-                        let _e3510 = phi_8543_;
-                        if _e3510 {
-                            let _e3512 = local_23;
-                            phi_8549_ = type_35(1u, _e3512.member);
-                            phi_8550_ = true;
+                        let _e3547 = phi_9607_;
+                        let _e3549 = phi_9608_;
+                        if _e3549 {
+                            let _e3551 = local_23;
+                            phi_9614_ = type_28(1u, _e3551.member);
+                            phi_9615_ = true;
                         } else {
-                            phi_8549_ = _e3508;
-                            phi_8550_ = _e3501;
+                            phi_9614_ = _e3547;
+                            phi_9615_ = _e3540;
                         }
-                        let _e3516 = phi_8549_;
-                        let _e3518 = phi_8550_;
-                        if _e3518 {
-                            phi_8554_ = _e3516;
+                        let _e3555 = phi_9614_;
+                        let _e3557 = phi_9615_;
+                        if _e3557 {
+                            phi_9619_ = _e3555;
                         } else {
-                            phi_8554_ = _e3499;
+                            phi_9619_ = _e3538;
                         }
-                        let _e3520 = phi_8554_;
-                        phi_8558_ = _e3520;
+                        let _e3559 = phi_9619_;
+                        phi_9623_ = _e3559;
                     }
-                    let _e5235 = phi_8558_;
-                    phi_8559_ = _e5235;
+                    let _e5676 = phi_9623_;
+                    phi_9624_ = _e5676;
                 }
-                let _e5239 = phi_8559_;
-                switch bitcast<i32>(_e5239.member) {
+                let _e5680 = phi_9624_;
+                switch bitcast<i32>(_e5680.member) {
                     case 0: {
-                        phi_8572_ = type_38(0u, array<u32, 2>(0u, 0u), false);
+                        phi_9637_ = type_38(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5245 = function_2(_e5239.member_1);
-                        phi_8572_ = type_38(0u, _e5245, true);
+                        let _e5686 = function_2(_e5680.member_1);
+                        phi_9637_ = type_38(0u, _e5686, true);
                         break;
                     }
                     case 2: {
-                        let _e5243 = function_2(_e5239.member_1);
-                        phi_8572_ = type_38(1u, _e5243, true);
+                        let _e5684 = function_2(_e5680.member_1);
+                        phi_9637_ = type_38(1u, _e5684, true);
                         break;
                     }
                     default: {
-                        phi_8572_ = type_38();
+                        phi_9637_ = type_38();
                         break;
                     }
                 }
-                let _e5248 = phi_8572_;
-                if _e5248.member_2 {
-                    phi_8579_ = (_e5248.member == 0u);
+                let _e5689 = phi_9637_;
+                if _e5689.member_2 {
+                    phi_9644_ = (_e5689.member == 0u);
                 } else {
-                    phi_8579_ = false;
+                    phi_9644_ = false;
                 }
-                let _e5253 = phi_8579_;
-                if _e5253 {
-                    let _e5261 = (_e5248.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5261 <= 896u) {
-                        phi_8603_ = 0u;
+                let _e5694 = phi_9644_;
+                if _e5694 {
+                    let _e5702 = (_e5689.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5702 <= 896u) {
+                        phi_9668_ = 0u;
                     } else {
-                        phi_8603_ = ((((_e5261 - 896u) << bitcast<u32>(23i)) | ((_e5248.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5248.member_1[0] >> bitcast<u32>(29i)));
+                        phi_9668_ = ((((_e5702 - 896u) << bitcast<u32>(23i)) | ((_e5689.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5689.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5276 = phi_8603_;
-                    let _e5278 = atomicMin((&earliest.member[0u]), _e5276);
+                    let _e5717 = phi_9668_;
+                    let _e5719 = atomicMin((&earliest.member[0u]), _e5717);
                 }
-                phi_8607_ = type_20(0u, 0u, _e176, _e179, _e5248.member_1);
-                phi_8608_ = _e5253;
-                phi_8609_ = (_e5248.member != 0u);
+                phi_9672_ = type_20(0u, 0u, _e176, _e179, _e5689.member_1);
+                phi_9673_ = _e5694;
+                phi_9674_ = (_e5689.member != 0u);
             } else {
-                phi_8607_ = type_20(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_8608_ = false;
-                phi_8609_ = false;
+                phi_9672_ = type_20(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_9673_ = false;
+                phi_9674_ = false;
             }
-            let _e5280 = phi_8607_;
-            let _e5282 = phi_8608_;
-            let _e5284 = phi_8609_;
-            let _e5287 = params.member.member.member_1;
-            if ((_e5287 & 16u) != 0u) {
+            let _e5721 = phi_9672_;
+            let _e5723 = phi_9673_;
+            let _e5725 = phi_9674_;
+            let _e5728 = params.member.member.member_1;
+            if ((_e5728 & 16u) != 0u) {
                 if (_e105 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5282 {
-                    let _e5293 = atomicAdd((&counters[0u]), 1u);
-                    phi_8628_ = _e5293;
+                if _e5723 {
+                    let _e5734 = atomicAdd((&counters[0u]), 1u);
+                    phi_9693_ = _e5734;
                 } else {
-                    phi_8628_ = 0u;
+                    phi_9693_ = 0u;
                 }
-                let _e5295 = phi_8628_;
+                let _e5736 = phi_9693_;
                 workgroupBarrier();
                 if (_e105 == 0u) {
-                    let _e5298 = atomicLoad((&counters[0u]));
-                    if (_e5298 > 0u) {
-                        let _e5301 = atomicAdd((&contacts.member[0u]), _e5298);
-                        atomicStore((&counters[1u]), _e5301);
+                    let _e5739 = atomicLoad((&counters[0u]));
+                    if (_e5739 > 0u) {
+                        let _e5742 = atomicAdd((&contacts.member[0u]), _e5739);
+                        atomicStore((&counters[1u]), _e5742);
                     }
                 }
                 workgroupBarrier();
-                let _e5304 = atomicLoad((&counters[1u]));
-                let _e5305 = (_e5304 + _e5295);
-                if _e5282 {
-                    let _e5308 = params.member.member_1.member_3;
-                    if (_e5305 < _e5308) {
-                        let _e5310 = (6u * _e5305);
-                        atomicStore((&contacts.member[(4u + _e5310)]), _e5280.member);
-                        atomicStore((&contacts.member[(_e5310 + 5u)]), _e5280.member_1);
-                        atomicStore((&contacts.member[(_e5310 + 6u)]), _e5280.member_2);
-                        atomicStore((&contacts.member[(_e5310 + 7u)]), _e5280.member_3);
-                        atomicStore((&contacts.member[(_e5310 + 8u)]), _e5280.member_4[0]);
-                        atomicStore((&contacts.member[(_e5310 + 9u)]), _e5280.member_4[1]);
+                let _e5745 = atomicLoad((&counters[1u]));
+                let _e5746 = (_e5745 + _e5736);
+                if _e5723 {
+                    let _e5749 = params.member.member_1.member_3;
+                    if (_e5746 < _e5749) {
+                        let _e5751 = (6u * _e5746);
+                        atomicStore((&contacts.member[(4u + _e5751)]), _e5721.member);
+                        atomicStore((&contacts.member[(_e5751 + 5u)]), _e5721.member_1);
+                        atomicStore((&contacts.member[(_e5751 + 6u)]), _e5721.member_2);
+                        atomicStore((&contacts.member[(_e5751 + 7u)]), _e5721.member_3);
+                        atomicStore((&contacts.member[(_e5751 + 8u)]), _e5721.member_4[0]);
+                        atomicStore((&contacts.member[(_e5751 + 9u)]), _e5721.member_4[1]);
                     }
                 }
             }
@@ -6370,30 +6978,30 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5284 {
-                let _e5334 = atomicAdd((&counters[0u]), 1u);
-                phi_8691_ = _e5334;
+            if _e5725 {
+                let _e5775 = atomicAdd((&counters[0u]), 1u);
+                phi_9756_ = _e5775;
             } else {
-                phi_8691_ = 0u;
+                phi_9756_ = 0u;
             }
-            let _e5336 = phi_8691_;
+            let _e5777 = phi_9756_;
             workgroupBarrier();
             if (_e105 == 0u) {
-                let _e5339 = atomicLoad((&counters[0u]));
-                if (_e5339 > 0u) {
-                    let _e5342 = atomicAdd((&undecided.member[0u]), _e5339);
-                    atomicStore((&counters[1u]), _e5342);
+                let _e5780 = atomicLoad((&counters[0u]));
+                if (_e5780 > 0u) {
+                    let _e5783 = atomicAdd((&undecided.member[0u]), _e5780);
+                    atomicStore((&counters[1u]), _e5783);
                 }
             }
             workgroupBarrier();
-            let _e5345 = atomicLoad((&counters[1u]));
-            let _e5346 = (_e5345 + _e5336);
-            if _e5284 {
-                let _e5349 = params.member.member_2.member;
-                if (_e5346 < _e5349) {
-                    let _e5353 = (2u * _e5346);
-                    atomicStore((&undecided.member[(4u + _e5353)]), _e5280.member_2);
-                    atomicStore((&undecided.member[(_e5353 + 5u)]), _e5280.member_3);
+            let _e5786 = atomicLoad((&counters[1u]));
+            let _e5787 = (_e5786 + _e5777);
+            if _e5725 {
+                let _e5790 = params.member.member_2.member;
+                if (_e5787 < _e5790) {
+                    let _e5794 = (2u * _e5787);
+                    atomicStore((&undecided.member[(4u + _e5794)]), _e5721.member_2);
+                    atomicStore((&undecided.member[(_e5794 + 5u)]), _e5721.member_3);
                 }
             }
         }

@@ -138,12 +138,12 @@ var<storage> paths: type_21;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_26;
+@group(0) @binding(4) 
+var<storage> input: type_11;
 @group(0) @binding(6) 
 var<storage, read_write> earliest: type_49;
 @group(0) @binding(2) 
 var<storage> positions: type_31;
-@group(0) @binding(4) 
-var<storage> input: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> contacts: type_49;
 @group(0) @binding(3) 
@@ -534,468 +534,555 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2154_: f64;
     var phi_2159_: f64;
     var phi_2170_: f64;
-    var phi_4910_: f64;
-    var phi_4916_: f64;
-    var phi_4921_: f64;
-    var phi_4927_: f64;
-    var phi_4933_: f64;
-    var phi_4938_: f64;
-    var phi_4943_: f64;
-    var phi_4953_: bool;
-    var phi_4960_: f64;
-    var phi_4968_: f64;
-    var phi_5011_: type_16;
-    var phi_5014_: f64;
-    var phi_5035_: bool;
-    var phi_5041_: type_17;
-    var phi_5012_: type_16;
-    var phi_5055_: type_17;
-    var phi_5015_: f64;
-    var local_13: f64;
-    var phi_5004_: f64;
-    var phi_5068_: f64;
-    var phi_5074_: f64;
-    var phi_5099_: type_9;
-    var phi_5102_: u32;
-    var phi_5100_: type_9;
-    var phi_5125_: type_9;
-    var phi_5169_: u32;
-    var phi_5170_: u32;
-    var phi_5103_: u32;
-    var phi_5171_: u32;
-    var phi_5191_: type_9;
-    var phi_5192_: type_9;
-    var phi_5215_: type_9;
-    var phi_5269_: f64;
-    var phi_5276_: f64;
-    var phi_5288_: bool;
-    var phi_5289_: bool;
-    var phi_5290_: bool;
-    var phi_5291_: bool;
-    var phi_5295_: bool;
-    var phi_5307_: type_45;
-    var phi_5308_: type_45;
-    var phi_5309_: bool;
-    var phi_5310_: type_45;
-    var phi_5311_: bool;
-    var phi_5324_: f64;
-    var phi_5337_: type_9;
-    var phi_5340_: f64;
-    var phi_5342_: f64;
-    var phi_5344_: f64;
-    var phi_5338_: type_9;
-    var phi_5367_: type_9;
-    var phi_5394_: f64;
-    var phi_5395_: f64;
-    var phi_5423_: f64;
-    var phi_5439_: f64;
-    var phi_5446_: bool;
-    var phi_5447_: bool;
-    var phi_5448_: bool;
-    var phi_5454_: f64;
     var phi_5455_: f64;
-    var phi_5456_: bool;
-    var phi_5341_: f64;
-    var phi_5343_: f64;
-    var phi_5345_: f64;
-    var phi_5457_: f64;
-    var phi_5458_: bool;
-    var phi_5459_: bool;
-    var local_14: bool;
-    var phi_5463_: f64;
-    var phi_5464_: f64;
-    var phi_5474_: f64;
-    var phi_5479_: type_9;
-    var phi_5482_: f64;
-    var phi_5480_: type_9;
-    var phi_5505_: type_9;
-    var phi_5536_: f64;
-    var phi_5537_: bool;
-    var phi_5538_: f64;
-    var phi_5539_: bool;
-    var phi_5540_: bool;
-    var phi_5541_: bool;
-    var phi_5542_: f64;
+    var phi_5461_: f64;
+    var phi_5466_: f64;
+    var phi_5472_: f64;
+    var phi_5478_: f64;
     var phi_5483_: f64;
-    var phi_5543_: bool;
-    var phi_5544_: bool;
-    var phi_5545_: bool;
-    var phi_5546_: bool;
-    var local_15: bool;
-    var phi_5550_: bool;
-    var phi_5551_: bool;
-    var phi_5555_: bool;
+    var phi_5488_: f64;
+    var phi_5498_: bool;
+    var phi_5505_: f64;
+    var phi_5513_: f64;
+    var phi_5556_: type_16;
     var phi_5559_: f64;
+    var phi_5580_: bool;
+    var phi_5586_: type_17;
+    var phi_5557_: type_16;
+    var phi_5600_: type_17;
     var phi_5560_: f64;
-    var phi_5562_: type_45;
-    var phi_5593_: f64;
-    var phi_5600_: f64;
-    var phi_5605_: f64;
-    var phi_5612_: f64;
-    var phi_5617_: f64;
-    var phi_5630_: f64;
-    var phi_5637_: f64;
-    var phi_5642_: f64;
-    var phi_5649_: f64;
-    var phi_5654_: f64;
-    var phi_5659_: f64;
-    var phi_5718_: f64;
-    var phi_5724_: f64;
-    var phi_5729_: f64;
-    var phi_5735_: f64;
-    var phi_5740_: f64;
-    var phi_5754_: f64;
-    var phi_5760_: f64;
-    var phi_5765_: f64;
-    var phi_5771_: f64;
-    var phi_5776_: f64;
-    var phi_5802_: f64;
-    var phi_5809_: f64;
+    var local_13: f64;
+    var phi_5549_: f64;
+    var phi_5613_: f64;
+    var phi_5619_: f64;
+    var phi_5644_: type_9;
+    var phi_5647_: u32;
+    var phi_5645_: type_9;
+    var phi_5670_: type_9;
+    var phi_5714_: u32;
+    var phi_5715_: u32;
+    var phi_5648_: u32;
+    var phi_5716_: u32;
+    var phi_5736_: type_9;
+    var phi_5737_: type_9;
+    var phi_5760_: type_9;
     var phi_5814_: f64;
     var phi_5821_: f64;
-    var phi_5826_: f64;
-    var phi_5839_: f64;
-    var phi_5846_: f64;
-    var phi_5851_: f64;
-    var phi_5858_: f64;
-    var phi_5863_: f64;
-    var phi_5868_: f64;
-    var phi_5927_: f64;
-    var phi_5933_: f64;
-    var phi_5938_: f64;
-    var phi_5944_: f64;
-    var phi_5949_: f64;
-    var phi_5963_: f64;
-    var phi_5969_: f64;
-    var phi_5974_: f64;
-    var phi_5980_: f64;
-    var phi_5985_: f64;
-    var phi_6011_: f64;
-    var phi_6018_: f64;
-    var phi_6023_: f64;
-    var phi_6030_: f64;
-    var phi_6035_: f64;
-    var phi_6048_: f64;
-    var phi_6055_: f64;
-    var phi_6060_: f64;
-    var phi_6067_: f64;
-    var phi_6072_: f64;
-    var phi_6077_: f64;
-    var phi_6136_: f64;
-    var phi_6142_: f64;
-    var phi_6147_: f64;
-    var phi_6153_: f64;
-    var phi_6158_: f64;
-    var phi_6172_: f64;
-    var phi_6178_: f64;
-    var phi_6183_: f64;
-    var phi_6189_: f64;
+    var phi_5833_: bool;
+    var phi_5834_: bool;
+    var phi_5835_: bool;
+    var phi_5836_: bool;
+    var phi_5840_: bool;
+    var phi_5852_: type_45;
+    var phi_5853_: type_45;
+    var phi_5854_: bool;
+    var phi_5855_: type_45;
+    var phi_5856_: bool;
+    var phi_5869_: f64;
+    var phi_5882_: type_9;
+    var phi_5885_: f64;
+    var phi_5887_: f64;
+    var phi_5889_: f64;
+    var phi_5883_: type_9;
+    var phi_5912_: type_9;
+    var phi_5939_: f64;
+    var phi_5940_: f64;
+    var phi_5968_: f64;
+    var phi_5984_: f64;
+    var phi_5991_: bool;
+    var phi_5992_: bool;
+    var phi_5993_: bool;
+    var phi_5999_: f64;
+    var phi_6000_: f64;
+    var phi_6001_: bool;
+    var phi_5886_: f64;
+    var phi_5888_: f64;
+    var phi_5890_: f64;
+    var phi_6002_: f64;
+    var phi_6003_: bool;
+    var phi_6004_: bool;
+    var local_14: bool;
+    var phi_6008_: f64;
+    var phi_6009_: f64;
+    var phi_6019_: f64;
+    var phi_6024_: type_9;
+    var phi_6027_: f64;
+    var phi_6025_: type_9;
+    var phi_6050_: type_9;
+    var phi_6081_: f64;
+    var phi_6082_: bool;
+    var phi_6083_: f64;
+    var phi_6084_: bool;
+    var phi_6085_: bool;
+    var phi_6086_: bool;
+    var phi_6087_: f64;
+    var phi_6028_: f64;
+    var phi_6088_: bool;
+    var phi_6089_: bool;
+    var phi_6090_: bool;
+    var phi_6091_: bool;
+    var local_15: bool;
+    var phi_6095_: bool;
+    var phi_6096_: bool;
+    var phi_6100_: bool;
+    var phi_6104_: f64;
+    var phi_6105_: f64;
+    var phi_6107_: type_45;
+    var phi_6138_: f64;
+    var phi_6145_: f64;
+    var phi_6150_: f64;
+    var phi_6157_: f64;
+    var phi_6162_: f64;
+    var phi_6175_: f64;
+    var phi_6182_: f64;
+    var phi_6187_: f64;
     var phi_6194_: f64;
-    var phi_6243_: f64;
-    var phi_6249_: f64;
-    var phi_6277_: f64;
-    var phi_6283_: f64;
-    var phi_6288_: u32;
-    var phi_6289_: u32;
-    var phi_6259_: f64;
-    var phi_6265_: f64;
-    var phi_6270_: u32;
-    var phi_6271_: u32;
-    var phi_6290_: u32;
-    var phi_6291_: u32;
-    var phi_6364_: f64;
-    var phi_6376_: f64;
+    var phi_6199_: f64;
+    var phi_6204_: f64;
+    var phi_6263_: f64;
+    var phi_6269_: f64;
+    var phi_6274_: f64;
+    var phi_6280_: f64;
+    var phi_6285_: f64;
+    var phi_6299_: f64;
+    var phi_6305_: f64;
+    var phi_6310_: f64;
+    var phi_6316_: f64;
+    var phi_6321_: f64;
+    var phi_6347_: f64;
+    var phi_6354_: f64;
+    var phi_6359_: f64;
+    var phi_6366_: f64;
+    var phi_6371_: f64;
+    var phi_6384_: f64;
+    var phi_6391_: f64;
+    var phi_6396_: f64;
+    var phi_6403_: f64;
+    var phi_6408_: f64;
+    var phi_6413_: f64;
+    var phi_6472_: f64;
+    var phi_6478_: f64;
+    var phi_6483_: f64;
+    var phi_6489_: f64;
+    var phi_6494_: f64;
+    var phi_6508_: f64;
+    var phi_6514_: f64;
     var phi_6519_: f64;
     var phi_6525_: f64;
-    var phi_6532_: f64;
-    var phi_6588_: type_9;
-    var phi_6591_: bool;
-    var phi_6589_: type_9;
-    var phi_6614_: type_9;
-    var phi_6641_: bool;
-    var phi_6642_: bool;
-    var phi_6592_: bool;
-    var phi_6643_: bool;
-    var phi_6644_: bool;
-    var local_16: bool;
-    var phi_6648_: bool;
-    var local_17: bool;
-    var phi_6655_: u32;
-    var phi_6656_: u32;
-    var phi_6657_: bool;
-    var phi_6658_: u32;
-    var phi_6659_: u32;
-    var phi_6660_: bool;
-    var phi_6664_: u32;
-    var phi_6685_: bool;
-    var phi_6686_: bool;
-    var phi_6687_: bool;
-    var phi_6836_: f64;
-    var phi_6843_: f64;
-    var phi_6848_: f64;
-    var phi_6855_: f64;
-    var phi_6860_: f64;
-    var phi_6873_: f64;
-    var phi_6880_: f64;
-    var phi_6885_: f64;
-    var phi_6892_: f64;
-    var phi_6897_: f64;
-    var phi_6902_: f64;
-    var phi_6919_: f64;
-    var phi_6926_: f64;
-    var phi_6931_: f64;
-    var phi_6938_: f64;
-    var phi_6943_: f64;
-    var phi_6957_: f64;
-    var phi_6964_: f64;
-    var phi_6969_: f64;
-    var phi_6976_: f64;
-    var phi_6981_: f64;
-    var phi_6986_: f64;
-    var phi_7003_: f64;
-    var phi_7010_: f64;
-    var phi_7015_: f64;
-    var phi_7022_: f64;
-    var phi_7027_: f64;
-    var phi_7041_: f64;
-    var phi_7048_: f64;
-    var phi_7053_: f64;
-    var phi_7060_: f64;
-    var phi_7065_: f64;
+    var phi_6530_: f64;
+    var phi_6556_: f64;
+    var phi_6563_: f64;
+    var phi_6568_: f64;
+    var phi_6575_: f64;
+    var phi_6580_: f64;
+    var phi_6593_: f64;
+    var phi_6600_: f64;
+    var phi_6605_: f64;
+    var phi_6612_: f64;
+    var phi_6617_: f64;
+    var phi_6622_: f64;
+    var phi_6681_: f64;
+    var phi_6687_: f64;
+    var phi_6692_: f64;
+    var phi_6698_: f64;
+    var phi_6703_: f64;
+    var phi_6717_: f64;
+    var phi_6723_: f64;
+    var phi_6728_: f64;
+    var phi_6734_: f64;
+    var phi_6739_: f64;
+    var phi_6788_: f64;
+    var phi_6794_: f64;
+    var phi_6822_: f64;
+    var phi_6828_: f64;
+    var phi_6833_: u32;
+    var phi_6834_: u32;
+    var phi_6804_: f64;
+    var phi_6810_: f64;
+    var phi_6815_: u32;
+    var phi_6816_: u32;
+    var phi_6835_: u32;
+    var phi_6836_: u32;
+    var phi_6909_: f64;
+    var phi_6921_: f64;
+    var phi_7064_: f64;
     var phi_7070_: f64;
-    var phi_7114_: type_9;
-    var phi_7117_: f64;
-    var phi_7119_: f64;
-    var phi_7121_: f64;
-    var phi_7123_: bool;
-    var phi_7125_: u32;
-    var phi_7115_: type_9;
-    var phi_7148_: type_9;
-    var phi_7263_: f64;
-    var phi_7269_: f64;
-    var phi_7275_: f64;
-    var phi_7277_: array<f64, 3>;
-    var phi_7284_: f64;
-    var phi_7291_: f64;
-    var phi_7299_: f64;
-    var phi_7345_: type_16;
-    var phi_7348_: f64;
-    var phi_7369_: bool;
-    var phi_7375_: type_17;
-    var phi_7346_: type_16;
-    var phi_7389_: type_17;
-    var phi_7349_: f64;
-    var local_18: f64;
-    var phi_7338_: f64;
-    var phi_7402_: f64;
+    var phi_7077_: f64;
+    var phi_7133_: type_9;
+    var phi_7136_: bool;
+    var phi_7134_: type_9;
+    var phi_7159_: type_9;
+    var phi_7186_: bool;
+    var phi_7187_: bool;
+    var phi_7137_: bool;
+    var phi_7188_: bool;
+    var phi_7189_: bool;
+    var local_16: bool;
+    var phi_7193_: bool;
+    var local_17: bool;
+    var phi_7200_: u32;
+    var phi_7201_: u32;
+    var phi_7202_: bool;
+    var phi_7203_: u32;
+    var phi_7204_: u32;
+    var phi_7205_: bool;
+    var phi_7209_: u32;
+    var phi_7230_: bool;
+    var phi_7231_: bool;
+    var phi_7232_: bool;
+    var phi_7381_: f64;
+    var phi_7388_: f64;
+    var phi_7393_: f64;
+    var phi_7400_: f64;
+    var phi_7405_: f64;
+    var phi_7418_: f64;
+    var phi_7425_: f64;
+    var phi_7430_: f64;
+    var phi_7437_: f64;
+    var phi_7442_: f64;
+    var phi_7447_: f64;
+    var phi_7464_: f64;
     var phi_7471_: f64;
-    var phi_7477_: f64;
-    var phi_7486_: f64;
-    var phi_7492_: f64;
-    var phi_7501_: f64;
-    var phi_7507_: f64;
-    var phi_7516_: f64;
-    var phi_7522_: f64;
-    var phi_7528_: type_34;
-    var phi_7529_: bool;
-    var phi_7530_: type_34;
-    var phi_7531_: bool;
-    var phi_7541_: type_34;
-    var phi_7713_: bool;
-    var phi_7714_: bool;
-    var phi_7715_: bool;
-    var phi_7716_: bool;
-    var phi_7717_: bool;
-    var phi_7718_: bool;
-    var phi_7722_: bool;
-    var phi_8020_: bool;
-    var phi_8021_: bool;
-    var phi_8022_: bool;
-    var phi_8023_: bool;
-    var phi_8024_: bool;
-    var phi_8025_: bool;
-    var phi_8029_: bool;
-    var phi_8033_: bool;
-    var phi_8044_: bool;
-    var phi_8045_: bool;
-    var phi_8119_: bool;
-    var phi_8120_: bool;
-    var phi_8143_: f64;
-    var phi_8144_: bool;
-    var phi_8145_: f64;
-    var phi_8146_: bool;
-    var phi_8147_: f64;
-    var phi_8148_: bool;
-    var phi_8149_: bool;
-    var phi_8154_: f64;
-    var phi_8155_: bool;
-    var phi_8159_: f64;
-    var phi_8191_: bool;
-    var phi_8192_: bool;
-    var phi_8215_: f64;
-    var phi_8216_: bool;
-    var phi_8217_: f64;
-    var phi_8218_: bool;
-    var phi_8219_: f64;
-    var phi_8220_: bool;
-    var phi_8221_: bool;
-    var phi_8226_: f64;
-    var phi_8227_: bool;
-    var phi_8231_: f64;
-    var phi_8236_: f64;
-    var phi_8268_: bool;
-    var phi_8269_: bool;
-    var phi_8292_: f64;
-    var phi_8293_: bool;
-    var phi_8294_: f64;
-    var phi_8295_: bool;
-    var phi_8296_: f64;
-    var phi_8297_: bool;
-    var phi_8298_: bool;
-    var phi_8303_: f64;
-    var phi_8304_: bool;
-    var phi_8308_: f64;
-    var phi_8340_: bool;
-    var phi_8341_: bool;
-    var phi_8364_: f64;
-    var phi_8365_: bool;
-    var phi_8366_: f64;
-    var phi_8367_: bool;
-    var phi_8368_: f64;
-    var phi_8369_: bool;
-    var phi_8370_: bool;
-    var phi_8375_: f64;
-    var phi_8376_: bool;
-    var phi_8380_: f64;
-    var phi_8385_: f64;
-    var phi_8390_: f64;
-    var phi_8395_: f64;
-    var phi_8405_: f64;
-    var phi_8406_: f64;
-    var phi_8407_: bool;
-    var phi_8408_: f64;
-    var phi_8409_: f64;
-    var phi_8410_: bool;
-    var phi_8411_: bool;
-    var phi_8412_: bool;
-    var phi_8413_: f64;
-    var phi_8414_: f64;
-    var phi_8415_: bool;
-    var phi_8416_: bool;
-    var phi_8417_: bool;
-    var phi_8418_: bool;
-    var phi_8419_: f64;
-    var phi_8420_: f64;
-    var phi_8421_: bool;
-    var phi_8422_: bool;
-    var phi_8423_: bool;
-    var phi_8424_: bool;
-    var phi_8510_: f64;
-    var phi_8583_: f64;
-    var phi_8588_: f64;
-    var phi_8661_: f64;
-    var phi_8734_: f64;
-    var phi_8739_: f64;
-    var phi_8760_: f64;
-    var phi_8761_: f64;
-    var phi_8762_: f64;
-    var phi_8437_: bool;
-    var phi_8764_: u32;
+    var phi_7476_: f64;
+    var phi_7483_: f64;
+    var phi_7488_: f64;
+    var phi_7502_: f64;
+    var phi_7509_: f64;
+    var phi_7514_: f64;
+    var phi_7521_: f64;
+    var phi_7526_: f64;
+    var phi_7531_: f64;
+    var phi_7548_: f64;
+    var phi_7555_: f64;
+    var phi_7560_: f64;
+    var phi_7567_: f64;
+    var phi_7572_: f64;
+    var phi_7586_: f64;
+    var phi_7593_: f64;
+    var phi_7598_: f64;
+    var phi_7605_: f64;
+    var phi_7610_: f64;
+    var phi_7615_: f64;
+    var phi_7660_: type_9;
+    var phi_7663_: f64;
+    var phi_7665_: f64;
+    var phi_7667_: f64;
+    var phi_7669_: f64;
+    var phi_7671_: bool;
+    var phi_7673_: u32;
+    var phi_7661_: type_9;
+    var phi_7696_: type_9;
+    var phi_7811_: f64;
+    var phi_7817_: f64;
+    var phi_7823_: f64;
+    var phi_7825_: array<f64, 3>;
+    var phi_7832_: f64;
+    var phi_7839_: f64;
+    var phi_7847_: f64;
+    var phi_7893_: type_16;
+    var phi_7896_: f64;
+    var phi_7917_: bool;
+    var phi_7923_: type_17;
+    var phi_7894_: type_16;
+    var phi_7937_: type_17;
+    var phi_7897_: f64;
+    var local_18: f64;
+    var phi_7886_: f64;
+    var phi_7950_: f64;
+    var phi_8019_: f64;
+    var phi_8025_: f64;
+    var phi_8034_: f64;
+    var phi_8040_: f64;
+    var phi_8049_: f64;
+    var phi_8055_: f64;
+    var phi_8064_: f64;
+    var phi_8070_: f64;
+    var phi_8076_: type_34;
+    var phi_8077_: bool;
+    var phi_8078_: type_34;
+    var phi_8079_: bool;
+    var phi_8089_: type_34;
+    var phi_8261_: bool;
+    var phi_8262_: bool;
+    var phi_8263_: bool;
+    var phi_8264_: bool;
+    var phi_8265_: bool;
+    var phi_8266_: bool;
+    var phi_8270_: bool;
+    var phi_8568_: bool;
+    var phi_8569_: bool;
+    var phi_8570_: bool;
+    var phi_8571_: bool;
+    var phi_8572_: bool;
+    var phi_8573_: bool;
+    var phi_8577_: bool;
+    var phi_8581_: bool;
+    var phi_8592_: bool;
+    var phi_8593_: bool;
+    var phi_8667_: bool;
+    var phi_8668_: bool;
+    var phi_8691_: f64;
+    var phi_8692_: bool;
+    var phi_8693_: f64;
+    var phi_8694_: bool;
+    var phi_8695_: f64;
+    var phi_8696_: bool;
+    var phi_8697_: bool;
+    var phi_8702_: f64;
+    var phi_8703_: bool;
+    var phi_8707_: f64;
+    var phi_8739_: bool;
+    var phi_8740_: bool;
+    var phi_8763_: f64;
+    var phi_8764_: bool;
     var phi_8765_: f64;
     var phi_8766_: bool;
-    var phi_8767_: bool;
+    var phi_8767_: f64;
     var phi_8768_: bool;
-    var phi_8769_: u32;
-    var phi_8770_: f64;
-    var phi_8771_: f64;
-    var phi_8772_: f64;
-    var phi_8773_: bool;
-    var phi_8774_: u32;
+    var phi_8769_: bool;
+    var phi_8774_: f64;
     var phi_8775_: bool;
-    var phi_8776_: bool;
-    var phi_8777_: bool;
-    var phi_8778_: bool;
-    var phi_8779_: bool;
-    var phi_8788_: f64;
-    var phi_8793_: f64;
-    var phi_8803_: bool;
-    var phi_8807_: bool;
-    var phi_8808_: f64;
-    var phi_8809_: f64;
-    var phi_8810_: f64;
-    var phi_8811_: bool;
-    var phi_8812_: u32;
-    var phi_8813_: bool;
-    var phi_8814_: bool;
-    var phi_8815_: bool;
+    var phi_8779_: f64;
+    var phi_8784_: f64;
     var phi_8816_: bool;
     var phi_8817_: bool;
-    var phi_7118_: f64;
-    var phi_7120_: f64;
-    var phi_7122_: f64;
-    var phi_7124_: bool;
-    var phi_7126_: u32;
-    var phi_8818_: f64;
-    var phi_8819_: bool;
-    var phi_8820_: bool;
-    var phi_8821_: bool;
-    var phi_8822_: bool;
-    var phi_8823_: bool;
-    var phi_8824_: bool;
-    var local_19: bool;
-    var phi_8828_: f64;
-    var phi_8829_: bool;
-    var phi_8830_: bool;
-    var phi_8831_: bool;
-    var phi_8832_: bool;
-    var phi_8837_: type_44;
-    var phi_8838_: bool;
-    var phi_8839_: bool;
-    var phi_8840_: bool;
-    var local_20: f64;
-    var phi_8845_: type_44;
+    var phi_8840_: f64;
+    var phi_8841_: bool;
+    var phi_8842_: f64;
+    var phi_8843_: bool;
+    var phi_8844_: f64;
+    var phi_8845_: bool;
     var phi_8846_: bool;
-    var phi_8847_: bool;
-    var phi_8852_: type_44;
-    var phi_8853_: bool;
-    var phi_8854_: bool;
-    var phi_8859_: type_44;
-    var phi_8860_: bool;
-    var phi_8864_: type_44;
-    var phi_8871_: bool;
-    var phi_8872_: f64;
-    var phi_8873_: bool;
-    var phi_8874_: bool;
-    var phi_8875_: bool;
-    var phi_8876_: f64;
-    var phi_8877_: bool;
-    var phi_8878_: bool;
-    var phi_8879_: bool;
-    var phi_8880_: f64;
-    var phi_8881_: bool;
-    var phi_8882_: bool;
-    var phi_8883_: bool;
-    var phi_8884_: bool;
+    var phi_8851_: f64;
+    var phi_8852_: bool;
+    var phi_8856_: f64;
     var phi_8888_: bool;
     var phi_8889_: bool;
-    var phi_8890_: bool;
-    var phi_8891_: f64;
-    var phi_8892_: type_45;
-    var phi_8893_: bool;
-    var phi_8894_: bool;
-    var phi_8895_: bool;
-    var phi_8896_: bool;
-    var local_21: bool;
-    var phi_8901_: type_44;
-    var phi_8902_: bool;
-    var phi_8903_: bool;
-    var local_22: f64;
-    var phi_8908_: type_44;
-    var phi_8909_: bool;
-    var local_23: type_45;
-    var phi_8915_: type_44;
-    var phi_8916_: bool;
-    var phi_8920_: type_44;
+    var phi_8912_: f64;
+    var phi_8913_: bool;
+    var phi_8914_: f64;
+    var phi_8915_: bool;
+    var phi_8916_: f64;
+    var phi_8917_: bool;
+    var phi_8918_: bool;
+    var phi_8923_: f64;
+    var phi_8924_: bool;
+    var phi_8928_: f64;
+    var phi_8933_: f64;
+    var phi_8938_: f64;
+    var phi_8943_: f64;
+    var phi_8957_: f64;
+    var phi_9095_: type_16;
+    var phi_9098_: f64;
+    var phi_9119_: bool;
+    var phi_9125_: type_17;
+    var phi_9096_: type_16;
+    var phi_9139_: type_17;
+    var phi_9099_: f64;
+    var local_19: f64;
+    var phi_9088_: f64;
+    var phi_9152_: f64;
+    var phi_9170_: f64;
+    var phi_9177_: f64;
+    var phi_9182_: f64;
+    var phi_9189_: f64;
+    var phi_9194_: f64;
+    var phi_9207_: f64;
+    var phi_9214_: f64;
+    var phi_9219_: f64;
+    var phi_9226_: f64;
+    var phi_9231_: f64;
+    var phi_9236_: f64;
+    var phi_9253_: f64;
+    var phi_9260_: f64;
+    var phi_9265_: f64;
+    var phi_9272_: f64;
+    var phi_9277_: f64;
+    var phi_9291_: f64;
+    var phi_9298_: f64;
+    var phi_9303_: f64;
+    var phi_9310_: f64;
+    var phi_9315_: f64;
+    var phi_9320_: f64;
+    var phi_9337_: f64;
+    var phi_9344_: f64;
+    var phi_9349_: f64;
+    var phi_9356_: f64;
+    var phi_9361_: f64;
+    var phi_9375_: f64;
+    var phi_9382_: f64;
+    var phi_9387_: f64;
+    var phi_9394_: f64;
+    var phi_9399_: f64;
+    var phi_9404_: f64;
+    var phi_9428_: bool;
+    var phi_9429_: bool;
+    var phi_9430_: bool;
+    var phi_9447_: f64;
+    var phi_9448_: bool;
+    var phi_9449_: f64;
+    var phi_9450_: bool;
+    var phi_9455_: f64;
+    var phi_9457_: f64;
+    var phi_9458_: f64;
+    var phi_9459_: bool;
+    var phi_9460_: f64;
+    var phi_9461_: f64;
+    var phi_9462_: bool;
+    var phi_9463_: bool;
+    var phi_9464_: f64;
+    var phi_9465_: f64;
+    var phi_9466_: f64;
+    var phi_9467_: f64;
+    var phi_9468_: bool;
+    var phi_9469_: bool;
+    var phi_9470_: bool;
+    var phi_9471_: bool;
+    var phi_9472_: f64;
+    var phi_9473_: f64;
+    var phi_9474_: f64;
+    var phi_9475_: f64;
+    var phi_9476_: bool;
+    var phi_9477_: bool;
+    var phi_9478_: bool;
+    var phi_9479_: bool;
+    var phi_9480_: bool;
+    var phi_9481_: f64;
+    var phi_9482_: f64;
+    var phi_9483_: f64;
+    var phi_9484_: f64;
+    var phi_9485_: bool;
+    var phi_9486_: bool;
+    var phi_9487_: bool;
+    var phi_9488_: bool;
+    var phi_9489_: bool;
+    var phi_9575_: f64;
+    var phi_9648_: f64;
+    var phi_9653_: f64;
+    var phi_9726_: f64;
+    var phi_9799_: f64;
+    var phi_9804_: f64;
+    var phi_9825_: f64;
+    var phi_9826_: f64;
+    var phi_9827_: f64;
+    var phi_9502_: bool;
+    var phi_9829_: u32;
+    var phi_9830_: f64;
+    var phi_9831_: bool;
+    var phi_9832_: bool;
+    var phi_9833_: bool;
+    var phi_9834_: u32;
+    var phi_9835_: f64;
+    var phi_9836_: f64;
+    var phi_9837_: f64;
+    var phi_9838_: f64;
+    var phi_9839_: bool;
+    var phi_9840_: u32;
+    var phi_9841_: bool;
+    var phi_9842_: bool;
+    var phi_9843_: bool;
+    var phi_9844_: bool;
+    var phi_9845_: bool;
+    var phi_9846_: bool;
+    var phi_9855_: f64;
+    var phi_9860_: f64;
+    var phi_9870_: bool;
+    var phi_9874_: bool;
+    var phi_9875_: f64;
+    var phi_9876_: f64;
+    var phi_9877_: f64;
+    var phi_9878_: f64;
+    var phi_9879_: bool;
+    var phi_9880_: u32;
+    var phi_9881_: bool;
+    var phi_9882_: bool;
+    var phi_9883_: bool;
+    var phi_9884_: bool;
+    var phi_9885_: bool;
+    var phi_9886_: bool;
+    var phi_7664_: f64;
+    var phi_7666_: f64;
+    var phi_7668_: f64;
+    var phi_7670_: f64;
+    var phi_7672_: bool;
+    var phi_7674_: u32;
+    var phi_9887_: f64;
+    var phi_9888_: f64;
+    var phi_9889_: bool;
+    var phi_9890_: bool;
+    var phi_9891_: bool;
+    var phi_9892_: bool;
+    var phi_9893_: bool;
+    var phi_9894_: bool;
+    var phi_9895_: bool;
+    var local_20: bool;
+    var phi_9899_: bool;
+    var phi_9900_: bool;
+    var phi_9901_: bool;
+    var phi_9902_: bool;
+    var phi_9903_: bool;
+    var local_21: f64;
+    var phi_9908_: type_44;
+    var phi_9909_: bool;
+    var phi_9910_: bool;
+    var phi_9911_: bool;
+    var phi_9912_: bool;
+    var phi_9913_: bool;
+    var phi_9918_: type_44;
+    var phi_9919_: bool;
+    var phi_9920_: bool;
+    var phi_9921_: bool;
+    var phi_9922_: bool;
+    var phi_9923_: bool;
+    var phi_9927_: f64;
+    var phi_9928_: bool;
+    var phi_9929_: bool;
+    var phi_9930_: bool;
+    var phi_9931_: bool;
+    var phi_9935_: f64;
+    var phi_9936_: bool;
+    var phi_9937_: bool;
+    var phi_9938_: bool;
+    var phi_9943_: type_44;
+    var phi_9944_: bool;
+    var phi_9945_: bool;
+    var phi_9950_: type_44;
+    var phi_9951_: bool;
+    var phi_9955_: type_44;
+    var phi_9962_: bool;
+    var phi_9963_: f64;
+    var phi_9964_: bool;
+    var phi_9965_: bool;
+    var phi_9966_: bool;
+    var phi_9967_: f64;
+    var phi_9968_: bool;
+    var phi_9969_: bool;
+    var phi_9970_: bool;
+    var phi_9971_: f64;
+    var phi_9972_: bool;
+    var phi_9973_: bool;
+    var phi_9974_: bool;
+    var phi_9975_: bool;
+    var phi_9979_: bool;
+    var phi_9980_: bool;
+    var phi_9981_: bool;
+    var phi_9982_: f64;
+    var phi_9983_: type_45;
+    var phi_9984_: bool;
+    var phi_9985_: bool;
+    var phi_9986_: bool;
+    var phi_9987_: bool;
+    var local_22: bool;
+    var phi_9992_: type_44;
+    var phi_9993_: bool;
+    var phi_9994_: bool;
+    var local_23: f64;
+    var phi_9999_: type_44;
+    var phi_10000_: bool;
+    var local_24: type_45;
+    var phi_10006_: type_44;
+    var phi_10007_: bool;
+    var phi_10011_: type_44;
     var phi_2327_: f64;
     var phi_2334_: f64;
     var phi_2339_: f64;
@@ -1029,278 +1116,363 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2551_: f64;
     var phi_2556_: f64;
     var phi_2561_: f64;
-    var phi_2605_: type_9;
-    var phi_2608_: f64;
-    var phi_2610_: f64;
-    var phi_2612_: f64;
-    var phi_2614_: bool;
-    var phi_2616_: u32;
     var phi_2606_: type_9;
-    var phi_2639_: type_9;
-    var phi_2754_: f64;
-    var phi_2760_: f64;
-    var phi_2766_: f64;
-    var phi_2768_: array<f64, 3>;
-    var phi_2775_: f64;
-    var phi_2782_: f64;
-    var phi_2790_: f64;
-    var phi_2836_: type_16;
-    var phi_2839_: f64;
-    var phi_2860_: bool;
-    var phi_2866_: type_17;
-    var phi_2837_: type_16;
-    var phi_2880_: type_17;
-    var phi_2840_: f64;
-    var local_24: f64;
-    var phi_2829_: f64;
-    var phi_2893_: f64;
-    var phi_2962_: f64;
-    var phi_2968_: f64;
-    var phi_2977_: f64;
-    var phi_2983_: f64;
-    var phi_2992_: f64;
-    var phi_2998_: f64;
-    var phi_3007_: f64;
-    var phi_3013_: f64;
-    var phi_3019_: type_34;
-    var phi_3020_: bool;
-    var phi_3021_: type_34;
-    var phi_3022_: bool;
-    var phi_3032_: type_34;
-    var phi_3204_: bool;
-    var phi_3205_: bool;
-    var phi_3206_: bool;
-    var phi_3207_: bool;
-    var phi_3208_: bool;
-    var phi_3209_: bool;
-    var phi_3213_: bool;
-    var phi_3511_: bool;
-    var phi_3512_: bool;
-    var phi_3513_: bool;
-    var phi_3514_: bool;
-    var phi_3515_: bool;
-    var phi_3516_: bool;
-    var phi_3520_: bool;
-    var phi_3524_: bool;
-    var phi_3535_: bool;
-    var phi_3536_: bool;
-    var phi_3610_: bool;
-    var phi_3611_: bool;
-    var phi_3634_: f64;
-    var phi_3635_: bool;
-    var phi_3636_: f64;
-    var phi_3637_: bool;
-    var phi_3638_: f64;
-    var phi_3639_: bool;
-    var phi_3640_: bool;
-    var phi_3645_: f64;
-    var phi_3646_: bool;
-    var phi_3650_: f64;
-    var phi_3682_: bool;
-    var phi_3683_: bool;
-    var phi_3706_: f64;
-    var phi_3707_: bool;
-    var phi_3708_: f64;
-    var phi_3709_: bool;
-    var phi_3710_: f64;
-    var phi_3711_: bool;
-    var phi_3712_: bool;
-    var phi_3717_: f64;
-    var phi_3718_: bool;
-    var phi_3722_: f64;
-    var phi_3727_: f64;
-    var phi_3759_: bool;
-    var phi_3760_: bool;
-    var phi_3783_: f64;
-    var phi_3784_: bool;
-    var phi_3785_: f64;
-    var phi_3786_: bool;
-    var phi_3787_: f64;
-    var phi_3788_: bool;
-    var phi_3789_: bool;
-    var phi_3794_: f64;
-    var phi_3795_: bool;
-    var phi_3799_: f64;
-    var phi_3831_: bool;
-    var phi_3832_: bool;
-    var phi_3855_: f64;
-    var phi_3856_: bool;
-    var phi_3857_: f64;
-    var phi_3858_: bool;
-    var phi_3859_: f64;
-    var phi_3860_: bool;
-    var phi_3861_: bool;
-    var phi_3866_: f64;
-    var phi_3867_: bool;
-    var phi_3871_: f64;
-    var phi_3876_: f64;
-    var phi_3881_: f64;
-    var phi_3886_: f64;
-    var phi_3896_: f64;
-    var phi_3897_: f64;
-    var phi_3898_: bool;
-    var phi_3899_: f64;
-    var phi_3900_: f64;
-    var phi_3901_: bool;
-    var phi_3902_: bool;
-    var phi_3903_: bool;
-    var phi_3904_: f64;
-    var phi_3905_: f64;
-    var phi_3906_: bool;
-    var phi_3907_: bool;
-    var phi_3908_: bool;
-    var phi_3909_: bool;
-    var phi_3910_: f64;
-    var phi_3911_: f64;
-    var phi_3912_: bool;
-    var phi_3913_: bool;
-    var phi_3914_: bool;
-    var phi_3915_: bool;
-    var phi_4001_: f64;
-    var phi_4074_: f64;
-    var phi_4079_: f64;
-    var phi_4152_: f64;
-    var phi_4225_: f64;
-    var phi_4230_: f64;
-    var phi_4251_: f64;
-    var phi_4252_: f64;
-    var phi_4253_: f64;
-    var phi_3928_: bool;
-    var phi_4255_: u32;
-    var phi_4256_: f64;
-    var phi_4257_: bool;
-    var phi_4258_: bool;
-    var phi_4259_: bool;
-    var phi_4260_: u32;
-    var phi_4261_: f64;
-    var phi_4262_: f64;
-    var phi_4263_: f64;
-    var phi_4264_: bool;
-    var phi_4265_: u32;
-    var phi_4266_: bool;
-    var phi_4267_: bool;
-    var phi_4268_: bool;
-    var phi_4269_: bool;
-    var phi_4270_: bool;
-    var phi_4279_: f64;
-    var phi_4284_: f64;
-    var phi_4294_: bool;
-    var phi_4298_: bool;
-    var phi_4299_: f64;
-    var phi_4300_: f64;
-    var phi_4301_: f64;
-    var phi_4302_: bool;
-    var phi_4303_: u32;
-    var phi_4304_: bool;
-    var phi_4305_: bool;
-    var phi_4306_: bool;
-    var phi_4307_: bool;
-    var phi_4308_: bool;
     var phi_2609_: f64;
     var phi_2611_: f64;
     var phi_2613_: f64;
-    var phi_2615_: bool;
-    var phi_2617_: u32;
-    var phi_4309_: f64;
-    var phi_4310_: bool;
-    var phi_4311_: bool;
-    var phi_4312_: bool;
-    var phi_4313_: bool;
-    var phi_4314_: bool;
-    var phi_4315_: bool;
-    var local_25: bool;
-    var phi_4319_: f64;
-    var phi_4320_: bool;
-    var phi_4321_: bool;
-    var phi_4322_: bool;
-    var phi_4323_: bool;
-    var phi_4328_: type_44;
-    var phi_4329_: bool;
-    var phi_4330_: bool;
-    var phi_4331_: bool;
+    var phi_2615_: f64;
+    var phi_2617_: bool;
+    var phi_2619_: u32;
+    var phi_2607_: type_9;
+    var phi_2642_: type_9;
+    var phi_2757_: f64;
+    var phi_2763_: f64;
+    var phi_2769_: f64;
+    var phi_2771_: array<f64, 3>;
+    var phi_2778_: f64;
+    var phi_2785_: f64;
+    var phi_2793_: f64;
+    var phi_2839_: type_16;
+    var phi_2842_: f64;
+    var phi_2863_: bool;
+    var phi_2869_: type_17;
+    var phi_2840_: type_16;
+    var phi_2883_: type_17;
+    var phi_2843_: f64;
+    var local_25: f64;
+    var phi_2832_: f64;
+    var phi_2896_: f64;
+    var phi_2965_: f64;
+    var phi_2971_: f64;
+    var phi_2980_: f64;
+    var phi_2986_: f64;
+    var phi_2995_: f64;
+    var phi_3001_: f64;
+    var phi_3010_: f64;
+    var phi_3016_: f64;
+    var phi_3022_: type_34;
+    var phi_3023_: bool;
+    var phi_3024_: type_34;
+    var phi_3025_: bool;
+    var phi_3035_: type_34;
+    var phi_3207_: bool;
+    var phi_3208_: bool;
+    var phi_3209_: bool;
+    var phi_3210_: bool;
+    var phi_3211_: bool;
+    var phi_3212_: bool;
+    var phi_3216_: bool;
+    var phi_3514_: bool;
+    var phi_3515_: bool;
+    var phi_3516_: bool;
+    var phi_3517_: bool;
+    var phi_3518_: bool;
+    var phi_3519_: bool;
+    var phi_3523_: bool;
+    var phi_3527_: bool;
+    var phi_3538_: bool;
+    var phi_3539_: bool;
+    var phi_3613_: bool;
+    var phi_3614_: bool;
+    var phi_3637_: f64;
+    var phi_3638_: bool;
+    var phi_3639_: f64;
+    var phi_3640_: bool;
+    var phi_3641_: f64;
+    var phi_3642_: bool;
+    var phi_3643_: bool;
+    var phi_3648_: f64;
+    var phi_3649_: bool;
+    var phi_3653_: f64;
+    var phi_3685_: bool;
+    var phi_3686_: bool;
+    var phi_3709_: f64;
+    var phi_3710_: bool;
+    var phi_3711_: f64;
+    var phi_3712_: bool;
+    var phi_3713_: f64;
+    var phi_3714_: bool;
+    var phi_3715_: bool;
+    var phi_3720_: f64;
+    var phi_3721_: bool;
+    var phi_3725_: f64;
+    var phi_3730_: f64;
+    var phi_3762_: bool;
+    var phi_3763_: bool;
+    var phi_3786_: f64;
+    var phi_3787_: bool;
+    var phi_3788_: f64;
+    var phi_3789_: bool;
+    var phi_3790_: f64;
+    var phi_3791_: bool;
+    var phi_3792_: bool;
+    var phi_3797_: f64;
+    var phi_3798_: bool;
+    var phi_3802_: f64;
+    var phi_3834_: bool;
+    var phi_3835_: bool;
+    var phi_3858_: f64;
+    var phi_3859_: bool;
+    var phi_3860_: f64;
+    var phi_3861_: bool;
+    var phi_3862_: f64;
+    var phi_3863_: bool;
+    var phi_3864_: bool;
+    var phi_3869_: f64;
+    var phi_3870_: bool;
+    var phi_3874_: f64;
+    var phi_3879_: f64;
+    var phi_3884_: f64;
+    var phi_3889_: f64;
+    var phi_3903_: f64;
+    var phi_4041_: type_16;
+    var phi_4044_: f64;
+    var phi_4065_: bool;
+    var phi_4071_: type_17;
+    var phi_4042_: type_16;
+    var phi_4085_: type_17;
+    var phi_4045_: f64;
     var local_26: f64;
-    var phi_4336_: type_44;
-    var phi_4337_: bool;
-    var phi_4338_: bool;
-    var phi_4343_: type_44;
-    var phi_4344_: bool;
-    var phi_4345_: bool;
-    var phi_4350_: type_44;
-    var phi_4351_: bool;
-    var phi_4355_: type_44;
-    var phi_4369_: type_9;
-    var phi_4370_: type_9;
-    var phi_4393_: type_9;
-    var phi_4414_: f64;
-    var phi_4544_: type_16;
-    var phi_4547_: f64;
-    var phi_4568_: bool;
-    var phi_4574_: type_17;
-    var phi_4545_: type_16;
-    var phi_4588_: type_17;
-    var phi_4548_: f64;
-    var local_27: f64;
-    var phi_4537_: f64;
-    var phi_4601_: f64;
-    var phi_4619_: f64;
-    var phi_4626_: f64;
-    var phi_4631_: f64;
-    var phi_4638_: f64;
-    var phi_4643_: f64;
-    var phi_4656_: f64;
-    var phi_4663_: f64;
-    var phi_4668_: f64;
-    var phi_4675_: f64;
-    var phi_4680_: f64;
-    var phi_4685_: f64;
-    var phi_4702_: f64;
-    var phi_4709_: f64;
-    var phi_4714_: f64;
-    var phi_4721_: f64;
-    var phi_4726_: f64;
-    var phi_4740_: f64;
-    var phi_4747_: f64;
-    var phi_4752_: f64;
-    var phi_4759_: f64;
-    var phi_4764_: f64;
-    var phi_4769_: f64;
-    var phi_4786_: f64;
-    var phi_4793_: f64;
-    var phi_4798_: f64;
-    var phi_4805_: f64;
-    var phi_4810_: f64;
+    var phi_4034_: f64;
+    var phi_4098_: f64;
+    var phi_4116_: f64;
+    var phi_4123_: f64;
+    var phi_4128_: f64;
+    var phi_4135_: f64;
+    var phi_4140_: f64;
+    var phi_4153_: f64;
+    var phi_4160_: f64;
+    var phi_4165_: f64;
+    var phi_4172_: f64;
+    var phi_4177_: f64;
+    var phi_4182_: f64;
+    var phi_4199_: f64;
+    var phi_4206_: f64;
+    var phi_4211_: f64;
+    var phi_4218_: f64;
+    var phi_4223_: f64;
+    var phi_4237_: f64;
+    var phi_4244_: f64;
+    var phi_4249_: f64;
+    var phi_4256_: f64;
+    var phi_4261_: f64;
+    var phi_4266_: f64;
+    var phi_4283_: f64;
+    var phi_4290_: f64;
+    var phi_4295_: f64;
+    var phi_4302_: f64;
+    var phi_4307_: f64;
+    var phi_4321_: f64;
+    var phi_4328_: f64;
+    var phi_4333_: f64;
+    var phi_4340_: f64;
+    var phi_4345_: f64;
+    var phi_4350_: f64;
+    var phi_4374_: bool;
+    var phi_4375_: bool;
+    var phi_4376_: bool;
+    var phi_4393_: f64;
+    var phi_4394_: bool;
+    var phi_4395_: f64;
+    var phi_4396_: bool;
+    var phi_4401_: f64;
+    var phi_4403_: f64;
+    var phi_4404_: f64;
+    var phi_4405_: bool;
+    var phi_4406_: f64;
+    var phi_4407_: f64;
+    var phi_4408_: bool;
+    var phi_4409_: bool;
+    var phi_4410_: f64;
+    var phi_4411_: f64;
+    var phi_4412_: f64;
+    var phi_4413_: f64;
+    var phi_4414_: bool;
+    var phi_4415_: bool;
+    var phi_4416_: bool;
+    var phi_4417_: bool;
+    var phi_4418_: f64;
+    var phi_4419_: f64;
+    var phi_4420_: f64;
+    var phi_4421_: f64;
+    var phi_4422_: bool;
+    var phi_4423_: bool;
+    var phi_4424_: bool;
+    var phi_4425_: bool;
+    var phi_4426_: bool;
+    var phi_4427_: f64;
+    var phi_4428_: f64;
+    var phi_4429_: f64;
+    var phi_4430_: f64;
+    var phi_4431_: bool;
+    var phi_4432_: bool;
+    var phi_4433_: bool;
+    var phi_4434_: bool;
+    var phi_4435_: bool;
+    var phi_4521_: f64;
+    var phi_4594_: f64;
+    var phi_4599_: f64;
+    var phi_4672_: f64;
+    var phi_4745_: f64;
+    var phi_4750_: f64;
+    var phi_4771_: f64;
+    var phi_4772_: f64;
+    var phi_4773_: f64;
+    var phi_4448_: bool;
+    var phi_4775_: u32;
+    var phi_4776_: f64;
+    var phi_4777_: bool;
+    var phi_4778_: bool;
+    var phi_4779_: bool;
+    var phi_4780_: u32;
+    var phi_4781_: f64;
+    var phi_4782_: f64;
+    var phi_4783_: f64;
+    var phi_4784_: f64;
+    var phi_4785_: bool;
+    var phi_4786_: u32;
+    var phi_4787_: bool;
+    var phi_4788_: bool;
+    var phi_4789_: bool;
+    var phi_4790_: bool;
+    var phi_4791_: bool;
+    var phi_4792_: bool;
+    var phi_4801_: f64;
+    var phi_4806_: f64;
+    var phi_4816_: bool;
+    var phi_4820_: bool;
+    var phi_4821_: f64;
+    var phi_4822_: f64;
+    var phi_4823_: f64;
     var phi_4824_: f64;
-    var phi_4831_: f64;
-    var phi_4836_: f64;
-    var phi_4843_: f64;
-    var phi_4848_: f64;
-    var phi_4853_: f64;
+    var phi_4825_: bool;
+    var phi_4826_: u32;
+    var phi_4827_: bool;
+    var phi_4828_: bool;
+    var phi_4829_: bool;
+    var phi_4830_: bool;
+    var phi_4831_: bool;
+    var phi_4832_: bool;
+    var phi_2610_: f64;
+    var phi_2612_: f64;
+    var phi_2614_: f64;
+    var phi_2616_: f64;
+    var phi_2618_: bool;
+    var phi_2620_: u32;
+    var phi_4833_: f64;
+    var phi_4834_: f64;
+    var phi_4835_: bool;
+    var phi_4836_: bool;
+    var phi_4837_: bool;
+    var phi_4838_: bool;
+    var phi_4839_: bool;
+    var phi_4840_: bool;
+    var phi_4841_: bool;
+    var local_27: bool;
+    var phi_4845_: bool;
+    var phi_4846_: bool;
+    var phi_4847_: bool;
+    var phi_4848_: bool;
+    var phi_4849_: bool;
+    var local_28: f64;
+    var phi_4854_: type_44;
+    var phi_4855_: bool;
+    var phi_4856_: bool;
+    var phi_4857_: bool;
+    var phi_4858_: bool;
+    var phi_4859_: bool;
+    var phi_4864_: type_44;
+    var phi_4865_: bool;
+    var phi_4866_: bool;
+    var phi_4867_: bool;
+    var phi_4868_: bool;
+    var phi_4869_: bool;
+    var phi_4873_: f64;
+    var phi_4874_: bool;
+    var phi_4875_: bool;
+    var phi_4876_: bool;
     var phi_4877_: bool;
-    var phi_4878_: bool;
-    var phi_4879_: bool;
-    var local_28: bool;
-    var phi_4884_: type_44;
-    var phi_4885_: bool;
-    var phi_4890_: type_44;
+    var phi_4881_: f64;
+    var phi_4882_: bool;
+    var phi_4883_: bool;
+    var phi_4884_: bool;
+    var phi_4889_: type_44;
+    var phi_4890_: bool;
     var phi_4891_: bool;
-    var phi_4893_: type_44;
-    var phi_4894_: type_44;
-    var phi_4895_: bool;
-    var phi_4899_: type_44;
-    var phi_8924_: type_44;
-    var phi_8925_: type_44;
-    var phi_8938_: type_32;
-    var phi_8961_: u32;
-    var phi_8965_: type_22;
-    var phi_8966_: bool;
-    var phi_8985_: u32;
-    var local_29: u32;
-    var local_30: f64;
-    var local_31: f64;
-    var local_32: bool;
-    var local_33: bool;
-    var local_34: f64;
-    var local_35: f64;
+    var phi_4896_: type_44;
+    var phi_4897_: bool;
+    var phi_4901_: type_44;
+    var phi_4914_: type_9;
+    var phi_4915_: type_9;
+    var phi_4938_: type_9;
+    var phi_4959_: f64;
+    var phi_5089_: type_16;
+    var phi_5092_: f64;
+    var phi_5113_: bool;
+    var phi_5119_: type_17;
+    var phi_5090_: type_16;
+    var phi_5133_: type_17;
+    var phi_5093_: f64;
+    var local_29: f64;
+    var phi_5082_: f64;
+    var phi_5146_: f64;
+    var phi_5164_: f64;
+    var phi_5171_: f64;
+    var phi_5176_: f64;
+    var phi_5183_: f64;
+    var phi_5188_: f64;
+    var phi_5201_: f64;
+    var phi_5208_: f64;
+    var phi_5213_: f64;
+    var phi_5220_: f64;
+    var phi_5225_: f64;
+    var phi_5230_: f64;
+    var phi_5247_: f64;
+    var phi_5254_: f64;
+    var phi_5259_: f64;
+    var phi_5266_: f64;
+    var phi_5271_: f64;
+    var phi_5285_: f64;
+    var phi_5292_: f64;
+    var phi_5297_: f64;
+    var phi_5304_: f64;
+    var phi_5309_: f64;
+    var phi_5314_: f64;
+    var phi_5331_: f64;
+    var phi_5338_: f64;
+    var phi_5343_: f64;
+    var phi_5350_: f64;
+    var phi_5355_: f64;
+    var phi_5369_: f64;
+    var phi_5376_: f64;
+    var phi_5381_: f64;
+    var phi_5388_: f64;
+    var phi_5393_: f64;
+    var phi_5398_: f64;
+    var phi_5422_: bool;
+    var phi_5423_: bool;
+    var phi_5424_: bool;
+    var local_30: bool;
+    var phi_5429_: type_44;
+    var phi_5430_: bool;
+    var phi_5435_: type_44;
+    var phi_5436_: bool;
+    var phi_5438_: type_44;
+    var phi_5439_: type_44;
+    var phi_5440_: bool;
+    var phi_5444_: type_44;
+    var phi_10015_: type_44;
+    var phi_10016_: type_44;
+    var phi_10029_: type_32;
+    var phi_10052_: u32;
+    var phi_10056_: type_22;
+    var phi_10057_: bool;
+    var phi_10076_: u32;
+    var local_31: u32;
+    var local_32: f64;
+    var local_33: f64;
+    var local_34: bool;
+    var local_35: bool;
     var local_36: f64;
     var local_37: bool;
     var local_38: bool;
@@ -1310,10 +1482,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_42: bool;
     var local_43: f64;
     var local_44: f64;
-    var local_45: bool;
+    var local_45: f64;
     var local_46: bool;
     var local_47: bool;
     var local_48: bool;
+    var local_49: bool;
+    var local_50: bool;
+    var local_51: bool;
+    var local_52: bool;
+    var local_53: bool;
+    var local_54: f64;
+    var local_55: f64;
+    var local_56: f64;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -2066,1700 +2246,2142 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e1059 = phi_2170_;
                 if ((_e1059 - (_e1029 + ((_e575.member_1 * (((_e1009 + (_e936 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1015 * f64(6f)) * (_e878 + _e932))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e933 + _e878) * (_e933 + _e932))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                    phi_8925_ = type_44(0u, type_44().member_1);
+                    phi_10016_ = type_44(0u, type_44().member_1);
                 } else {
                     if (_e575.member_1 > f64(0f)) {
-                        let _e3752 = f64(1f);
-                        let _e3753 = f64(0f);
-                        let _e3756 = local_12.member[0u];
-                        let _e3762 = local_12.member_1[0u];
-                        let _e3768 = local_12.member_2[0u];
-                        let _e3780 = local_12.member[1u];
-                        let _e3786 = local_12.member_1[1u];
-                        let _e3792 = local_12.member_2[1u];
-                        let _e3804 = local_12.member[0u];
-                        if (_e3804[0] < 0.0lf) {
-                            phi_2327_ = -(_e3804[0]);
+                        let _e4169 = f64(1f);
+                        let _e4170 = f64(0f);
+                        let _e4173 = local_12.member[0u];
+                        let _e4179 = local_12.member_1[0u];
+                        let _e4185 = local_12.member_2[0u];
+                        let _e4197 = local_12.member[1u];
+                        let _e4203 = local_12.member_1[1u];
+                        let _e4209 = local_12.member_2[1u];
+                        let _e4221 = local_12.member[0u];
+                        if (_e4221[0] < 0.0lf) {
+                            phi_2327_ = -(_e4221[0]);
                         } else {
-                            phi_2327_ = _e3804[0];
+                            phi_2327_ = _e4221[0];
                         }
-                        let _e3811 = phi_2327_;
-                        if (_e3804[1] < 0.0lf) {
-                            phi_2334_ = -(_e3804[1]);
+                        let _e4228 = phi_2327_;
+                        if (_e4221[1] < 0.0lf) {
+                            phi_2334_ = -(_e4221[1]);
                         } else {
-                            phi_2334_ = _e3804[1];
+                            phi_2334_ = _e4221[1];
                         }
-                        let _e3815 = phi_2334_;
-                        if (_e3811 > _e3815) {
-                            phi_2339_ = _e3811;
+                        let _e4232 = phi_2334_;
+                        if (_e4228 > _e4232) {
+                            phi_2339_ = _e4228;
                         } else {
-                            phi_2339_ = _e3815;
+                            phi_2339_ = _e4232;
                         }
-                        let _e3818 = phi_2339_;
-                        if (_e3804[2] < 0.0lf) {
-                            phi_2346_ = -(_e3804[2]);
+                        let _e4235 = phi_2339_;
+                        if (_e4221[2] < 0.0lf) {
+                            phi_2346_ = -(_e4221[2]);
                         } else {
-                            phi_2346_ = _e3804[2];
+                            phi_2346_ = _e4221[2];
                         }
-                        let _e3822 = phi_2346_;
-                        if (_e3818 > _e3822) {
-                            phi_2351_ = _e3818;
+                        let _e4239 = phi_2346_;
+                        if (_e4235 > _e4239) {
+                            phi_2351_ = _e4235;
                         } else {
-                            phi_2351_ = _e3822;
+                            phi_2351_ = _e4239;
                         }
-                        let _e3825 = phi_2351_;
-                        let _e3828 = local_12.member[1u];
-                        if (_e3828[0] < 0.0lf) {
-                            phi_2364_ = -(_e3828[0]);
+                        let _e4242 = phi_2351_;
+                        let _e4245 = local_12.member[1u];
+                        if (_e4245[0] < 0.0lf) {
+                            phi_2364_ = -(_e4245[0]);
                         } else {
-                            phi_2364_ = _e3828[0];
+                            phi_2364_ = _e4245[0];
                         }
-                        let _e3835 = phi_2364_;
-                        if (_e3828[1] < 0.0lf) {
-                            phi_2371_ = -(_e3828[1]);
+                        let _e4252 = phi_2364_;
+                        if (_e4245[1] < 0.0lf) {
+                            phi_2371_ = -(_e4245[1]);
                         } else {
-                            phi_2371_ = _e3828[1];
+                            phi_2371_ = _e4245[1];
                         }
-                        let _e3839 = phi_2371_;
-                        if (_e3835 > _e3839) {
-                            phi_2376_ = _e3835;
+                        let _e4256 = phi_2371_;
+                        if (_e4252 > _e4256) {
+                            phi_2376_ = _e4252;
                         } else {
-                            phi_2376_ = _e3839;
+                            phi_2376_ = _e4256;
                         }
-                        let _e3842 = phi_2376_;
-                        if (_e3828[2] < 0.0lf) {
-                            phi_2383_ = -(_e3828[2]);
+                        let _e4259 = phi_2376_;
+                        if (_e4245[2] < 0.0lf) {
+                            phi_2383_ = -(_e4245[2]);
                         } else {
-                            phi_2383_ = _e3828[2];
+                            phi_2383_ = _e4245[2];
                         }
-                        let _e3846 = phi_2383_;
-                        if (_e3842 > _e3846) {
-                            phi_2388_ = _e3842;
+                        let _e4263 = phi_2383_;
+                        if (_e4259 > _e4263) {
+                            phi_2388_ = _e4259;
                         } else {
-                            phi_2388_ = _e3846;
+                            phi_2388_ = _e4263;
                         }
-                        let _e3849 = phi_2388_;
-                        if (_e3825 > _e3849) {
-                            phi_2393_ = _e3825;
+                        let _e4266 = phi_2388_;
+                        if (_e4242 > _e4266) {
+                            phi_2393_ = _e4242;
                         } else {
-                            phi_2393_ = _e3849;
+                            phi_2393_ = _e4266;
                         }
-                        let _e3852 = phi_2393_;
-                        let _e3854 = local_12.member_3;
-                        let _e3858 = local_12.member_1[0u];
-                        if (_e3858[0] < 0.0lf) {
-                            phi_2410_ = -(_e3858[0]);
+                        let _e4269 = phi_2393_;
+                        let _e4271 = local_12.member_3;
+                        let _e4275 = local_12.member_1[0u];
+                        if (_e4275[0] < 0.0lf) {
+                            phi_2410_ = -(_e4275[0]);
                         } else {
-                            phi_2410_ = _e3858[0];
+                            phi_2410_ = _e4275[0];
                         }
-                        let _e3865 = phi_2410_;
-                        if (_e3858[1] < 0.0lf) {
-                            phi_2417_ = -(_e3858[1]);
+                        let _e4282 = phi_2410_;
+                        if (_e4275[1] < 0.0lf) {
+                            phi_2417_ = -(_e4275[1]);
                         } else {
-                            phi_2417_ = _e3858[1];
+                            phi_2417_ = _e4275[1];
                         }
-                        let _e3869 = phi_2417_;
-                        if (_e3865 > _e3869) {
-                            phi_2422_ = _e3865;
+                        let _e4286 = phi_2417_;
+                        if (_e4282 > _e4286) {
+                            phi_2422_ = _e4282;
                         } else {
-                            phi_2422_ = _e3869;
+                            phi_2422_ = _e4286;
                         }
-                        let _e3872 = phi_2422_;
-                        if (_e3858[2] < 0.0lf) {
-                            phi_2429_ = -(_e3858[2]);
+                        let _e4289 = phi_2422_;
+                        if (_e4275[2] < 0.0lf) {
+                            phi_2429_ = -(_e4275[2]);
                         } else {
-                            phi_2429_ = _e3858[2];
+                            phi_2429_ = _e4275[2];
                         }
-                        let _e3876 = phi_2429_;
-                        if (_e3872 > _e3876) {
-                            phi_2434_ = _e3872;
+                        let _e4293 = phi_2429_;
+                        if (_e4289 > _e4293) {
+                            phi_2434_ = _e4289;
                         } else {
-                            phi_2434_ = _e3876;
+                            phi_2434_ = _e4293;
                         }
-                        let _e3879 = phi_2434_;
-                        let _e3882 = local_12.member_1[1u];
-                        if (_e3882[0] < 0.0lf) {
-                            phi_2448_ = -(_e3882[0]);
+                        let _e4296 = phi_2434_;
+                        let _e4299 = local_12.member_1[1u];
+                        if (_e4299[0] < 0.0lf) {
+                            phi_2448_ = -(_e4299[0]);
                         } else {
-                            phi_2448_ = _e3882[0];
+                            phi_2448_ = _e4299[0];
                         }
-                        let _e3889 = phi_2448_;
-                        if (_e3882[1] < 0.0lf) {
-                            phi_2455_ = -(_e3882[1]);
+                        let _e4306 = phi_2448_;
+                        if (_e4299[1] < 0.0lf) {
+                            phi_2455_ = -(_e4299[1]);
                         } else {
-                            phi_2455_ = _e3882[1];
+                            phi_2455_ = _e4299[1];
                         }
-                        let _e3893 = phi_2455_;
-                        if (_e3889 > _e3893) {
-                            phi_2460_ = _e3889;
+                        let _e4310 = phi_2455_;
+                        if (_e4306 > _e4310) {
+                            phi_2460_ = _e4306;
                         } else {
-                            phi_2460_ = _e3893;
+                            phi_2460_ = _e4310;
                         }
-                        let _e3896 = phi_2460_;
-                        if (_e3882[2] < 0.0lf) {
-                            phi_2467_ = -(_e3882[2]);
+                        let _e4313 = phi_2460_;
+                        if (_e4299[2] < 0.0lf) {
+                            phi_2467_ = -(_e4299[2]);
                         } else {
-                            phi_2467_ = _e3882[2];
+                            phi_2467_ = _e4299[2];
                         }
-                        let _e3900 = phi_2467_;
-                        if (_e3896 > _e3900) {
-                            phi_2472_ = _e3896;
+                        let _e4317 = phi_2467_;
+                        if (_e4313 > _e4317) {
+                            phi_2472_ = _e4313;
                         } else {
-                            phi_2472_ = _e3900;
+                            phi_2472_ = _e4317;
                         }
-                        let _e3903 = phi_2472_;
-                        if (_e3879 > _e3903) {
-                            phi_2477_ = _e3879;
+                        let _e4320 = phi_2472_;
+                        if (_e4296 > _e4320) {
+                            phi_2477_ = _e4296;
                         } else {
-                            phi_2477_ = _e3903;
+                            phi_2477_ = _e4320;
                         }
-                        let _e3906 = phi_2477_;
-                        let _e3908 = local_12.member_3;
-                        let _e3912 = local_12.member_2[0u];
-                        if (_e3912[0] < 0.0lf) {
-                            phi_2494_ = -(_e3912[0]);
+                        let _e4323 = phi_2477_;
+                        let _e4325 = local_12.member_3;
+                        let _e4329 = local_12.member_2[0u];
+                        if (_e4329[0] < 0.0lf) {
+                            phi_2494_ = -(_e4329[0]);
                         } else {
-                            phi_2494_ = _e3912[0];
+                            phi_2494_ = _e4329[0];
                         }
-                        let _e3919 = phi_2494_;
-                        if (_e3912[1] < 0.0lf) {
-                            phi_2501_ = -(_e3912[1]);
+                        let _e4336 = phi_2494_;
+                        if (_e4329[1] < 0.0lf) {
+                            phi_2501_ = -(_e4329[1]);
                         } else {
-                            phi_2501_ = _e3912[1];
+                            phi_2501_ = _e4329[1];
                         }
-                        let _e3923 = phi_2501_;
-                        if (_e3919 > _e3923) {
-                            phi_2506_ = _e3919;
+                        let _e4340 = phi_2501_;
+                        if (_e4336 > _e4340) {
+                            phi_2506_ = _e4336;
                         } else {
-                            phi_2506_ = _e3923;
+                            phi_2506_ = _e4340;
                         }
-                        let _e3926 = phi_2506_;
-                        if (_e3912[2] < 0.0lf) {
-                            phi_2513_ = -(_e3912[2]);
+                        let _e4343 = phi_2506_;
+                        if (_e4329[2] < 0.0lf) {
+                            phi_2513_ = -(_e4329[2]);
                         } else {
-                            phi_2513_ = _e3912[2];
+                            phi_2513_ = _e4329[2];
                         }
-                        let _e3930 = phi_2513_;
-                        if (_e3926 > _e3930) {
-                            phi_2518_ = _e3926;
+                        let _e4347 = phi_2513_;
+                        if (_e4343 > _e4347) {
+                            phi_2518_ = _e4343;
                         } else {
-                            phi_2518_ = _e3930;
+                            phi_2518_ = _e4347;
                         }
-                        let _e3933 = phi_2518_;
-                        let _e3936 = local_12.member_2[1u];
-                        if (_e3936[0] < 0.0lf) {
-                            phi_2532_ = -(_e3936[0]);
+                        let _e4350 = phi_2518_;
+                        let _e4353 = local_12.member_2[1u];
+                        if (_e4353[0] < 0.0lf) {
+                            phi_2532_ = -(_e4353[0]);
                         } else {
-                            phi_2532_ = _e3936[0];
+                            phi_2532_ = _e4353[0];
                         }
-                        let _e3943 = phi_2532_;
-                        if (_e3936[1] < 0.0lf) {
-                            phi_2539_ = -(_e3936[1]);
+                        let _e4360 = phi_2532_;
+                        if (_e4353[1] < 0.0lf) {
+                            phi_2539_ = -(_e4353[1]);
                         } else {
-                            phi_2539_ = _e3936[1];
+                            phi_2539_ = _e4353[1];
                         }
-                        let _e3947 = phi_2539_;
-                        if (_e3943 > _e3947) {
-                            phi_2544_ = _e3943;
+                        let _e4364 = phi_2539_;
+                        if (_e4360 > _e4364) {
+                            phi_2544_ = _e4360;
                         } else {
-                            phi_2544_ = _e3947;
+                            phi_2544_ = _e4364;
                         }
-                        let _e3950 = phi_2544_;
-                        if (_e3936[2] < 0.0lf) {
-                            phi_2551_ = -(_e3936[2]);
+                        let _e4367 = phi_2544_;
+                        if (_e4353[2] < 0.0lf) {
+                            phi_2551_ = -(_e4353[2]);
                         } else {
-                            phi_2551_ = _e3936[2];
+                            phi_2551_ = _e4353[2];
                         }
-                        let _e3954 = phi_2551_;
-                        if (_e3950 > _e3954) {
-                            phi_2556_ = _e3950;
+                        let _e4371 = phi_2551_;
+                        if (_e4367 > _e4371) {
+                            phi_2556_ = _e4367;
                         } else {
-                            phi_2556_ = _e3954;
+                            phi_2556_ = _e4371;
                         }
-                        let _e3957 = phi_2556_;
-                        if (_e3933 > _e3957) {
-                            phi_2561_ = _e3933;
+                        let _e4374 = phi_2556_;
+                        if (_e4350 > _e4374) {
+                            phi_2561_ = _e4350;
                         } else {
-                            phi_2561_ = _e3957;
+                            phi_2561_ = _e4374;
                         }
-                        let _e3960 = phi_2561_;
-                        let _e3962 = local_12.member_3;
-                        let _e3970 = local_12.member_3;
-                        let _e3977 = f64(0f);
-                        let _e3978 = f64(1f);
-                        local_9 = type_34(array<f64, 4>(_e3977, _e3977, _e3977, _e3977), array<f64, 4>(_e3977, _e3977, _e3977, _e3977), array<f64, 4>(_e3978, _e3978, _e3978, _e3978));
-                        phi_2605_ = type_9(0u, 96u);
-                        phi_2608_ = _e3753;
-                        phi_2610_ = _e3753;
-                        phi_2612_ = _e3753;
-                        phi_2614_ = false;
-                        phi_2616_ = 0u;
+                        let _e4377 = phi_2561_;
+                        let _e4379 = local_12.member_3;
+                        let _e4387 = local_12.member_3;
+                        let _e4394 = f64(0f);
+                        let _e4395 = f64(1f);
+                        local_9 = type_34(array<f64, 4>(_e4394, _e4394, _e4394, _e4394), array<f64, 4>(_e4394, _e4394, _e4394, _e4394), array<f64, 4>(_e4395, _e4395, _e4395, _e4395));
+                        phi_2606_ = type_9(0u, 96u);
+                        phi_2609_ = _e4170;
+                        phi_2611_ = _e4170;
+                        phi_2613_ = (_e4169 - _e4170);
+                        phi_2615_ = _e4170;
+                        phi_2617_ = false;
+                        phi_2619_ = 0u;
                         loop {
-                            let _e3984 = phi_2605_;
-                            let _e3986 = phi_2608_;
-                            let _e3988 = phi_2610_;
-                            let _e3990 = phi_2612_;
-                            let _e3992 = phi_2614_;
-                            let _e3994 = phi_2616_;
-                            local_44 = _e3988;
-                            local_26 = _e3986;
-                            if (_e3984.member < _e3984.member_1) {
-                                phi_2606_ = type_9((_e3984.member + 1u), _e3984.member_1);
-                                phi_2639_ = type_9(1u, _e3984.member);
+                            let _e4402 = phi_2606_;
+                            let _e4404 = phi_2609_;
+                            let _e4406 = phi_2611_;
+                            let _e4408 = phi_2613_;
+                            let _e4410 = phi_2615_;
+                            let _e4412 = phi_2617_;
+                            let _e4414 = phi_2619_;
+                            local_28 = _e4404;
+                            local_56 = _e4406;
+                            if (_e4402.member < _e4402.member_1) {
+                                phi_2607_ = type_9((_e4402.member + 1u), _e4402.member_1);
+                                phi_2642_ = type_9(1u, _e4402.member);
                             } else {
-                                phi_2606_ = _e3984;
-                                phi_2639_ = type_9(0u, type_9().member_1);
+                                phi_2607_ = _e4402;
+                                phi_2642_ = type_9(0u, type_9().member_1);
                             }
-                            let _e4006 = phi_2606_;
-                            let _e4008 = phi_2639_;
-                            if (bitcast<i32>(_e4008.member) != 0i) {
-                                let _e4014 = local_12.member[0u];
-                                let _e4020 = local_12.member[1u];
-                                let _e4036 = local_12.member_1[0u];
-                                let _e4042 = local_12.member_1[1u];
-                                let _e4058 = local_12.member_2[0u];
-                                let _e4064 = local_12.member_2[1u];
-                                let _e4078 = function_2(array<f64, 3>((_e4014[0] + ((_e4020[0] - _e4014[0]) * _e3986)), (_e4014[1] + ((_e4020[1] - _e4014[1]) * _e3986)), (_e4014[2] + ((_e4020[2] - _e4014[2]) * _e3986))), array<f64, 3>((_e4036[0] + ((_e4042[0] - _e4036[0]) * _e3986)), (_e4036[1] + ((_e4042[1] - _e4036[1]) * _e3986)), (_e4036[2] + ((_e4042[2] - _e4036[2]) * _e3986))), array<f64, 3>((_e4058[0] + ((_e4064[0] - _e4058[0]) * _e3986)), (_e4058[1] + ((_e4064[1] - _e4058[1]) * _e3986)), (_e4058[2] + ((_e4064[2] - _e4058[2]) * _e3986))), 0u);
-                                if (_e3994 == 0u) {
-                                    phi_2768_ = _e4078;
+                            let _e4426 = phi_2607_;
+                            let _e4428 = phi_2642_;
+                            if (bitcast<i32>(_e4428.member) != 0i) {
+                                let _e4434 = local_12.member[0u];
+                                let _e4440 = local_12.member[1u];
+                                let _e4456 = local_12.member_1[0u];
+                                let _e4462 = local_12.member_1[1u];
+                                let _e4478 = local_12.member_2[0u];
+                                let _e4484 = local_12.member_2[1u];
+                                let _e4498 = function_2(array<f64, 3>((_e4434[0] + ((_e4440[0] - _e4434[0]) * _e4404)), (_e4434[1] + ((_e4440[1] - _e4434[1]) * _e4404)), (_e4434[2] + ((_e4440[2] - _e4434[2]) * _e4404))), array<f64, 3>((_e4456[0] + ((_e4462[0] - _e4456[0]) * _e4404)), (_e4456[1] + ((_e4462[1] - _e4456[1]) * _e4404)), (_e4456[2] + ((_e4462[2] - _e4456[2]) * _e4404))), array<f64, 3>((_e4478[0] + ((_e4484[0] - _e4478[0]) * _e4404)), (_e4478[1] + ((_e4484[1] - _e4478[1]) * _e4404)), (_e4478[2] + ((_e4484[2] - _e4478[2]) * _e4404))), 0u);
+                                if (_e4414 == 0u) {
+                                    phi_2771_ = _e4498;
                                 } else {
-                                    let _e4080 = f64(0f);
-                                    if (_e3994 == 1u) {
-                                        phi_2754_ = _e4078[0];
+                                    let _e4500 = f64(0f);
+                                    if (_e4414 == 1u) {
+                                        phi_2757_ = _e4498[0];
                                     } else {
-                                        phi_2754_ = _e4080;
+                                        phi_2757_ = _e4500;
                                     }
-                                    let _e4084 = phi_2754_;
-                                    if (_e3994 == 2u) {
-                                        phi_2760_ = _e4078[1];
+                                    let _e4504 = phi_2757_;
+                                    if (_e4414 == 2u) {
+                                        phi_2763_ = _e4498[1];
                                     } else {
-                                        phi_2760_ = _e4080;
+                                        phi_2763_ = _e4500;
                                     }
-                                    let _e4088 = phi_2760_;
-                                    if (_e3994 == 3u) {
-                                        phi_2766_ = _e4078[2];
+                                    let _e4508 = phi_2763_;
+                                    if (_e4414 == 3u) {
+                                        phi_2769_ = _e4498[2];
                                     } else {
-                                        phi_2766_ = _e4080;
+                                        phi_2769_ = _e4500;
                                     }
-                                    let _e4092 = phi_2766_;
-                                    phi_2768_ = array<f64, 3>(_e4084, _e4088, _e4092);
+                                    let _e4512 = phi_2769_;
+                                    phi_2771_ = array<f64, 3>(_e4504, _e4508, _e4512);
                                 }
-                                let _e4095 = phi_2768_;
-                                if (_e4095[0] < 0.0lf) {
-                                    phi_2775_ = -(_e4095[0]);
+                                let _e4515 = phi_2771_;
+                                if (_e4515[0] < 0.0lf) {
+                                    phi_2778_ = -(_e4515[0]);
                                 } else {
-                                    phi_2775_ = _e4095[0];
+                                    phi_2778_ = _e4515[0];
                                 }
-                                let _e4100 = phi_2775_;
-                                if (_e4095[1] < 0.0lf) {
-                                    phi_2782_ = -(_e4095[1]);
+                                let _e4520 = phi_2778_;
+                                if (_e4515[1] < 0.0lf) {
+                                    phi_2785_ = -(_e4515[1]);
                                 } else {
-                                    phi_2782_ = _e4095[1];
+                                    phi_2785_ = _e4515[1];
                                 }
-                                let _e4105 = phi_2782_;
-                                if (_e4095[2] < 0.0lf) {
-                                    phi_2790_ = -(_e4095[2]);
+                                let _e4525 = phi_2785_;
+                                if (_e4515[2] < 0.0lf) {
+                                    phi_2793_ = -(_e4515[2]);
                                 } else {
-                                    phi_2790_ = _e4095[2];
+                                    phi_2793_ = _e4515[2];
                                 }
-                                let _e4111 = phi_2790_;
-                                let _e4112 = ((_e4100 + _e4105) + _e4111);
-                                if (_e4112 > f64(0f)) {
-                                    if ((bitcast<u64>(_e4112) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e4119 = (f64(1f) / _e4112);
-                                        let _e4121 = (_e4095[0] * _e4119);
-                                        let _e4123 = (_e4095[1] * _e4119);
-                                        let _e4125 = (_e4095[2] * _e4119);
-                                        let _e4130 = (((_e4121 * _e4121) + (_e4123 * _e4123)) + (_e4125 * _e4125));
-                                        if (_e4130 <= 2.2250738585072014e-308lf) {
-                                            if (_e4130 > 0.0lf) {
-                                                phi_2829_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e4531 = phi_2793_;
+                                let _e4532 = ((_e4520 + _e4525) + _e4531);
+                                if (_e4532 > f64(0f)) {
+                                    if ((bitcast<u64>(_e4532) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e4539 = (f64(1f) / _e4532);
+                                        let _e4541 = (_e4515[0] * _e4539);
+                                        let _e4543 = (_e4515[1] * _e4539);
+                                        let _e4545 = (_e4515[2] * _e4539);
+                                        let _e4550 = (((_e4541 * _e4541) + (_e4543 * _e4543)) + (_e4545 * _e4545));
+                                        if (_e4550 <= 2.2250738585072014e-308lf) {
+                                            if (_e4550 > 0.0lf) {
+                                                phi_2832_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2829_ = 0.0lf;
+                                                phi_2832_ = 0.0lf;
                                             }
-                                            let _e4182 = phi_2829_;
-                                            phi_2893_ = _e4182;
+                                            let _e4602 = phi_2832_;
+                                            phi_2896_ = _e4602;
                                         } else {
-                                            phi_2836_ = type_16(0i, 5i);
-                                            phi_2839_ = bitcast<f64>(((bitcast<u64>(_e4130) / 2lu) + 2303426169912950784lu));
+                                            phi_2839_ = type_16(0i, 5i);
+                                            phi_2842_ = bitcast<f64>(((bitcast<u64>(_e4550) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e4137 = phi_2836_;
-                                                let _e4139 = phi_2839_;
-                                                local_24 = _e4139;
-                                                if (_e4137.member < _e4137.member_1) {
-                                                    let _e4146 = (_e4137.member + 1i);
-                                                    if ((false == (_e4146 > _e4137.member)) != false) {
-                                                        phi_2860_ = true;
+                                                let _e4557 = phi_2839_;
+                                                let _e4559 = phi_2842_;
+                                                local_25 = _e4559;
+                                                if (_e4557.member < _e4557.member_1) {
+                                                    let _e4566 = (_e4557.member + 1i);
+                                                    if ((false == (_e4566 > _e4557.member)) != false) {
+                                                        phi_2863_ = true;
                                                     } else {
-                                                        phi_2860_ = false;
+                                                        phi_2863_ = false;
                                                     }
-                                                    let _e4151 = phi_2860_;
-                                                    if _e4151 {
-                                                        phi_2866_ = type_17(0u, type_17().member_1);
+                                                    let _e4571 = phi_2863_;
+                                                    if _e4571 {
+                                                        phi_2869_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2866_ = type_17(1u, _e4146);
+                                                        phi_2869_ = type_17(1u, _e4566);
                                                     }
-                                                    let _e4156 = phi_2866_;
-                                                    phi_2837_ = type_16(_e4156.member_1, _e4137.member_1);
-                                                    phi_2880_ = type_17(1u, _e4137.member);
+                                                    let _e4576 = phi_2869_;
+                                                    phi_2840_ = type_16(_e4576.member_1, _e4557.member_1);
+                                                    phi_2883_ = type_17(1u, _e4557.member);
                                                 } else {
-                                                    phi_2837_ = _e4137;
-                                                    phi_2880_ = type_17(0u, type_17().member_1);
+                                                    phi_2840_ = _e4557;
+                                                    phi_2883_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e4162 = phi_2837_;
-                                                let _e4164 = phi_2880_;
-                                                let _e4167 = (bitcast<i32>(_e4164.member) != 0i);
-                                                if _e4167 {
-                                                    phi_2840_ = (0.5lf * (_e4139 + (_e4130 / _e4139)));
+                                                let _e4582 = phi_2840_;
+                                                let _e4584 = phi_2883_;
+                                                let _e4587 = (bitcast<i32>(_e4584.member) != 0i);
+                                                if _e4587 {
+                                                    phi_2843_ = (0.5lf * (_e4559 + (_e4550 / _e4559)));
                                                 } else {
-                                                    phi_2840_ = f64();
+                                                    phi_2843_ = f64();
                                                 }
-                                                let _e4172 = phi_2840_;
+                                                let _e4592 = phi_2843_;
                                                 continue;
                                                 continuing {
-                                                    phi_2836_ = _e4162;
-                                                    phi_2839_ = _e4172;
-                                                    break if !(_e4167);
+                                                    phi_2839_ = _e4582;
+                                                    phi_2842_ = _e4592;
+                                                    break if !(_e4587);
                                                 }
                                             }
-                                            let _e4177 = local_24;
-                                            phi_2893_ = (_e4177 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e4597 = local_25;
+                                            phi_2896_ = (_e4597 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e4184 = phi_2893_;
-                                        let _e4186 = (1.1102230246251565e-16lf * f64(12f));
-                                        let _e4193 = ((((((((_e3852 + _e3854) + (_e3906 + _e3908)) + (_e3960 + _e3962)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3970 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e575.member_1 * _e4184) * (f64(1f) + _e4186)));
-                                        let _e4198 = (((_e4121 * _e3756[0]) + (_e4123 * _e3756[1])) + (_e4125 * _e3756[2]));
-                                        let _e4203 = (((_e4121 * (_e3756[0] - _e3762[0])) + (_e4123 * (_e3756[1] - _e3762[1]))) + (_e4125 * (_e3756[2] - _e3762[2])));
-                                        let _e4208 = (((_e4121 * (_e3756[0] - _e3768[0])) + (_e4123 * (_e3756[1] - _e3768[1]))) + (_e4125 * (_e3756[2] - _e3768[2])));
-                                        let _e4213 = (((_e4121 * _e3756[0]) + (_e4123 * _e3756[1])) + (_e4125 * _e3756[2]));
-                                        let _e4219 = (((_e4121 * _e3780[0]) + (_e4123 * _e3780[1])) + (_e4125 * _e3780[2]));
-                                        let _e4224 = (((_e4121 * (_e3780[0] - _e3786[0])) + (_e4123 * (_e3780[1] - _e3786[1]))) + (_e4125 * (_e3780[2] - _e3786[2])));
-                                        let _e4229 = (((_e4121 * (_e3780[0] - _e3792[0])) + (_e4123 * (_e3780[1] - _e3792[1]))) + (_e4125 * (_e3780[2] - _e3792[2])));
-                                        let _e4234 = (((_e4121 * _e3780[0]) + (_e4123 * _e3780[1])) + (_e4125 * _e3780[2]));
-                                        if (_e4198 < 0.0lf) {
-                                            phi_2962_ = -(_e4198);
+                                        let _e4604 = phi_2896_;
+                                        let _e4606 = (1.1102230246251565e-16lf * f64(12f));
+                                        let _e4613 = ((((((((_e4269 + _e4271) + (_e4323 + _e4325)) + (_e4377 + _e4379)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4387 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e575.member_1 * _e4604) * (f64(1f) + _e4606)));
+                                        let _e4618 = (((_e4541 * _e4173[0]) + (_e4543 * _e4173[1])) + (_e4545 * _e4173[2]));
+                                        let _e4623 = (((_e4541 * (_e4173[0] - _e4179[0])) + (_e4543 * (_e4173[1] - _e4179[1]))) + (_e4545 * (_e4173[2] - _e4179[2])));
+                                        let _e4628 = (((_e4541 * (_e4173[0] - _e4185[0])) + (_e4543 * (_e4173[1] - _e4185[1]))) + (_e4545 * (_e4173[2] - _e4185[2])));
+                                        let _e4633 = (((_e4541 * _e4173[0]) + (_e4543 * _e4173[1])) + (_e4545 * _e4173[2]));
+                                        let _e4639 = (((_e4541 * _e4197[0]) + (_e4543 * _e4197[1])) + (_e4545 * _e4197[2]));
+                                        let _e4644 = (((_e4541 * (_e4197[0] - _e4203[0])) + (_e4543 * (_e4197[1] - _e4203[1]))) + (_e4545 * (_e4197[2] - _e4203[2])));
+                                        let _e4649 = (((_e4541 * (_e4197[0] - _e4209[0])) + (_e4543 * (_e4197[1] - _e4209[1]))) + (_e4545 * (_e4197[2] - _e4209[2])));
+                                        let _e4654 = (((_e4541 * _e4197[0]) + (_e4543 * _e4197[1])) + (_e4545 * _e4197[2]));
+                                        if (_e4618 < 0.0lf) {
+                                            phi_2965_ = -(_e4618);
                                         } else {
-                                            phi_2962_ = _e4198;
+                                            phi_2965_ = _e4618;
                                         }
-                                        let _e4239 = phi_2962_;
-                                        if (_e4219 < 0.0lf) {
-                                            phi_2968_ = -(_e4219);
+                                        let _e4659 = phi_2965_;
+                                        if (_e4639 < 0.0lf) {
+                                            phi_2971_ = -(_e4639);
                                         } else {
-                                            phi_2968_ = _e4219;
+                                            phi_2971_ = _e4639;
                                         }
-                                        let _e4243 = phi_2968_;
-                                        if (_e4203 < 0.0lf) {
-                                            phi_2977_ = -(_e4203);
+                                        let _e4663 = phi_2971_;
+                                        if (_e4623 < 0.0lf) {
+                                            phi_2980_ = -(_e4623);
                                         } else {
-                                            phi_2977_ = _e4203;
+                                            phi_2980_ = _e4623;
                                         }
-                                        let _e4250 = phi_2977_;
-                                        if (_e4224 < 0.0lf) {
-                                            phi_2983_ = -(_e4224);
+                                        let _e4670 = phi_2980_;
+                                        if (_e4644 < 0.0lf) {
+                                            phi_2986_ = -(_e4644);
                                         } else {
-                                            phi_2983_ = _e4224;
+                                            phi_2986_ = _e4644;
                                         }
-                                        let _e4254 = phi_2983_;
-                                        if (_e4208 < 0.0lf) {
-                                            phi_2992_ = -(_e4208);
+                                        let _e4674 = phi_2986_;
+                                        if (_e4628 < 0.0lf) {
+                                            phi_2995_ = -(_e4628);
                                         } else {
-                                            phi_2992_ = _e4208;
+                                            phi_2995_ = _e4628;
                                         }
-                                        let _e4261 = phi_2992_;
-                                        if (_e4229 < 0.0lf) {
-                                            phi_2998_ = -(_e4229);
+                                        let _e4681 = phi_2995_;
+                                        if (_e4649 < 0.0lf) {
+                                            phi_3001_ = -(_e4649);
                                         } else {
-                                            phi_2998_ = _e4229;
+                                            phi_3001_ = _e4649;
                                         }
-                                        let _e4265 = phi_2998_;
-                                        if (_e4213 < 0.0lf) {
-                                            phi_3007_ = -(_e4213);
+                                        let _e4685 = phi_3001_;
+                                        if (_e4633 < 0.0lf) {
+                                            phi_3010_ = -(_e4633);
                                         } else {
-                                            phi_3007_ = _e4213;
+                                            phi_3010_ = _e4633;
                                         }
-                                        let _e4272 = phi_3007_;
-                                        if (_e4234 < 0.0lf) {
-                                            phi_3013_ = -(_e4234);
+                                        let _e4692 = phi_3010_;
+                                        if (_e4654 < 0.0lf) {
+                                            phi_3016_ = -(_e4654);
                                         } else {
-                                            phi_3013_ = _e4234;
+                                            phi_3016_ = _e4654;
                                         }
-                                        let _e4276 = phi_3013_;
-                                        phi_3019_ = type_34(array<f64, 4>(_e4198, _e4203, _e4208, _e4213), array<f64, 4>(_e4219, _e4224, _e4229, _e4234), array<f64, 4>((_e4193 + ((_e4239 + _e4243) * _e4186)), (_e4193 + ((_e4250 + _e4254) * _e4186)), (_e4193 + ((_e4261 + _e4265) * _e4186)), (_e4193 + ((_e4272 + _e4276) * _e4186))));
-                                        phi_3020_ = false;
+                                        let _e4696 = phi_3016_;
+                                        phi_3022_ = type_34(array<f64, 4>(_e4618, _e4623, _e4628, _e4633), array<f64, 4>(_e4639, _e4644, _e4649, _e4654), array<f64, 4>((_e4613 + ((_e4659 + _e4663) * _e4606)), (_e4613 + ((_e4670 + _e4674) * _e4606)), (_e4613 + ((_e4681 + _e4685) * _e4606)), (_e4613 + ((_e4692 + _e4696) * _e4606))));
+                                        phi_3023_ = false;
                                     } else {
-                                        phi_3019_ = type_34();
-                                        phi_3020_ = true;
+                                        phi_3022_ = type_34();
+                                        phi_3023_ = true;
                                     }
-                                    let _e4283 = phi_3019_;
-                                    let _e4285 = phi_3020_;
-                                    phi_3021_ = _e4283;
-                                    phi_3022_ = _e4285;
+                                    let _e4703 = phi_3022_;
+                                    let _e4705 = phi_3023_;
+                                    phi_3024_ = _e4703;
+                                    phi_3025_ = _e4705;
                                 } else {
-                                    phi_3021_ = type_34();
-                                    phi_3022_ = true;
+                                    phi_3024_ = type_34();
+                                    phi_3025_ = true;
                                 }
-                                let _e4287 = phi_3021_;
-                                let _e4289 = phi_3022_;
-                                if _e4289 {
-                                    let _e4290 = f64(0f);
-                                    let _e4291 = f64(1f);
-                                    phi_3032_ = type_34(array<f64, 4>(_e4290, _e4290, _e4290, _e4290), array<f64, 4>(_e4290, _e4290, _e4290, _e4290), array<f64, 4>(_e4291, _e4291, _e4291, _e4291));
+                                let _e4707 = phi_3024_;
+                                let _e4709 = phi_3025_;
+                                if _e4709 {
+                                    let _e4710 = f64(0f);
+                                    let _e4711 = f64(1f);
+                                    phi_3035_ = type_34(array<f64, 4>(_e4710, _e4710, _e4710, _e4710), array<f64, 4>(_e4710, _e4710, _e4710, _e4710), array<f64, 4>(_e4711, _e4711, _e4711, _e4711));
                                 } else {
-                                    phi_3032_ = _e4287;
+                                    phi_3035_ = _e4707;
                                 }
-                                let _e4297 = phi_3032_;
-                                local_10 = type_34(array<f64, 4>(_e4297.member[0], _e4297.member[1], _e4297.member[2], _e4297.member[3]), array<f64, 4>(_e4297.member_1[0], _e4297.member_1[1], _e4297.member_1[2], _e4297.member_1[3]), array<f64, 4>(_e4297.member_2[0], _e4297.member_2[1], _e4297.member_2[2], _e4297.member_2[3]));
-                                let _e4317 = (_e3986 - _e3990);
-                                let _e4319 = f64(0f);
-                                let _e4322 = local_10.member[0u];
-                                let _e4325 = local_10.member_1[0u];
-                                let _e4328 = local_10.member[0u];
-                                let _e4334 = local_10.member_2[0u];
-                                if (((_e4322 + ((_e4325 - _e4328) * _e3986)) - _e4334) > _e4319) {
-                                    let _e4339 = local_10.member[1u];
-                                    let _e4342 = local_10.member_1[1u];
-                                    let _e4345 = local_10.member[1u];
-                                    let _e4351 = local_10.member_2[1u];
-                                    if (((_e4339 + ((_e4342 - _e4345) * _e3986)) - _e4351) > _e4319) {
-                                        let _e4356 = local_10.member[2u];
-                                        let _e4359 = local_10.member_1[2u];
-                                        let _e4362 = local_10.member[2u];
-                                        let _e4368 = local_10.member_2[2u];
-                                        if (((_e4356 + ((_e4359 - _e4362) * _e3986)) - _e4368) > _e4319) {
-                                            let _e4373 = local_10.member[3u];
-                                            let _e4376 = local_10.member_1[3u];
-                                            let _e4379 = local_10.member[3u];
-                                            let _e4385 = local_10.member_2[3u];
-                                            phi_3204_ = (((_e4373 + ((_e4376 - _e4379) * _e3986)) - _e4385) > _e4319);
-                                            phi_3205_ = false;
+                                let _e4717 = phi_3035_;
+                                local_10 = type_34(array<f64, 4>(_e4717.member[0], _e4717.member[1], _e4717.member[2], _e4717.member[3]), array<f64, 4>(_e4717.member_1[0], _e4717.member_1[1], _e4717.member_1[2], _e4717.member_1[3]), array<f64, 4>(_e4717.member_2[0], _e4717.member_2[1], _e4717.member_2[2], _e4717.member_2[3]));
+                                let _e4737 = (_e4404 - _e4410);
+                                let _e4739 = f64(0f);
+                                let _e4742 = local_10.member[0u];
+                                let _e4745 = local_10.member_1[0u];
+                                let _e4748 = local_10.member[0u];
+                                let _e4754 = local_10.member_2[0u];
+                                if (((_e4742 + ((_e4745 - _e4748) * _e4404)) - _e4754) > _e4739) {
+                                    let _e4759 = local_10.member[1u];
+                                    let _e4762 = local_10.member_1[1u];
+                                    let _e4765 = local_10.member[1u];
+                                    let _e4771 = local_10.member_2[1u];
+                                    if (((_e4759 + ((_e4762 - _e4765) * _e4404)) - _e4771) > _e4739) {
+                                        let _e4776 = local_10.member[2u];
+                                        let _e4779 = local_10.member_1[2u];
+                                        let _e4782 = local_10.member[2u];
+                                        let _e4788 = local_10.member_2[2u];
+                                        if (((_e4776 + ((_e4779 - _e4782) * _e4404)) - _e4788) > _e4739) {
+                                            let _e4793 = local_10.member[3u];
+                                            let _e4796 = local_10.member_1[3u];
+                                            let _e4799 = local_10.member[3u];
+                                            let _e4805 = local_10.member_2[3u];
+                                            phi_3207_ = (((_e4793 + ((_e4796 - _e4799) * _e4404)) - _e4805) > _e4739);
+                                            phi_3208_ = false;
                                         } else {
-                                            phi_3204_ = bool();
-                                            phi_3205_ = true;
+                                            phi_3207_ = bool();
+                                            phi_3208_ = true;
                                         }
-                                        let _e4389 = phi_3204_;
-                                        let _e4391 = phi_3205_;
-                                        phi_3206_ = _e4389;
-                                        phi_3207_ = _e4391;
+                                        let _e4809 = phi_3207_;
+                                        let _e4811 = phi_3208_;
+                                        phi_3209_ = _e4809;
+                                        phi_3210_ = _e4811;
                                     } else {
-                                        phi_3206_ = bool();
-                                        phi_3207_ = true;
+                                        phi_3209_ = bool();
+                                        phi_3210_ = true;
                                     }
-                                    let _e4393 = phi_3206_;
-                                    let _e4395 = phi_3207_;
-                                    phi_3208_ = _e4393;
-                                    phi_3209_ = _e4395;
+                                    let _e4813 = phi_3209_;
+                                    let _e4815 = phi_3210_;
+                                    phi_3211_ = _e4813;
+                                    phi_3212_ = _e4815;
                                 } else {
-                                    phi_3208_ = bool();
-                                    phi_3209_ = true;
+                                    phi_3211_ = bool();
+                                    phi_3212_ = true;
                                 }
-                                let _e4397 = phi_3208_;
-                                let _e4399 = phi_3209_;
-                                if _e4399 {
-                                    phi_3213_ = false;
+                                let _e4817 = phi_3211_;
+                                let _e4819 = phi_3212_;
+                                if _e4819 {
+                                    phi_3216_ = false;
                                 } else {
-                                    phi_3213_ = _e4397;
+                                    phi_3216_ = _e4817;
                                 }
-                                let _e4401 = phi_3213_;
-                                if _e4401 {
-                                    if (_e3986 <= _e3988) {
-                                        phi_3524_ = true;
+                                let _e4821 = phi_3216_;
+                                if _e4821 {
+                                    if (_e4404 <= _e4406) {
+                                        phi_3527_ = true;
                                     } else {
-                                        let _e4403 = f64(0f);
-                                        let _e4406 = local_9.member[0u];
-                                        let _e4409 = local_9.member_1[0u];
-                                        let _e4412 = local_9.member[0u];
-                                        let _e4418 = local_9.member_2[0u];
-                                        let _e4422 = local_10.member[0u];
-                                        let _e4425 = local_10.member_1[0u];
-                                        let _e4428 = local_10.member[0u];
-                                        let _e4434 = local_10.member_2[0u];
-                                        if ((((_e4406 + ((_e4409 - _e4412) * _e3986)) - _e4418) + ((_e4422 + ((_e4425 - _e4428) * _e3990)) - _e4434)) > _e4403) {
-                                            let _e4440 = local_9.member[1u];
-                                            let _e4443 = local_9.member_1[1u];
-                                            let _e4446 = local_9.member[1u];
-                                            let _e4452 = local_9.member_2[1u];
-                                            let _e4456 = local_10.member[1u];
-                                            let _e4459 = local_10.member_1[1u];
-                                            let _e4462 = local_10.member[1u];
-                                            let _e4468 = local_10.member_2[1u];
-                                            if ((((_e4440 + ((_e4443 - _e4446) * _e3986)) - _e4452) + ((_e4456 + ((_e4459 - _e4462) * _e3990)) - _e4468)) > _e4403) {
-                                                let _e4474 = local_9.member[2u];
-                                                let _e4477 = local_9.member_1[2u];
-                                                let _e4480 = local_9.member[2u];
-                                                let _e4486 = local_9.member_2[2u];
-                                                let _e4490 = local_10.member[2u];
-                                                let _e4493 = local_10.member_1[2u];
-                                                let _e4496 = local_10.member[2u];
-                                                let _e4502 = local_10.member_2[2u];
-                                                if ((((_e4474 + ((_e4477 - _e4480) * _e3986)) - _e4486) + ((_e4490 + ((_e4493 - _e4496) * _e3990)) - _e4502)) > _e4403) {
-                                                    let _e4508 = local_9.member[3u];
-                                                    let _e4511 = local_9.member_1[3u];
-                                                    let _e4514 = local_9.member[3u];
-                                                    let _e4520 = local_9.member_2[3u];
-                                                    let _e4524 = local_10.member[3u];
-                                                    let _e4527 = local_10.member_1[3u];
-                                                    let _e4530 = local_10.member[3u];
-                                                    let _e4536 = local_10.member_2[3u];
-                                                    phi_3511_ = ((((_e4508 + ((_e4511 - _e4514) * _e3986)) - _e4520) + ((_e4524 + ((_e4527 - _e4530) * _e3990)) - _e4536)) > _e4403);
-                                                    phi_3512_ = false;
+                                        let _e4823 = f64(0f);
+                                        let _e4826 = local_9.member[0u];
+                                        let _e4829 = local_9.member_1[0u];
+                                        let _e4832 = local_9.member[0u];
+                                        let _e4838 = local_9.member_2[0u];
+                                        let _e4842 = local_10.member[0u];
+                                        let _e4845 = local_10.member_1[0u];
+                                        let _e4848 = local_10.member[0u];
+                                        let _e4854 = local_10.member_2[0u];
+                                        if ((((_e4826 + ((_e4829 - _e4832) * _e4404)) - _e4838) + ((_e4842 + ((_e4845 - _e4848) * _e4410)) - _e4854)) > _e4823) {
+                                            let _e4860 = local_9.member[1u];
+                                            let _e4863 = local_9.member_1[1u];
+                                            let _e4866 = local_9.member[1u];
+                                            let _e4872 = local_9.member_2[1u];
+                                            let _e4876 = local_10.member[1u];
+                                            let _e4879 = local_10.member_1[1u];
+                                            let _e4882 = local_10.member[1u];
+                                            let _e4888 = local_10.member_2[1u];
+                                            if ((((_e4860 + ((_e4863 - _e4866) * _e4404)) - _e4872) + ((_e4876 + ((_e4879 - _e4882) * _e4410)) - _e4888)) > _e4823) {
+                                                let _e4894 = local_9.member[2u];
+                                                let _e4897 = local_9.member_1[2u];
+                                                let _e4900 = local_9.member[2u];
+                                                let _e4906 = local_9.member_2[2u];
+                                                let _e4910 = local_10.member[2u];
+                                                let _e4913 = local_10.member_1[2u];
+                                                let _e4916 = local_10.member[2u];
+                                                let _e4922 = local_10.member_2[2u];
+                                                if ((((_e4894 + ((_e4897 - _e4900) * _e4404)) - _e4906) + ((_e4910 + ((_e4913 - _e4916) * _e4410)) - _e4922)) > _e4823) {
+                                                    let _e4928 = local_9.member[3u];
+                                                    let _e4931 = local_9.member_1[3u];
+                                                    let _e4934 = local_9.member[3u];
+                                                    let _e4940 = local_9.member_2[3u];
+                                                    let _e4944 = local_10.member[3u];
+                                                    let _e4947 = local_10.member_1[3u];
+                                                    let _e4950 = local_10.member[3u];
+                                                    let _e4956 = local_10.member_2[3u];
+                                                    phi_3514_ = ((((_e4928 + ((_e4931 - _e4934) * _e4404)) - _e4940) + ((_e4944 + ((_e4947 - _e4950) * _e4410)) - _e4956)) > _e4823);
+                                                    phi_3515_ = false;
                                                 } else {
-                                                    phi_3511_ = bool();
-                                                    phi_3512_ = true;
+                                                    phi_3514_ = bool();
+                                                    phi_3515_ = true;
                                                 }
-                                                let _e4541 = phi_3511_;
-                                                let _e4543 = phi_3512_;
-                                                phi_3513_ = _e4541;
-                                                phi_3514_ = _e4543;
+                                                let _e4961 = phi_3514_;
+                                                let _e4963 = phi_3515_;
+                                                phi_3516_ = _e4961;
+                                                phi_3517_ = _e4963;
                                             } else {
-                                                phi_3513_ = bool();
-                                                phi_3514_ = true;
+                                                phi_3516_ = bool();
+                                                phi_3517_ = true;
                                             }
-                                            let _e4545 = phi_3513_;
-                                            let _e4547 = phi_3514_;
-                                            phi_3515_ = _e4545;
-                                            phi_3516_ = _e4547;
+                                            let _e4965 = phi_3516_;
+                                            let _e4967 = phi_3517_;
+                                            phi_3518_ = _e4965;
+                                            phi_3519_ = _e4967;
                                         } else {
-                                            phi_3515_ = bool();
-                                            phi_3516_ = true;
+                                            phi_3518_ = bool();
+                                            phi_3519_ = true;
                                         }
-                                        let _e4549 = phi_3515_;
-                                        let _e4551 = phi_3516_;
-                                        if _e4551 {
-                                            phi_3520_ = false;
+                                        let _e4969 = phi_3518_;
+                                        let _e4971 = phi_3519_;
+                                        if _e4971 {
+                                            phi_3523_ = false;
                                         } else {
-                                            phi_3520_ = _e4549;
+                                            phi_3523_ = _e4969;
                                         }
-                                        let _e4553 = phi_3520_;
-                                        phi_3524_ = _e4553;
+                                        let _e4973 = phi_3523_;
+                                        phi_3527_ = _e4973;
                                     }
-                                    let _e4555 = phi_3524_;
-                                    if _e4555 {
-                                        if _e3992 {
-                                            if (_e3986 >= _e3752) {
-                                                phi_3535_ = false;
+                                    let _e4975 = phi_3527_;
+                                    if _e4975 {
+                                        if _e4412 {
+                                            if (_e4404 >= _e4169) {
+                                                phi_3538_ = false;
                                             } else {
-                                                phi_3535_ = true;
+                                                phi_3538_ = true;
                                             }
-                                            let _e4558 = phi_3535_;
-                                            phi_3536_ = _e4558;
+                                            let _e4978 = phi_3538_;
+                                            phi_3539_ = _e4978;
                                         } else {
-                                            phi_3536_ = true;
+                                            phi_3539_ = true;
                                         }
-                                        let _e4560 = phi_3536_;
-                                        if _e4560 {
-                                            local_9 = type_34(array<f64, 4>(_e4297.member[0], _e4297.member[1], _e4297.member[2], _e4297.member[3]), array<f64, 4>(_e4297.member_1[0], _e4297.member_1[1], _e4297.member_1[2], _e4297.member_1[3]), array<f64, 4>(_e4297.member_2[0], _e4297.member_2[1], _e4297.member_2[2], _e4297.member_2[3]));
-                                            let _e4582 = local_9.member[0u];
-                                            let _e4585 = local_9.member_1[0u];
-                                            let _e4588 = local_9.member_2[0u];
-                                            if (_e4582 > _e4588) {
-                                                if (_e4585 > _e4588) {
-                                                    phi_3610_ = false;
+                                        let _e4980 = phi_3539_;
+                                        if _e4980 {
+                                            local_9 = type_34(array<f64, 4>(_e4717.member[0], _e4717.member[1], _e4717.member[2], _e4717.member[3]), array<f64, 4>(_e4717.member_1[0], _e4717.member_1[1], _e4717.member_1[2], _e4717.member_1[3]), array<f64, 4>(_e4717.member_2[0], _e4717.member_2[1], _e4717.member_2[2], _e4717.member_2[3]));
+                                            let _e5002 = local_9.member[0u];
+                                            let _e5005 = local_9.member_1[0u];
+                                            let _e5008 = local_9.member_2[0u];
+                                            if (_e5002 > _e5008) {
+                                                if (_e5005 > _e5008) {
+                                                    phi_3613_ = false;
                                                 } else {
-                                                    phi_3610_ = true;
+                                                    phi_3613_ = true;
                                                 }
-                                                let _e4592 = phi_3610_;
-                                                phi_3611_ = _e4592;
+                                                let _e5012 = phi_3613_;
+                                                phi_3614_ = _e5012;
                                             } else {
-                                                phi_3611_ = true;
+                                                phi_3614_ = true;
                                             }
-                                            let _e4594 = phi_3611_;
-                                            if _e4594 {
-                                                let _e4595 = (_e4585 >= _e4582);
-                                                if _e4595 {
-                                                    phi_3636_ = f64();
-                                                    phi_3637_ = false;
+                                            let _e5014 = phi_3614_;
+                                            if _e5014 {
+                                                let _e5015 = (_e5005 >= _e5002);
+                                                if _e5015 {
+                                                    phi_3639_ = f64();
+                                                    phi_3640_ = false;
                                                 } else {
-                                                    if ((_e4582 - _e4585) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3634_ = (((_e4582 - _e4588) / (_e4582 - _e4585)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3635_ = false;
+                                                    if ((_e5002 - _e5005) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3637_ = (((_e5002 - _e5008) / (_e5002 - _e5005)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3638_ = false;
                                                     } else {
-                                                        phi_3634_ = f64();
-                                                        phi_3635_ = true;
+                                                        phi_3637_ = f64();
+                                                        phi_3638_ = true;
                                                     }
-                                                    let _e4609 = phi_3634_;
-                                                    let _e4611 = phi_3635_;
-                                                    phi_3636_ = _e4609;
-                                                    phi_3637_ = _e4611;
+                                                    let _e5029 = phi_3637_;
+                                                    let _e5031 = phi_3638_;
+                                                    phi_3639_ = _e5029;
+                                                    phi_3640_ = _e5031;
                                                 }
-                                                let _e4613 = phi_3636_;
-                                                let _e4615 = phi_3637_;
-                                                phi_3638_ = _e4613;
-                                                phi_3639_ = _e4595;
-                                                phi_3640_ = _e4615;
+                                                let _e5033 = phi_3639_;
+                                                let _e5035 = phi_3640_;
+                                                phi_3641_ = _e5033;
+                                                phi_3642_ = _e5015;
+                                                phi_3643_ = _e5035;
                                             } else {
-                                                phi_3638_ = f64();
-                                                phi_3639_ = true;
-                                                phi_3640_ = false;
+                                                phi_3641_ = f64();
+                                                phi_3642_ = true;
+                                                phi_3643_ = false;
                                             }
-                                            let _e4617 = phi_3638_;
-                                            let _e4619 = phi_3639_;
-                                            let _e4621 = phi_3640_;
-                                            if _e4619 {
-                                                phi_3645_ = f64(2f);
-                                                phi_3646_ = true;
+                                            let _e5037 = phi_3641_;
+                                            let _e5039 = phi_3642_;
+                                            let _e5041 = phi_3643_;
+                                            if _e5039 {
+                                                phi_3648_ = f64(2f);
+                                                phi_3649_ = true;
                                             } else {
-                                                phi_3645_ = _e3986;
-                                                phi_3646_ = _e4621;
+                                                phi_3648_ = _e4404;
+                                                phi_3649_ = _e5041;
                                             }
-                                            let _e4624 = phi_3645_;
-                                            let _e4626 = phi_3646_;
-                                            if _e4626 {
-                                                phi_3650_ = _e4624;
+                                            let _e5044 = phi_3648_;
+                                            let _e5046 = phi_3649_;
+                                            if _e5046 {
+                                                phi_3653_ = _e5044;
                                             } else {
-                                                phi_3650_ = _e4617;
+                                                phi_3653_ = _e5037;
                                             }
-                                            let _e4628 = phi_3650_;
-                                            let _e4631 = local_9.member[1u];
-                                            let _e4634 = local_9.member_1[1u];
-                                            let _e4637 = local_9.member_2[1u];
-                                            if (_e4631 > _e4637) {
-                                                if (_e4634 > _e4637) {
-                                                    phi_3682_ = false;
+                                            let _e5048 = phi_3653_;
+                                            let _e5051 = local_9.member[1u];
+                                            let _e5054 = local_9.member_1[1u];
+                                            let _e5057 = local_9.member_2[1u];
+                                            if (_e5051 > _e5057) {
+                                                if (_e5054 > _e5057) {
+                                                    phi_3685_ = false;
                                                 } else {
-                                                    phi_3682_ = true;
+                                                    phi_3685_ = true;
                                                 }
-                                                let _e4641 = phi_3682_;
-                                                phi_3683_ = _e4641;
+                                                let _e5061 = phi_3685_;
+                                                phi_3686_ = _e5061;
                                             } else {
-                                                phi_3683_ = true;
+                                                phi_3686_ = true;
                                             }
-                                            let _e4643 = phi_3683_;
-                                            if _e4643 {
-                                                let _e4644 = (_e4634 >= _e4631);
-                                                if _e4644 {
-                                                    phi_3708_ = f64();
-                                                    phi_3709_ = false;
+                                            let _e5063 = phi_3686_;
+                                            if _e5063 {
+                                                let _e5064 = (_e5054 >= _e5051);
+                                                if _e5064 {
+                                                    phi_3711_ = f64();
+                                                    phi_3712_ = false;
                                                 } else {
-                                                    if ((_e4631 - _e4634) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3706_ = (((_e4631 - _e4637) / (_e4631 - _e4634)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3707_ = false;
+                                                    if ((_e5051 - _e5054) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3709_ = (((_e5051 - _e5057) / (_e5051 - _e5054)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3710_ = false;
                                                     } else {
-                                                        phi_3706_ = f64();
-                                                        phi_3707_ = true;
+                                                        phi_3709_ = f64();
+                                                        phi_3710_ = true;
                                                     }
-                                                    let _e4658 = phi_3706_;
-                                                    let _e4660 = phi_3707_;
-                                                    phi_3708_ = _e4658;
-                                                    phi_3709_ = _e4660;
+                                                    let _e5078 = phi_3709_;
+                                                    let _e5080 = phi_3710_;
+                                                    phi_3711_ = _e5078;
+                                                    phi_3712_ = _e5080;
                                                 }
-                                                let _e4662 = phi_3708_;
-                                                let _e4664 = phi_3709_;
-                                                phi_3710_ = _e4662;
-                                                phi_3711_ = _e4644;
-                                                phi_3712_ = _e4664;
+                                                let _e5082 = phi_3711_;
+                                                let _e5084 = phi_3712_;
+                                                phi_3713_ = _e5082;
+                                                phi_3714_ = _e5064;
+                                                phi_3715_ = _e5084;
                                             } else {
-                                                phi_3710_ = f64();
-                                                phi_3711_ = true;
-                                                phi_3712_ = false;
+                                                phi_3713_ = f64();
+                                                phi_3714_ = true;
+                                                phi_3715_ = false;
                                             }
-                                            let _e4666 = phi_3710_;
-                                            let _e4668 = phi_3711_;
-                                            let _e4670 = phi_3712_;
-                                            if _e4668 {
-                                                phi_3717_ = f64(2f);
-                                                phi_3718_ = true;
+                                            let _e5086 = phi_3713_;
+                                            let _e5088 = phi_3714_;
+                                            let _e5090 = phi_3715_;
+                                            if _e5088 {
+                                                phi_3720_ = f64(2f);
+                                                phi_3721_ = true;
                                             } else {
-                                                phi_3717_ = _e3986;
-                                                phi_3718_ = _e4670;
+                                                phi_3720_ = _e4404;
+                                                phi_3721_ = _e5090;
                                             }
-                                            let _e4673 = phi_3717_;
-                                            let _e4675 = phi_3718_;
-                                            if _e4675 {
-                                                phi_3722_ = _e4673;
+                                            let _e5093 = phi_3720_;
+                                            let _e5095 = phi_3721_;
+                                            if _e5095 {
+                                                phi_3725_ = _e5093;
                                             } else {
-                                                phi_3722_ = _e4666;
+                                                phi_3725_ = _e5086;
                                             }
-                                            let _e4677 = phi_3722_;
-                                            if (_e4628 < _e4677) {
-                                                phi_3727_ = _e4628;
+                                            let _e5097 = phi_3725_;
+                                            if (_e5048 < _e5097) {
+                                                phi_3730_ = _e5048;
                                             } else {
-                                                phi_3727_ = _e4677;
+                                                phi_3730_ = _e5097;
                                             }
-                                            let _e4680 = phi_3727_;
-                                            let _e4683 = local_9.member[2u];
-                                            let _e4686 = local_9.member_1[2u];
-                                            let _e4689 = local_9.member_2[2u];
-                                            if (_e4683 > _e4689) {
-                                                if (_e4686 > _e4689) {
-                                                    phi_3759_ = false;
+                                            let _e5100 = phi_3730_;
+                                            let _e5103 = local_9.member[2u];
+                                            let _e5106 = local_9.member_1[2u];
+                                            let _e5109 = local_9.member_2[2u];
+                                            if (_e5103 > _e5109) {
+                                                if (_e5106 > _e5109) {
+                                                    phi_3762_ = false;
                                                 } else {
-                                                    phi_3759_ = true;
+                                                    phi_3762_ = true;
                                                 }
-                                                let _e4693 = phi_3759_;
-                                                phi_3760_ = _e4693;
+                                                let _e5113 = phi_3762_;
+                                                phi_3763_ = _e5113;
                                             } else {
-                                                phi_3760_ = true;
+                                                phi_3763_ = true;
                                             }
-                                            let _e4695 = phi_3760_;
-                                            if _e4695 {
-                                                let _e4696 = (_e4686 >= _e4683);
-                                                if _e4696 {
-                                                    phi_3785_ = f64();
-                                                    phi_3786_ = false;
+                                            let _e5115 = phi_3763_;
+                                            if _e5115 {
+                                                let _e5116 = (_e5106 >= _e5103);
+                                                if _e5116 {
+                                                    phi_3788_ = f64();
+                                                    phi_3789_ = false;
                                                 } else {
-                                                    if ((_e4683 - _e4686) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3783_ = (((_e4683 - _e4689) / (_e4683 - _e4686)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3784_ = false;
+                                                    if ((_e5103 - _e5106) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3786_ = (((_e5103 - _e5109) / (_e5103 - _e5106)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3787_ = false;
                                                     } else {
-                                                        phi_3783_ = f64();
-                                                        phi_3784_ = true;
+                                                        phi_3786_ = f64();
+                                                        phi_3787_ = true;
                                                     }
-                                                    let _e4710 = phi_3783_;
-                                                    let _e4712 = phi_3784_;
-                                                    phi_3785_ = _e4710;
-                                                    phi_3786_ = _e4712;
+                                                    let _e5130 = phi_3786_;
+                                                    let _e5132 = phi_3787_;
+                                                    phi_3788_ = _e5130;
+                                                    phi_3789_ = _e5132;
                                                 }
-                                                let _e4714 = phi_3785_;
-                                                let _e4716 = phi_3786_;
-                                                phi_3787_ = _e4714;
-                                                phi_3788_ = _e4696;
-                                                phi_3789_ = _e4716;
+                                                let _e5134 = phi_3788_;
+                                                let _e5136 = phi_3789_;
+                                                phi_3790_ = _e5134;
+                                                phi_3791_ = _e5116;
+                                                phi_3792_ = _e5136;
                                             } else {
-                                                phi_3787_ = f64();
-                                                phi_3788_ = true;
-                                                phi_3789_ = false;
+                                                phi_3790_ = f64();
+                                                phi_3791_ = true;
+                                                phi_3792_ = false;
                                             }
-                                            let _e4718 = phi_3787_;
-                                            let _e4720 = phi_3788_;
-                                            let _e4722 = phi_3789_;
-                                            if _e4720 {
-                                                phi_3794_ = f64(2f);
-                                                phi_3795_ = true;
+                                            let _e5138 = phi_3790_;
+                                            let _e5140 = phi_3791_;
+                                            let _e5142 = phi_3792_;
+                                            if _e5140 {
+                                                phi_3797_ = f64(2f);
+                                                phi_3798_ = true;
                                             } else {
-                                                phi_3794_ = _e3986;
-                                                phi_3795_ = _e4722;
+                                                phi_3797_ = _e4404;
+                                                phi_3798_ = _e5142;
                                             }
-                                            let _e4725 = phi_3794_;
-                                            let _e4727 = phi_3795_;
-                                            if _e4727 {
-                                                phi_3799_ = _e4725;
+                                            let _e5145 = phi_3797_;
+                                            let _e5147 = phi_3798_;
+                                            if _e5147 {
+                                                phi_3802_ = _e5145;
                                             } else {
-                                                phi_3799_ = _e4718;
+                                                phi_3802_ = _e5138;
                                             }
-                                            let _e4729 = phi_3799_;
-                                            let _e4732 = local_9.member[3u];
-                                            let _e4735 = local_9.member_1[3u];
-                                            let _e4738 = local_9.member_2[3u];
-                                            if (_e4732 > _e4738) {
-                                                if (_e4735 > _e4738) {
-                                                    phi_3831_ = false;
+                                            let _e5149 = phi_3802_;
+                                            let _e5152 = local_9.member[3u];
+                                            let _e5155 = local_9.member_1[3u];
+                                            let _e5158 = local_9.member_2[3u];
+                                            if (_e5152 > _e5158) {
+                                                if (_e5155 > _e5158) {
+                                                    phi_3834_ = false;
                                                 } else {
-                                                    phi_3831_ = true;
+                                                    phi_3834_ = true;
                                                 }
-                                                let _e4742 = phi_3831_;
-                                                phi_3832_ = _e4742;
+                                                let _e5162 = phi_3834_;
+                                                phi_3835_ = _e5162;
                                             } else {
-                                                phi_3832_ = true;
+                                                phi_3835_ = true;
                                             }
-                                            let _e4744 = phi_3832_;
-                                            if _e4744 {
-                                                let _e4745 = (_e4735 >= _e4732);
-                                                if _e4745 {
-                                                    phi_3857_ = f64();
-                                                    phi_3858_ = false;
+                                            let _e5164 = phi_3835_;
+                                            if _e5164 {
+                                                let _e5165 = (_e5155 >= _e5152);
+                                                if _e5165 {
+                                                    phi_3860_ = f64();
+                                                    phi_3861_ = false;
                                                 } else {
-                                                    if ((_e4732 - _e4735) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3855_ = (((_e4732 - _e4738) / (_e4732 - _e4735)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3856_ = false;
+                                                    if ((_e5152 - _e5155) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3858_ = (((_e5152 - _e5158) / (_e5152 - _e5155)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3859_ = false;
                                                     } else {
-                                                        phi_3855_ = f64();
-                                                        phi_3856_ = true;
+                                                        phi_3858_ = f64();
+                                                        phi_3859_ = true;
                                                     }
-                                                    let _e4759 = phi_3855_;
-                                                    let _e4761 = phi_3856_;
-                                                    phi_3857_ = _e4759;
-                                                    phi_3858_ = _e4761;
+                                                    let _e5179 = phi_3858_;
+                                                    let _e5181 = phi_3859_;
+                                                    phi_3860_ = _e5179;
+                                                    phi_3861_ = _e5181;
                                                 }
-                                                let _e4763 = phi_3857_;
-                                                let _e4765 = phi_3858_;
-                                                phi_3859_ = _e4763;
-                                                phi_3860_ = _e4745;
-                                                phi_3861_ = _e4765;
+                                                let _e5183 = phi_3860_;
+                                                let _e5185 = phi_3861_;
+                                                phi_3862_ = _e5183;
+                                                phi_3863_ = _e5165;
+                                                phi_3864_ = _e5185;
                                             } else {
-                                                phi_3859_ = f64();
-                                                phi_3860_ = true;
-                                                phi_3861_ = false;
+                                                phi_3862_ = f64();
+                                                phi_3863_ = true;
+                                                phi_3864_ = false;
                                             }
-                                            let _e4767 = phi_3859_;
-                                            let _e4769 = phi_3860_;
-                                            let _e4771 = phi_3861_;
-                                            if _e4769 {
-                                                phi_3866_ = f64(2f);
-                                                phi_3867_ = true;
+                                            let _e5187 = phi_3862_;
+                                            let _e5189 = phi_3863_;
+                                            let _e5191 = phi_3864_;
+                                            if _e5189 {
+                                                phi_3869_ = f64(2f);
+                                                phi_3870_ = true;
                                             } else {
-                                                phi_3866_ = _e3986;
-                                                phi_3867_ = _e4771;
+                                                phi_3869_ = _e4404;
+                                                phi_3870_ = _e5191;
                                             }
-                                            let _e4774 = phi_3866_;
-                                            let _e4776 = phi_3867_;
-                                            if _e4776 {
-                                                phi_3871_ = _e4774;
+                                            let _e5194 = phi_3869_;
+                                            let _e5196 = phi_3870_;
+                                            if _e5196 {
+                                                phi_3874_ = _e5194;
                                             } else {
-                                                phi_3871_ = _e4767;
+                                                phi_3874_ = _e5187;
                                             }
-                                            let _e4778 = phi_3871_;
-                                            if (_e4729 < _e4778) {
-                                                phi_3876_ = _e4729;
+                                            let _e5198 = phi_3874_;
+                                            if (_e5149 < _e5198) {
+                                                phi_3879_ = _e5149;
                                             } else {
-                                                phi_3876_ = _e4778;
+                                                phi_3879_ = _e5198;
                                             }
-                                            let _e4781 = phi_3876_;
-                                            if (_e4680 < _e4781) {
-                                                phi_3881_ = _e4680;
+                                            let _e5201 = phi_3879_;
+                                            if (_e5100 < _e5201) {
+                                                phi_3884_ = _e5100;
                                             } else {
-                                                phi_3881_ = _e4781;
+                                                phi_3884_ = _e5201;
                                             }
-                                            let _e4784 = phi_3881_;
-                                            if (_e4784 > _e3986) {
-                                                phi_3886_ = _e4784;
+                                            let _e5204 = phi_3884_;
+                                            if (_e5204 > _e4404) {
+                                                phi_3889_ = _e5204;
                                             } else {
-                                                phi_3886_ = _e3986;
+                                                phi_3889_ = _e4404;
                                             }
-                                            let _e4787 = phi_3886_;
-                                            let _e4788 = (_e4787 > _e3752);
-                                            if _e4788 {
-                                                phi_3897_ = f64();
-                                                phi_3898_ = false;
+                                            let _e5207 = phi_3889_;
+                                            let _e5208 = (_e5207 > _e4169);
+                                            if _e5208 {
+                                                phi_4406_ = f64();
+                                                phi_4407_ = f64();
+                                                phi_4408_ = false;
+                                                phi_4409_ = false;
                                             } else {
-                                                if _e3992 {
-                                                    phi_3896_ = (_e4317 + _e4317);
+                                                let _e5209 = (_e5207 - _e4404);
+                                                let _e5211 = (_e5209 <= f64(0.0000000037252903f));
+                                                let _e5213 = (_e5207 + f64(0.00000001f));
+                                                if (_e5213 < _e4169) {
+                                                    phi_3903_ = _e5213;
                                                 } else {
-                                                    phi_3896_ = (_e3752 - _e3986);
+                                                    phi_3903_ = _e4169;
                                                 }
-                                                let _e4792 = phi_3896_;
-                                                phi_3897_ = _e4792;
-                                                phi_3898_ = true;
-                                            }
-                                            let _e4794 = phi_3897_;
-                                            let _e4796 = phi_3898_;
-                                            phi_3899_ = _e4787;
-                                            phi_3900_ = _e4794;
-                                            phi_3901_ = _e4796;
-                                            phi_3902_ = _e4788;
-                                            phi_3903_ = false;
-                                        } else {
-                                            phi_3899_ = f64();
-                                            phi_3900_ = f64();
-                                            phi_3901_ = false;
-                                            phi_3902_ = false;
-                                            phi_3903_ = true;
-                                        }
-                                        let _e4798 = phi_3899_;
-                                        let _e4800 = phi_3900_;
-                                        let _e4802 = phi_3901_;
-                                        let _e4804 = phi_3902_;
-                                        let _e4806 = phi_3903_;
-                                        phi_3904_ = _e4798;
-                                        phi_3905_ = _e4800;
-                                        phi_3906_ = false;
-                                        phi_3907_ = _e4802;
-                                        phi_3908_ = _e4804;
-                                        phi_3909_ = _e4806;
-                                    } else {
-                                        phi_3904_ = f64();
-                                        phi_3905_ = f64();
-                                        phi_3906_ = true;
-                                        phi_3907_ = false;
-                                        phi_3908_ = false;
-                                        phi_3909_ = false;
-                                    }
-                                    let _e4808 = phi_3904_;
-                                    let _e4810 = phi_3905_;
-                                    let _e4812 = phi_3906_;
-                                    let _e4814 = phi_3907_;
-                                    let _e4816 = phi_3908_;
-                                    let _e4818 = phi_3909_;
-                                    phi_3910_ = _e4808;
-                                    phi_3911_ = _e4810;
-                                    phi_3912_ = _e4812;
-                                    phi_3913_ = _e4814;
-                                    phi_3914_ = _e4816;
-                                    phi_3915_ = _e4818;
-                                } else {
-                                    phi_3910_ = f64();
-                                    phi_3911_ = f64();
-                                    phi_3912_ = true;
-                                    phi_3913_ = false;
-                                    phi_3914_ = false;
-                                    phi_3915_ = false;
-                                }
-                                let _e4820 = phi_3910_;
-                                let _e4822 = phi_3911_;
-                                let _e4824 = phi_3912_;
-                                let _e4826 = phi_3913_;
-                                let _e4828 = phi_3914_;
-                                let _e4830 = phi_3915_;
-                                if _e4824 {
-                                    if (_e3986 <= _e3988) {
-                                        let _e4996 = (_e3994 + 1u);
-                                        let _e4997 = (_e4996 > 3u);
-                                        if _e4997 {
-                                            phi_3928_ = false;
-                                        } else {
-                                            phi_3928_ = true;
-                                        }
-                                        let _e4999 = phi_3928_;
-                                        phi_4255_ = _e4996;
-                                        phi_4256_ = f64();
-                                        phi_4257_ = false;
-                                        phi_4258_ = _e4999;
-                                        phi_4259_ = _e4997;
-                                    } else {
-                                        let _e4834 = local_9.member[0u];
-                                        let _e4837 = local_9.member_1[0u];
-                                        let _e4840 = local_9.member[0u];
-                                        let _e4846 = local_9.member_2[0u];
-                                        let _e4847 = ((_e4834 + ((_e4837 - _e4840) * _e3990)) - _e4846);
-                                        let _e4850 = local_9.member[1u];
-                                        let _e4853 = local_9.member_1[1u];
-                                        let _e4856 = local_9.member[1u];
-                                        let _e4862 = local_9.member_2[1u];
-                                        let _e4863 = ((_e4850 + ((_e4853 - _e4856) * _e3990)) - _e4862);
-                                        if (_e4847 < _e4863) {
-                                            phi_4001_ = _e4847;
-                                        } else {
-                                            phi_4001_ = _e4863;
-                                        }
-                                        let _e4866 = phi_4001_;
-                                        let _e4869 = local_9.member[2u];
-                                        let _e4872 = local_9.member_1[2u];
-                                        let _e4875 = local_9.member[2u];
-                                        let _e4881 = local_9.member_2[2u];
-                                        let _e4882 = ((_e4869 + ((_e4872 - _e4875) * _e3990)) - _e4881);
-                                        let _e4885 = local_9.member[3u];
-                                        let _e4888 = local_9.member_1[3u];
-                                        let _e4891 = local_9.member[3u];
-                                        let _e4897 = local_9.member_2[3u];
-                                        let _e4898 = ((_e4885 + ((_e4888 - _e4891) * _e3990)) - _e4897);
-                                        if (_e4882 < _e4898) {
-                                            phi_4074_ = _e4882;
-                                        } else {
-                                            phi_4074_ = _e4898;
-                                        }
-                                        let _e4901 = phi_4074_;
-                                        if (_e4866 < _e4901) {
-                                            phi_4079_ = _e4866;
-                                        } else {
-                                            phi_4079_ = _e4901;
-                                        }
-                                        let _e4904 = phi_4079_;
-                                        let _e4907 = local_10.member[0u];
-                                        let _e4910 = local_10.member_1[0u];
-                                        let _e4913 = local_10.member[0u];
-                                        let _e4919 = local_10.member_2[0u];
-                                        let _e4920 = ((_e4907 + ((_e4910 - _e4913) * _e3986)) - _e4919);
-                                        let _e4923 = local_10.member[1u];
-                                        let _e4926 = local_10.member_1[1u];
-                                        let _e4929 = local_10.member[1u];
-                                        let _e4935 = local_10.member_2[1u];
-                                        let _e4936 = ((_e4923 + ((_e4926 - _e4929) * _e3986)) - _e4935);
-                                        if (_e4920 < _e4936) {
-                                            phi_4152_ = _e4920;
-                                        } else {
-                                            phi_4152_ = _e4936;
-                                        }
-                                        let _e4939 = phi_4152_;
-                                        let _e4942 = local_10.member[2u];
-                                        let _e4945 = local_10.member_1[2u];
-                                        let _e4948 = local_10.member[2u];
-                                        let _e4954 = local_10.member_2[2u];
-                                        let _e4955 = ((_e4942 + ((_e4945 - _e4948) * _e3986)) - _e4954);
-                                        let _e4958 = local_10.member[3u];
-                                        let _e4961 = local_10.member_1[3u];
-                                        let _e4964 = local_10.member[3u];
-                                        let _e4970 = local_10.member_2[3u];
-                                        let _e4971 = ((_e4958 + ((_e4961 - _e4964) * _e3986)) - _e4970);
-                                        if (_e4955 < _e4971) {
-                                            phi_4225_ = _e4955;
-                                        } else {
-                                            phi_4225_ = _e4971;
-                                        }
-                                        let _e4974 = phi_4225_;
-                                        if (_e4939 < _e4974) {
-                                            phi_4230_ = _e4939;
-                                        } else {
-                                            phi_4230_ = _e4974;
-                                        }
-                                        let _e4977 = phi_4230_;
-                                        let _e4978 = f64(0.0625f);
-                                        let _e4980 = f64(0.9f);
-                                        if (_e4977 > f64(0f)) {
-                                            phi_4253_ = f64(0.5f);
-                                        } else {
-                                            let _e4986 = (f64(0.95f) * (_e4904 / (_e4904 - _e4977)));
-                                            if (_e4986 > _e4978) {
-                                                if (_e4986 < _e4980) {
-                                                    phi_4251_ = _e4986;
+                                                let _e5216 = phi_3903_;
+                                                if _e5211 {
+                                                    if (_e575.member_1 > f64(0f)) {
+                                                        let _e5221 = local_12.member[0u];
+                                                        let _e5227 = local_12.member[1u];
+                                                        let _e5243 = local_12.member_1[0u];
+                                                        let _e5249 = local_12.member_1[1u];
+                                                        let _e5265 = local_12.member_2[0u];
+                                                        let _e5271 = local_12.member_2[1u];
+                                                        let _e5285 = function_2(array<f64, 3>((_e5221[0] + ((_e5227[0] - _e5221[0]) * _e5216)), (_e5221[1] + ((_e5227[1] - _e5221[1]) * _e5216)), (_e5221[2] + ((_e5227[2] - _e5221[2]) * _e5216))), array<f64, 3>((_e5243[0] + ((_e5249[0] - _e5243[0]) * _e5216)), (_e5243[1] + ((_e5249[1] - _e5243[1]) * _e5216)), (_e5243[2] + ((_e5249[2] - _e5243[2]) * _e5216))), array<f64, 3>((_e5265[0] + ((_e5271[0] - _e5265[0]) * _e5216)), (_e5265[1] + ((_e5271[1] - _e5265[1]) * _e5216)), (_e5265[2] + ((_e5271[2] - _e5265[2]) * _e5216))), 0u);
+                                                        let _e5296 = (((_e5285[0] * _e5285[0]) + (_e5285[1] * _e5285[1])) + (_e5285[2] * _e5285[2]));
+                                                        if (_e5296 <= 2.2250738585072014e-308lf) {
+                                                            if (_e5296 > 0.0lf) {
+                                                                phi_4034_ = (1.464336215552873e-154lf * 2.0lf);
+                                                            } else {
+                                                                phi_4034_ = 0.0lf;
+                                                            }
+                                                            let _e5348 = phi_4034_;
+                                                            phi_4098_ = _e5348;
+                                                        } else {
+                                                            phi_4041_ = type_16(0i, 5i);
+                                                            phi_4044_ = bitcast<f64>(((bitcast<u64>(_e5296) / 2lu) + 2303426169912950784lu));
+                                                            loop {
+                                                                let _e5303 = phi_4041_;
+                                                                let _e5305 = phi_4044_;
+                                                                local_26 = _e5305;
+                                                                if (_e5303.member < _e5303.member_1) {
+                                                                    let _e5312 = (_e5303.member + 1i);
+                                                                    if ((false == (_e5312 > _e5303.member)) != false) {
+                                                                        phi_4065_ = true;
+                                                                    } else {
+                                                                        phi_4065_ = false;
+                                                                    }
+                                                                    let _e5317 = phi_4065_;
+                                                                    if _e5317 {
+                                                                        phi_4071_ = type_17(0u, type_17().member_1);
+                                                                    } else {
+                                                                        phi_4071_ = type_17(1u, _e5312);
+                                                                    }
+                                                                    let _e5322 = phi_4071_;
+                                                                    phi_4042_ = type_16(_e5322.member_1, _e5303.member_1);
+                                                                    phi_4085_ = type_17(1u, _e5303.member);
+                                                                } else {
+                                                                    phi_4042_ = _e5303;
+                                                                    phi_4085_ = type_17(0u, type_17().member_1);
+                                                                }
+                                                                let _e5328 = phi_4042_;
+                                                                let _e5330 = phi_4085_;
+                                                                let _e5333 = (bitcast<i32>(_e5330.member) != 0i);
+                                                                if _e5333 {
+                                                                    phi_4045_ = (0.5lf * (_e5305 + (_e5296 / _e5305)));
+                                                                } else {
+                                                                    phi_4045_ = f64();
+                                                                }
+                                                                let _e5338 = phi_4045_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_4041_ = _e5328;
+                                                                    phi_4044_ = _e5338;
+                                                                    break if !(_e5333);
+                                                                }
+                                                            }
+                                                            let _e5343 = local_26;
+                                                            phi_4098_ = (_e5343 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                        }
+                                                        let _e5350 = phi_4098_;
+                                                        let _e5358 = local_12.member[0u];
+                                                        if (_e5358[0] < 0.0lf) {
+                                                            phi_4116_ = -(_e5358[0]);
+                                                        } else {
+                                                            phi_4116_ = _e5358[0];
+                                                        }
+                                                        let _e5365 = phi_4116_;
+                                                        if (_e5358[1] < 0.0lf) {
+                                                            phi_4123_ = -(_e5358[1]);
+                                                        } else {
+                                                            phi_4123_ = _e5358[1];
+                                                        }
+                                                        let _e5369 = phi_4123_;
+                                                        if (_e5365 > _e5369) {
+                                                            phi_4128_ = _e5365;
+                                                        } else {
+                                                            phi_4128_ = _e5369;
+                                                        }
+                                                        let _e5372 = phi_4128_;
+                                                        if (_e5358[2] < 0.0lf) {
+                                                            phi_4135_ = -(_e5358[2]);
+                                                        } else {
+                                                            phi_4135_ = _e5358[2];
+                                                        }
+                                                        let _e5376 = phi_4135_;
+                                                        if (_e5372 > _e5376) {
+                                                            phi_4140_ = _e5372;
+                                                        } else {
+                                                            phi_4140_ = _e5376;
+                                                        }
+                                                        let _e5379 = phi_4140_;
+                                                        let _e5382 = local_12.member[1u];
+                                                        if (_e5382[0] < 0.0lf) {
+                                                            phi_4153_ = -(_e5382[0]);
+                                                        } else {
+                                                            phi_4153_ = _e5382[0];
+                                                        }
+                                                        let _e5389 = phi_4153_;
+                                                        if (_e5382[1] < 0.0lf) {
+                                                            phi_4160_ = -(_e5382[1]);
+                                                        } else {
+                                                            phi_4160_ = _e5382[1];
+                                                        }
+                                                        let _e5393 = phi_4160_;
+                                                        if (_e5389 > _e5393) {
+                                                            phi_4165_ = _e5389;
+                                                        } else {
+                                                            phi_4165_ = _e5393;
+                                                        }
+                                                        let _e5396 = phi_4165_;
+                                                        if (_e5382[2] < 0.0lf) {
+                                                            phi_4172_ = -(_e5382[2]);
+                                                        } else {
+                                                            phi_4172_ = _e5382[2];
+                                                        }
+                                                        let _e5400 = phi_4172_;
+                                                        if (_e5396 > _e5400) {
+                                                            phi_4177_ = _e5396;
+                                                        } else {
+                                                            phi_4177_ = _e5400;
+                                                        }
+                                                        let _e5403 = phi_4177_;
+                                                        if (_e5379 > _e5403) {
+                                                            phi_4182_ = _e5379;
+                                                        } else {
+                                                            phi_4182_ = _e5403;
+                                                        }
+                                                        let _e5406 = phi_4182_;
+                                                        let _e5408 = local_12.member_3;
+                                                        let _e5412 = local_12.member_1[0u];
+                                                        if (_e5412[0] < 0.0lf) {
+                                                            phi_4199_ = -(_e5412[0]);
+                                                        } else {
+                                                            phi_4199_ = _e5412[0];
+                                                        }
+                                                        let _e5419 = phi_4199_;
+                                                        if (_e5412[1] < 0.0lf) {
+                                                            phi_4206_ = -(_e5412[1]);
+                                                        } else {
+                                                            phi_4206_ = _e5412[1];
+                                                        }
+                                                        let _e5423 = phi_4206_;
+                                                        if (_e5419 > _e5423) {
+                                                            phi_4211_ = _e5419;
+                                                        } else {
+                                                            phi_4211_ = _e5423;
+                                                        }
+                                                        let _e5426 = phi_4211_;
+                                                        if (_e5412[2] < 0.0lf) {
+                                                            phi_4218_ = -(_e5412[2]);
+                                                        } else {
+                                                            phi_4218_ = _e5412[2];
+                                                        }
+                                                        let _e5430 = phi_4218_;
+                                                        if (_e5426 > _e5430) {
+                                                            phi_4223_ = _e5426;
+                                                        } else {
+                                                            phi_4223_ = _e5430;
+                                                        }
+                                                        let _e5433 = phi_4223_;
+                                                        let _e5436 = local_12.member_1[1u];
+                                                        if (_e5436[0] < 0.0lf) {
+                                                            phi_4237_ = -(_e5436[0]);
+                                                        } else {
+                                                            phi_4237_ = _e5436[0];
+                                                        }
+                                                        let _e5443 = phi_4237_;
+                                                        if (_e5436[1] < 0.0lf) {
+                                                            phi_4244_ = -(_e5436[1]);
+                                                        } else {
+                                                            phi_4244_ = _e5436[1];
+                                                        }
+                                                        let _e5447 = phi_4244_;
+                                                        if (_e5443 > _e5447) {
+                                                            phi_4249_ = _e5443;
+                                                        } else {
+                                                            phi_4249_ = _e5447;
+                                                        }
+                                                        let _e5450 = phi_4249_;
+                                                        if (_e5436[2] < 0.0lf) {
+                                                            phi_4256_ = -(_e5436[2]);
+                                                        } else {
+                                                            phi_4256_ = _e5436[2];
+                                                        }
+                                                        let _e5454 = phi_4256_;
+                                                        if (_e5450 > _e5454) {
+                                                            phi_4261_ = _e5450;
+                                                        } else {
+                                                            phi_4261_ = _e5454;
+                                                        }
+                                                        let _e5457 = phi_4261_;
+                                                        if (_e5433 > _e5457) {
+                                                            phi_4266_ = _e5433;
+                                                        } else {
+                                                            phi_4266_ = _e5457;
+                                                        }
+                                                        let _e5460 = phi_4266_;
+                                                        let _e5462 = local_12.member_3;
+                                                        let _e5466 = local_12.member_2[0u];
+                                                        if (_e5466[0] < 0.0lf) {
+                                                            phi_4283_ = -(_e5466[0]);
+                                                        } else {
+                                                            phi_4283_ = _e5466[0];
+                                                        }
+                                                        let _e5473 = phi_4283_;
+                                                        if (_e5466[1] < 0.0lf) {
+                                                            phi_4290_ = -(_e5466[1]);
+                                                        } else {
+                                                            phi_4290_ = _e5466[1];
+                                                        }
+                                                        let _e5477 = phi_4290_;
+                                                        if (_e5473 > _e5477) {
+                                                            phi_4295_ = _e5473;
+                                                        } else {
+                                                            phi_4295_ = _e5477;
+                                                        }
+                                                        let _e5480 = phi_4295_;
+                                                        if (_e5466[2] < 0.0lf) {
+                                                            phi_4302_ = -(_e5466[2]);
+                                                        } else {
+                                                            phi_4302_ = _e5466[2];
+                                                        }
+                                                        let _e5484 = phi_4302_;
+                                                        if (_e5480 > _e5484) {
+                                                            phi_4307_ = _e5480;
+                                                        } else {
+                                                            phi_4307_ = _e5484;
+                                                        }
+                                                        let _e5487 = phi_4307_;
+                                                        let _e5490 = local_12.member_2[1u];
+                                                        if (_e5490[0] < 0.0lf) {
+                                                            phi_4321_ = -(_e5490[0]);
+                                                        } else {
+                                                            phi_4321_ = _e5490[0];
+                                                        }
+                                                        let _e5497 = phi_4321_;
+                                                        if (_e5490[1] < 0.0lf) {
+                                                            phi_4328_ = -(_e5490[1]);
+                                                        } else {
+                                                            phi_4328_ = _e5490[1];
+                                                        }
+                                                        let _e5501 = phi_4328_;
+                                                        if (_e5497 > _e5501) {
+                                                            phi_4333_ = _e5497;
+                                                        } else {
+                                                            phi_4333_ = _e5501;
+                                                        }
+                                                        let _e5504 = phi_4333_;
+                                                        if (_e5490[2] < 0.0lf) {
+                                                            phi_4340_ = -(_e5490[2]);
+                                                        } else {
+                                                            phi_4340_ = _e5490[2];
+                                                        }
+                                                        let _e5508 = phi_4340_;
+                                                        if (_e5504 > _e5508) {
+                                                            phi_4345_ = _e5504;
+                                                        } else {
+                                                            phi_4345_ = _e5508;
+                                                        }
+                                                        let _e5511 = phi_4345_;
+                                                        if (_e5487 > _e5511) {
+                                                            phi_4350_ = _e5487;
+                                                        } else {
+                                                            phi_4350_ = _e5511;
+                                                        }
+                                                        let _e5514 = phi_4350_;
+                                                        let _e5516 = local_12.member_3;
+                                                        let _e5524 = local_12.member_3;
+                                                        if (((_e5350 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5406 + _e5408) + (_e5460 + _e5462)) + (_e5514 + _e5516)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5524 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1) {
+                                                            phi_4374_ = false;
+                                                        } else {
+                                                            phi_4374_ = true;
+                                                        }
+                                                        let _e5536 = phi_4374_;
+                                                        phi_4375_ = _e5536;
+                                                    } else {
+                                                        phi_4375_ = true;
+                                                    }
+                                                    let _e5538 = phi_4375_;
+                                                    phi_4376_ = _e5538;
                                                 } else {
-                                                    phi_4251_ = _e4980;
+                                                    phi_4376_ = true;
                                                 }
-                                                let _e4990 = phi_4251_;
-                                                phi_4252_ = _e4990;
-                                            } else {
-                                                phi_4252_ = _e4978;
+                                                let _e5540 = phi_4376_;
+                                                if _e5540 {
+                                                    if _e4412 {
+                                                        if _e5211 {
+                                                            phi_4395_ = f64();
+                                                            phi_4396_ = true;
+                                                        } else {
+                                                            if (_e5209 <= (_e4408 * f64(0.25f))) {
+                                                                phi_4393_ = f64(0f);
+                                                                phi_4394_ = false;
+                                                            } else {
+                                                                phi_4393_ = f64();
+                                                                phi_4394_ = true;
+                                                            }
+                                                            let _e5547 = phi_4393_;
+                                                            let _e5549 = phi_4394_;
+                                                            phi_4395_ = _e5547;
+                                                            phi_4396_ = _e5549;
+                                                        }
+                                                        let _e5551 = phi_4395_;
+                                                        let _e5553 = phi_4396_;
+                                                        if _e5553 {
+                                                            phi_4401_ = (_e4737 + _e4737);
+                                                        } else {
+                                                            phi_4401_ = _e5551;
+                                                        }
+                                                        let _e5556 = phi_4401_;
+                                                        phi_4403_ = _e5556;
+                                                    } else {
+                                                        phi_4403_ = (_e4169 - _e4404);
+                                                    }
+                                                    let _e5558 = phi_4403_;
+                                                    phi_4404_ = _e5558;
+                                                    phi_4405_ = false;
+                                                } else {
+                                                    phi_4404_ = f64();
+                                                    phi_4405_ = true;
+                                                }
+                                                let _e5560 = phi_4404_;
+                                                let _e5562 = phi_4405_;
+                                                phi_4406_ = _e5560;
+                                                phi_4407_ = _e5209;
+                                                phi_4408_ = _e5540;
+                                                phi_4409_ = _e5562;
                                             }
-                                            let _e4992 = phi_4252_;
-                                            phi_4253_ = _e4992;
+                                            let _e5564 = phi_4406_;
+                                            let _e5566 = phi_4407_;
+                                            let _e5568 = phi_4408_;
+                                            let _e5570 = phi_4409_;
+                                            phi_4410_ = _e5207;
+                                            phi_4411_ = _e5564;
+                                            phi_4412_ = _e5566;
+                                            phi_4413_ = _e5207;
+                                            phi_4414_ = _e5568;
+                                            phi_4415_ = _e5208;
+                                            phi_4416_ = _e5570;
+                                            phi_4417_ = false;
+                                        } else {
+                                            phi_4410_ = f64();
+                                            phi_4411_ = f64();
+                                            phi_4412_ = f64();
+                                            phi_4413_ = f64();
+                                            phi_4414_ = false;
+                                            phi_4415_ = false;
+                                            phi_4416_ = false;
+                                            phi_4417_ = true;
                                         }
-                                        let _e4994 = phi_4253_;
-                                        phi_4255_ = u32();
-                                        phi_4256_ = (_e4317 * _e4994);
-                                        phi_4257_ = true;
-                                        phi_4258_ = false;
-                                        phi_4259_ = false;
+                                        let _e5572 = phi_4410_;
+                                        let _e5574 = phi_4411_;
+                                        let _e5576 = phi_4412_;
+                                        let _e5578 = phi_4413_;
+                                        let _e5580 = phi_4414_;
+                                        let _e5582 = phi_4415_;
+                                        let _e5584 = phi_4416_;
+                                        let _e5586 = phi_4417_;
+                                        phi_4418_ = _e5572;
+                                        phi_4419_ = _e5574;
+                                        phi_4420_ = _e5576;
+                                        phi_4421_ = _e5578;
+                                        phi_4422_ = false;
+                                        phi_4423_ = _e5580;
+                                        phi_4424_ = _e5582;
+                                        phi_4425_ = _e5584;
+                                        phi_4426_ = _e5586;
+                                    } else {
+                                        phi_4418_ = f64();
+                                        phi_4419_ = f64();
+                                        phi_4420_ = f64();
+                                        phi_4421_ = f64();
+                                        phi_4422_ = true;
+                                        phi_4423_ = false;
+                                        phi_4424_ = false;
+                                        phi_4425_ = false;
+                                        phi_4426_ = false;
                                     }
-                                    let _e5001 = phi_4255_;
-                                    let _e5003 = phi_4256_;
-                                    let _e5005 = phi_4257_;
-                                    let _e5007 = phi_4258_;
-                                    let _e5009 = phi_4259_;
-                                    phi_4260_ = _e5001;
-                                    phi_4261_ = _e3988;
-                                    phi_4262_ = _e5003;
-                                    phi_4263_ = _e3990;
-                                    phi_4264_ = _e3992;
-                                    phi_4265_ = _e3994;
-                                    phi_4266_ = _e5005;
-                                    phi_4267_ = _e5007;
-                                    phi_4268_ = _e5009;
-                                    phi_4269_ = false;
-                                    phi_4270_ = false;
+                                    let _e5588 = phi_4418_;
+                                    let _e5590 = phi_4419_;
+                                    let _e5592 = phi_4420_;
+                                    let _e5594 = phi_4421_;
+                                    let _e5596 = phi_4422_;
+                                    let _e5598 = phi_4423_;
+                                    let _e5600 = phi_4424_;
+                                    let _e5602 = phi_4425_;
+                                    let _e5604 = phi_4426_;
+                                    phi_4427_ = _e5588;
+                                    phi_4428_ = _e5590;
+                                    phi_4429_ = _e5592;
+                                    phi_4430_ = _e5594;
+                                    phi_4431_ = _e5596;
+                                    phi_4432_ = _e5598;
+                                    phi_4433_ = _e5600;
+                                    phi_4434_ = _e5602;
+                                    phi_4435_ = _e5604;
                                 } else {
-                                    phi_4260_ = u32();
-                                    phi_4261_ = _e4820;
-                                    phi_4262_ = _e4822;
-                                    phi_4263_ = _e3986;
-                                    phi_4264_ = true;
-                                    phi_4265_ = 0u;
-                                    phi_4266_ = _e4826;
-                                    phi_4267_ = false;
-                                    phi_4268_ = false;
-                                    phi_4269_ = _e4828;
-                                    phi_4270_ = _e4830;
+                                    phi_4427_ = f64();
+                                    phi_4428_ = f64();
+                                    phi_4429_ = f64();
+                                    phi_4430_ = f64();
+                                    phi_4431_ = true;
+                                    phi_4432_ = false;
+                                    phi_4433_ = false;
+                                    phi_4434_ = false;
+                                    phi_4435_ = false;
                                 }
-                                let _e5011 = phi_4260_;
-                                let _e5013 = phi_4261_;
-                                let _e5015 = phi_4262_;
-                                let _e5017 = phi_4263_;
-                                let _e5019 = phi_4264_;
-                                let _e5021 = phi_4265_;
-                                let _e5023 = phi_4266_;
-                                let _e5025 = phi_4267_;
-                                let _e5027 = phi_4268_;
-                                let _e5029 = phi_4269_;
-                                let _e5031 = phi_4270_;
-                                if _e5023 {
-                                    let _e5032 = (_e5017 + _e5015);
-                                    if (_e5032 > _e5013) {
-                                        phi_4279_ = _e5032;
+                                let _e5606 = phi_4427_;
+                                let _e5608 = phi_4428_;
+                                let _e5610 = phi_4429_;
+                                let _e5612 = phi_4430_;
+                                let _e5614 = phi_4431_;
+                                let _e5616 = phi_4432_;
+                                let _e5618 = phi_4433_;
+                                let _e5620 = phi_4434_;
+                                let _e5622 = phi_4435_;
+                                if _e5614 {
+                                    if (_e4404 <= _e4406) {
+                                        let _e5788 = (_e4414 + 1u);
+                                        let _e5789 = (_e5788 > 3u);
+                                        if _e5789 {
+                                            phi_4448_ = false;
+                                        } else {
+                                            phi_4448_ = true;
+                                        }
+                                        let _e5791 = phi_4448_;
+                                        phi_4775_ = _e5788;
+                                        phi_4776_ = f64();
+                                        phi_4777_ = false;
+                                        phi_4778_ = _e5791;
+                                        phi_4779_ = _e5789;
                                     } else {
-                                        phi_4279_ = _e5013;
+                                        let _e5626 = local_9.member[0u];
+                                        let _e5629 = local_9.member_1[0u];
+                                        let _e5632 = local_9.member[0u];
+                                        let _e5638 = local_9.member_2[0u];
+                                        let _e5639 = ((_e5626 + ((_e5629 - _e5632) * _e4410)) - _e5638);
+                                        let _e5642 = local_9.member[1u];
+                                        let _e5645 = local_9.member_1[1u];
+                                        let _e5648 = local_9.member[1u];
+                                        let _e5654 = local_9.member_2[1u];
+                                        let _e5655 = ((_e5642 + ((_e5645 - _e5648) * _e4410)) - _e5654);
+                                        if (_e5639 < _e5655) {
+                                            phi_4521_ = _e5639;
+                                        } else {
+                                            phi_4521_ = _e5655;
+                                        }
+                                        let _e5658 = phi_4521_;
+                                        let _e5661 = local_9.member[2u];
+                                        let _e5664 = local_9.member_1[2u];
+                                        let _e5667 = local_9.member[2u];
+                                        let _e5673 = local_9.member_2[2u];
+                                        let _e5674 = ((_e5661 + ((_e5664 - _e5667) * _e4410)) - _e5673);
+                                        let _e5677 = local_9.member[3u];
+                                        let _e5680 = local_9.member_1[3u];
+                                        let _e5683 = local_9.member[3u];
+                                        let _e5689 = local_9.member_2[3u];
+                                        let _e5690 = ((_e5677 + ((_e5680 - _e5683) * _e4410)) - _e5689);
+                                        if (_e5674 < _e5690) {
+                                            phi_4594_ = _e5674;
+                                        } else {
+                                            phi_4594_ = _e5690;
+                                        }
+                                        let _e5693 = phi_4594_;
+                                        if (_e5658 < _e5693) {
+                                            phi_4599_ = _e5658;
+                                        } else {
+                                            phi_4599_ = _e5693;
+                                        }
+                                        let _e5696 = phi_4599_;
+                                        let _e5699 = local_10.member[0u];
+                                        let _e5702 = local_10.member_1[0u];
+                                        let _e5705 = local_10.member[0u];
+                                        let _e5711 = local_10.member_2[0u];
+                                        let _e5712 = ((_e5699 + ((_e5702 - _e5705) * _e4404)) - _e5711);
+                                        let _e5715 = local_10.member[1u];
+                                        let _e5718 = local_10.member_1[1u];
+                                        let _e5721 = local_10.member[1u];
+                                        let _e5727 = local_10.member_2[1u];
+                                        let _e5728 = ((_e5715 + ((_e5718 - _e5721) * _e4404)) - _e5727);
+                                        if (_e5712 < _e5728) {
+                                            phi_4672_ = _e5712;
+                                        } else {
+                                            phi_4672_ = _e5728;
+                                        }
+                                        let _e5731 = phi_4672_;
+                                        let _e5734 = local_10.member[2u];
+                                        let _e5737 = local_10.member_1[2u];
+                                        let _e5740 = local_10.member[2u];
+                                        let _e5746 = local_10.member_2[2u];
+                                        let _e5747 = ((_e5734 + ((_e5737 - _e5740) * _e4404)) - _e5746);
+                                        let _e5750 = local_10.member[3u];
+                                        let _e5753 = local_10.member_1[3u];
+                                        let _e5756 = local_10.member[3u];
+                                        let _e5762 = local_10.member_2[3u];
+                                        let _e5763 = ((_e5750 + ((_e5753 - _e5756) * _e4404)) - _e5762);
+                                        if (_e5747 < _e5763) {
+                                            phi_4745_ = _e5747;
+                                        } else {
+                                            phi_4745_ = _e5763;
+                                        }
+                                        let _e5766 = phi_4745_;
+                                        if (_e5731 < _e5766) {
+                                            phi_4750_ = _e5731;
+                                        } else {
+                                            phi_4750_ = _e5766;
+                                        }
+                                        let _e5769 = phi_4750_;
+                                        let _e5770 = f64(0.0625f);
+                                        let _e5772 = f64(0.9f);
+                                        if (_e5769 > f64(0f)) {
+                                            phi_4773_ = f64(0.5f);
+                                        } else {
+                                            let _e5778 = (f64(0.95f) * (_e5696 / (_e5696 - _e5769)));
+                                            if (_e5778 > _e5770) {
+                                                if (_e5778 < _e5772) {
+                                                    phi_4771_ = _e5778;
+                                                } else {
+                                                    phi_4771_ = _e5772;
+                                                }
+                                                let _e5782 = phi_4771_;
+                                                phi_4772_ = _e5782;
+                                            } else {
+                                                phi_4772_ = _e5770;
+                                            }
+                                            let _e5784 = phi_4772_;
+                                            phi_4773_ = _e5784;
+                                        }
+                                        let _e5786 = phi_4773_;
+                                        phi_4775_ = u32();
+                                        phi_4776_ = (_e4737 * _e5786);
+                                        phi_4777_ = true;
+                                        phi_4778_ = false;
+                                        phi_4779_ = false;
                                     }
-                                    let _e5035 = phi_4279_;
-                                    if (_e5035 < _e3752) {
-                                        phi_4284_ = _e5035;
-                                    } else {
-                                        phi_4284_ = _e3752;
-                                    }
-                                    let _e5038 = phi_4284_;
-                                    if !(_e3992) {
-                                        phi_4294_ = true;
-                                    } else {
-                                        phi_4294_ = ((_e5038 - _e5017) > f64(0.0000000037252903f));
-                                    }
-                                    let _e5043 = phi_4294_;
-                                    if _e5043 {
-                                        phi_4298_ = false;
-                                    } else {
-                                        phi_4298_ = true;
-                                    }
-                                    let _e5045 = phi_4298_;
-                                    phi_4299_ = _e5038;
-                                    phi_4300_ = _e5013;
-                                    phi_4301_ = _e5017;
-                                    phi_4302_ = _e5019;
-                                    phi_4303_ = _e5021;
-                                    phi_4304_ = _e5043;
-                                    phi_4305_ = _e5045;
-                                    phi_4306_ = false;
-                                    phi_4307_ = false;
-                                    phi_4308_ = false;
+                                    let _e5793 = phi_4775_;
+                                    let _e5795 = phi_4776_;
+                                    let _e5797 = phi_4777_;
+                                    let _e5799 = phi_4778_;
+                                    let _e5801 = phi_4779_;
+                                    phi_4780_ = _e5793;
+                                    phi_4781_ = _e4406;
+                                    phi_4782_ = _e5795;
+                                    phi_4783_ = _e4408;
+                                    phi_4784_ = _e4410;
+                                    phi_4785_ = _e4412;
+                                    phi_4786_ = _e4414;
+                                    phi_4787_ = _e5797;
+                                    phi_4788_ = _e5799;
+                                    phi_4789_ = _e5801;
+                                    phi_4790_ = false;
+                                    phi_4791_ = false;
+                                    phi_4792_ = false;
                                 } else {
-                                    phi_4299_ = _e3986;
-                                    phi_4300_ = _e3988;
-                                    phi_4301_ = _e3990;
-                                    phi_4302_ = _e3992;
-                                    phi_4303_ = _e5011;
-                                    phi_4304_ = _e5025;
-                                    phi_4305_ = false;
-                                    phi_4306_ = _e5027;
-                                    phi_4307_ = _e5029;
-                                    phi_4308_ = _e5031;
+                                    phi_4780_ = u32();
+                                    phi_4781_ = _e5606;
+                                    phi_4782_ = _e5608;
+                                    phi_4783_ = _e5610;
+                                    phi_4784_ = _e4404;
+                                    phi_4785_ = true;
+                                    phi_4786_ = 0u;
+                                    phi_4787_ = _e5616;
+                                    phi_4788_ = false;
+                                    phi_4789_ = false;
+                                    phi_4790_ = _e5618;
+                                    phi_4791_ = _e5620;
+                                    phi_4792_ = _e5622;
                                 }
-                                let _e5047 = phi_4299_;
-                                let _e5049 = phi_4300_;
-                                let _e5051 = phi_4301_;
-                                let _e5053 = phi_4302_;
-                                let _e5055 = phi_4303_;
-                                let _e5057 = phi_4304_;
-                                let _e5059 = phi_4305_;
-                                let _e5061 = phi_4306_;
-                                let _e5063 = phi_4307_;
-                                let _e5065 = phi_4308_;
-                                phi_2609_ = _e5047;
-                                phi_2611_ = _e5049;
-                                phi_2613_ = _e5051;
-                                phi_2615_ = _e5053;
-                                phi_2617_ = _e5055;
-                                phi_4309_ = _e5013;
-                                phi_4310_ = _e5057;
-                                phi_4311_ = _e5059;
-                                phi_4312_ = false;
-                                phi_4313_ = _e5061;
-                                phi_4314_ = _e5063;
-                                phi_4315_ = _e5065;
+                                let _e5803 = phi_4780_;
+                                let _e5805 = phi_4781_;
+                                let _e5807 = phi_4782_;
+                                let _e5809 = phi_4783_;
+                                let _e5811 = phi_4784_;
+                                let _e5813 = phi_4785_;
+                                let _e5815 = phi_4786_;
+                                let _e5817 = phi_4787_;
+                                let _e5819 = phi_4788_;
+                                let _e5821 = phi_4789_;
+                                let _e5823 = phi_4790_;
+                                let _e5825 = phi_4791_;
+                                let _e5827 = phi_4792_;
+                                if _e5817 {
+                                    let _e5828 = (_e5811 + _e5807);
+                                    if (_e5828 > _e5805) {
+                                        phi_4801_ = _e5828;
+                                    } else {
+                                        phi_4801_ = _e5805;
+                                    }
+                                    let _e5831 = phi_4801_;
+                                    if (_e5831 < _e4169) {
+                                        phi_4806_ = _e5831;
+                                    } else {
+                                        phi_4806_ = _e4169;
+                                    }
+                                    let _e5834 = phi_4806_;
+                                    if !(_e4412) {
+                                        phi_4816_ = true;
+                                    } else {
+                                        phi_4816_ = ((_e5834 - _e5811) > f64(0.0000000037252903f));
+                                    }
+                                    let _e5839 = phi_4816_;
+                                    if _e5839 {
+                                        phi_4820_ = false;
+                                    } else {
+                                        phi_4820_ = true;
+                                    }
+                                    let _e5841 = phi_4820_;
+                                    phi_4821_ = _e5834;
+                                    phi_4822_ = _e5805;
+                                    phi_4823_ = _e5809;
+                                    phi_4824_ = _e5811;
+                                    phi_4825_ = _e5813;
+                                    phi_4826_ = _e5815;
+                                    phi_4827_ = _e5839;
+                                    phi_4828_ = _e5841;
+                                    phi_4829_ = false;
+                                    phi_4830_ = false;
+                                    phi_4831_ = false;
+                                    phi_4832_ = false;
+                                } else {
+                                    phi_4821_ = _e4404;
+                                    phi_4822_ = _e4406;
+                                    phi_4823_ = _e4408;
+                                    phi_4824_ = _e4410;
+                                    phi_4825_ = _e4412;
+                                    phi_4826_ = _e5803;
+                                    phi_4827_ = _e5819;
+                                    phi_4828_ = false;
+                                    phi_4829_ = _e5821;
+                                    phi_4830_ = _e5823;
+                                    phi_4831_ = _e5825;
+                                    phi_4832_ = _e5827;
+                                }
+                                let _e5843 = phi_4821_;
+                                let _e5845 = phi_4822_;
+                                let _e5847 = phi_4823_;
+                                let _e5849 = phi_4824_;
+                                let _e5851 = phi_4825_;
+                                let _e5853 = phi_4826_;
+                                let _e5855 = phi_4827_;
+                                let _e5857 = phi_4828_;
+                                let _e5859 = phi_4829_;
+                                let _e5861 = phi_4830_;
+                                let _e5863 = phi_4831_;
+                                let _e5865 = phi_4832_;
+                                phi_2610_ = _e5843;
+                                phi_2612_ = _e5845;
+                                phi_2614_ = _e5847;
+                                phi_2616_ = _e5849;
+                                phi_2618_ = _e5851;
+                                phi_2620_ = _e5853;
+                                phi_4833_ = _e5805;
+                                phi_4834_ = _e5612;
+                                phi_4835_ = _e5855;
+                                phi_4836_ = _e5857;
+                                phi_4837_ = _e5859;
+                                phi_4838_ = _e5861;
+                                phi_4839_ = _e5863;
+                                phi_4840_ = false;
+                                phi_4841_ = _e5865;
                             } else {
-                                phi_2609_ = f64();
-                                phi_2611_ = f64();
-                                phi_2613_ = f64();
-                                phi_2615_ = bool();
-                                phi_2617_ = u32();
-                                phi_4309_ = f64();
-                                phi_4310_ = false;
-                                phi_4311_ = false;
-                                phi_4312_ = true;
-                                phi_4313_ = false;
-                                phi_4314_ = false;
-                                phi_4315_ = false;
+                                phi_2610_ = f64();
+                                phi_2612_ = f64();
+                                phi_2614_ = f64();
+                                phi_2616_ = f64();
+                                phi_2618_ = bool();
+                                phi_2620_ = u32();
+                                phi_4833_ = f64();
+                                phi_4834_ = f64();
+                                phi_4835_ = false;
+                                phi_4836_ = false;
+                                phi_4837_ = false;
+                                phi_4838_ = false;
+                                phi_4839_ = false;
+                                phi_4840_ = true;
+                                phi_4841_ = false;
                             }
-                            let _e5067 = phi_2609_;
-                            let _e5069 = phi_2611_;
-                            let _e5071 = phi_2613_;
-                            let _e5073 = phi_2615_;
-                            let _e5075 = phi_2617_;
-                            let _e5077 = phi_4309_;
-                            let _e5079 = phi_4310_;
-                            let _e5081 = phi_4311_;
-                            let _e5083 = phi_4312_;
-                            let _e5085 = phi_4313_;
-                            let _e5087 = phi_4314_;
-                            let _e5089 = phi_4315_;
-                            local_25 = _e5081;
-                            local_43 = _e5077;
-                            local_45 = _e5083;
-                            local_46 = _e5085;
-                            local_47 = _e5087;
-                            local_48 = _e5089;
+                            let _e5867 = phi_2610_;
+                            let _e5869 = phi_2612_;
+                            let _e5871 = phi_2614_;
+                            let _e5873 = phi_2616_;
+                            let _e5875 = phi_2618_;
+                            let _e5877 = phi_2620_;
+                            let _e5879 = phi_4833_;
+                            let _e5881 = phi_4834_;
+                            let _e5883 = phi_4835_;
+                            let _e5885 = phi_4836_;
+                            let _e5887 = phi_4837_;
+                            let _e5889 = phi_4838_;
+                            let _e5891 = phi_4839_;
+                            let _e5893 = phi_4840_;
+                            let _e5895 = phi_4841_;
+                            local_27 = _e5885;
+                            local_48 = _e5887;
+                            local_49 = _e5889;
+                            local_50 = _e5891;
+                            local_51 = _e5893;
+                            local_52 = _e5895;
+                            local_53 = _e5885;
+                            local_54 = _e5881;
+                            local_55 = _e5879;
                             continue;
                             continuing {
-                                phi_2605_ = _e4006;
-                                phi_2608_ = _e5067;
-                                phi_2610_ = _e5069;
-                                phi_2612_ = _e5071;
-                                phi_2614_ = _e5073;
-                                phi_2616_ = _e5075;
-                                break if !(_e5079);
+                                phi_2606_ = _e4426;
+                                phi_2609_ = _e5867;
+                                phi_2611_ = _e5869;
+                                phi_2613_ = _e5871;
+                                phi_2615_ = _e5873;
+                                phi_2617_ = _e5875;
+                                phi_2619_ = _e5877;
+                                break if !(_e5883);
                             }
                         }
-                        let _e5092 = local_25;
-                        if _e5092 {
-                            let _e6417 = local_43;
-                            phi_4319_ = _e6417;
-                            phi_4320_ = true;
-                            phi_4321_ = false;
-                            phi_4322_ = false;
-                            phi_4323_ = false;
+                        let _e5898 = local_27;
+                        if _e5898 {
+                            phi_4845_ = false;
+                            phi_4846_ = false;
+                            phi_4847_ = false;
+                            phi_4848_ = false;
+                            phi_4849_ = false;
                         } else {
-                            let _e6419 = local_44;
-                            phi_4319_ = _e6419;
-                            let _e6422 = local_45;
-                            phi_4320_ = _e6422;
-                            let _e6425 = local_46;
-                            phi_4321_ = _e6425;
-                            let _e6428 = local_47;
-                            phi_4322_ = _e6428;
-                            let _e6431 = local_48;
-                            phi_4323_ = _e6431;
+                            let _e7416 = local_48;
+                            phi_4845_ = _e7416;
+                            let _e7419 = local_49;
+                            phi_4846_ = _e7419;
+                            let _e7422 = local_50;
+                            phi_4847_ = _e7422;
+                            let _e7425 = local_51;
+                            phi_4848_ = _e7425;
+                            let _e7428 = local_52;
+                            phi_4849_ = _e7428;
                         }
-                        let _e5094 = phi_4319_;
-                        let _e5096 = phi_4320_;
-                        let _e5098 = phi_4321_;
-                        let _e5100 = phi_4322_;
-                        let _e5102 = phi_4323_;
-                        if _e5096 {
-                            phi_4328_ = type_44(1u, _e5094);
-                            phi_4329_ = false;
-                            phi_4330_ = false;
-                            phi_4331_ = false;
+                        let _e5900 = phi_4845_;
+                        let _e5902 = phi_4846_;
+                        let _e5904 = phi_4847_;
+                        let _e5906 = phi_4848_;
+                        let _e5908 = phi_4849_;
+                        if _e5900 {
+                            let _e5910 = local_28;
+                            phi_4854_ = type_44(1u, _e5910);
+                            phi_4855_ = false;
+                            phi_4856_ = false;
+                            phi_4857_ = false;
+                            phi_4858_ = false;
+                            phi_4859_ = false;
                         } else {
-                            phi_4328_ = type_44();
-                            phi_4329_ = _e5098;
-                            phi_4330_ = _e5100;
-                            phi_4331_ = _e5102;
+                            phi_4854_ = type_44();
+                            phi_4855_ = _e5902;
+                            phi_4856_ = _e5904;
+                            let _e7435 = local_53;
+                            phi_4857_ = _e7435;
+                            phi_4858_ = _e5906;
+                            phi_4859_ = _e5908;
                         }
-                        let _e5105 = phi_4328_;
-                        let _e5107 = phi_4329_;
-                        let _e5109 = phi_4330_;
-                        let _e5111 = phi_4331_;
-                        if _e5107 {
-                            let _e5113 = local_26;
-                            phi_4336_ = type_44(1u, _e5113);
-                            phi_4337_ = false;
-                            phi_4338_ = false;
+                        let _e5913 = phi_4854_;
+                        let _e5915 = phi_4855_;
+                        let _e5917 = phi_4856_;
+                        let _e5919 = phi_4857_;
+                        let _e5921 = phi_4858_;
+                        let _e5923 = phi_4859_;
+                        if _e5915 {
+                            phi_4864_ = type_44(0u, type_44().member_1);
+                            phi_4865_ = false;
+                            phi_4866_ = false;
+                            phi_4867_ = false;
+                            phi_4868_ = false;
+                            phi_4869_ = true;
                         } else {
-                            phi_4336_ = type_44();
-                            phi_4337_ = _e5109;
-                            phi_4338_ = _e5111;
+                            phi_4864_ = _e5913;
+                            phi_4865_ = _e5917;
+                            phi_4866_ = _e5919;
+                            phi_4867_ = _e5921;
+                            phi_4868_ = _e5923;
+                            phi_4869_ = _e5900;
                         }
-                        let _e5116 = phi_4336_;
-                        let _e5118 = phi_4337_;
-                        let _e5120 = phi_4338_;
-                        if _e5118 {
-                            phi_4343_ = type_44(0u, type_44().member_1);
-                            phi_4344_ = false;
-                            phi_4345_ = true;
+                        let _e5927 = phi_4864_;
+                        let _e5929 = phi_4865_;
+                        let _e5931 = phi_4866_;
+                        let _e5933 = phi_4867_;
+                        let _e5935 = phi_4868_;
+                        let _e5937 = phi_4869_;
+                        if _e5929 {
+                            let _e7446 = local_54;
+                            phi_4873_ = _e7446;
+                            phi_4874_ = true;
+                            phi_4875_ = false;
+                            phi_4876_ = false;
+                            phi_4877_ = false;
                         } else {
-                            phi_4343_ = _e5116;
-                            phi_4344_ = _e5120;
-                            phi_4345_ = _e5107;
+                            let _e7448 = local_55;
+                            phi_4873_ = _e7448;
+                            phi_4874_ = _e5931;
+                            phi_4875_ = _e5933;
+                            phi_4876_ = _e5935;
+                            phi_4877_ = _e5937;
                         }
-                        let _e5124 = phi_4343_;
-                        let _e5126 = phi_4344_;
-                        let _e5128 = phi_4345_;
-                        if _e5126 {
-                            phi_4350_ = type_44(0u, type_44().member_1);
-                            phi_4351_ = true;
+                        let _e5939 = phi_4873_;
+                        let _e5941 = phi_4874_;
+                        let _e5943 = phi_4875_;
+                        let _e5945 = phi_4876_;
+                        let _e5947 = phi_4877_;
+                        if _e5941 {
+                            phi_4881_ = _e5939;
+                            phi_4882_ = true;
+                            phi_4883_ = false;
+                            phi_4884_ = false;
                         } else {
-                            phi_4350_ = _e5124;
-                            phi_4351_ = _e5128;
+                            let _e7455 = local_56;
+                            phi_4881_ = _e7455;
+                            phi_4882_ = _e5943;
+                            phi_4883_ = _e5945;
+                            phi_4884_ = _e5947;
                         }
-                        let _e5132 = phi_4350_;
-                        let _e5134 = phi_4351_;
-                        if _e5134 {
-                            phi_4355_ = _e5132;
+                        let _e5949 = phi_4881_;
+                        let _e5951 = phi_4882_;
+                        let _e5953 = phi_4883_;
+                        let _e5955 = phi_4884_;
+                        if _e5951 {
+                            phi_4889_ = type_44(1u, _e5949);
+                            phi_4890_ = false;
+                            phi_4891_ = false;
                         } else {
-                            phi_4355_ = _e5105;
+                            phi_4889_ = type_44();
+                            phi_4890_ = _e5953;
+                            phi_4891_ = _e5955;
                         }
-                        let _e5136 = phi_4355_;
-                        if (_e5136.member != 0u) {
-                            local_11[0u] = 0f;
-                            local_11[1u] = (0.02f * 0.0000005f);
+                        let _e5958 = phi_4889_;
+                        let _e5960 = phi_4890_;
+                        let _e5962 = phi_4891_;
+                        if _e5960 {
+                            phi_4896_ = type_44(0u, type_44().member_1);
+                            phi_4897_ = true;
+                        } else {
+                            phi_4896_ = _e5927;
+                            phi_4897_ = _e5962;
+                        }
+                        let _e5966 = phi_4896_;
+                        let _e5968 = phi_4897_;
+                        if _e5968 {
+                            phi_4901_ = _e5966;
+                        } else {
+                            phi_4901_ = _e5958;
+                        }
+                        let _e5970 = phi_4901_;
+                        if (_e5970.member != 0u) {
+                            local_11[0u] = 0.00000001f;
+                            local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4369_ = type_9(0u, 3u);
+                            phi_4914_ = type_9(0u, 3u);
                             loop {
-                                let _e5148 = phi_4369_;
-                                if (_e5148.member < _e5148.member_1) {
-                                    phi_4370_ = type_9((_e5148.member + 1u), _e5148.member_1);
-                                    phi_4393_ = type_9(1u, _e5148.member);
+                                let _e5981 = phi_4914_;
+                                if (_e5981.member < _e5981.member_1) {
+                                    phi_4915_ = type_9((_e5981.member + 1u), _e5981.member_1);
+                                    phi_4938_ = type_9(1u, _e5981.member);
                                 } else {
-                                    phi_4370_ = _e5148;
-                                    phi_4393_ = type_9(0u, type_9().member_1);
+                                    phi_4915_ = _e5981;
+                                    phi_4938_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e5160 = phi_4370_;
-                                let _e5162 = phi_4393_;
-                                if (bitcast<i32>(_e5162.member) != 0i) {
-                                    let _e5168 = local_11[_e5162.member_1];
-                                    let _e5170 = (_e5136.member_1 + f64(_e5168));
-                                    if (_e5170 < _e3752) {
-                                        phi_4414_ = _e5170;
+                                let _e5993 = phi_4915_;
+                                let _e5995 = phi_4938_;
+                                if (bitcast<i32>(_e5995.member) != 0i) {
+                                    let _e6001 = local_11[_e5995.member_1];
+                                    let _e6003 = (_e5970.member_1 + f64(_e6001));
+                                    if (_e6003 < _e4169) {
+                                        phi_4959_ = _e6003;
                                     } else {
-                                        phi_4414_ = _e3752;
+                                        phi_4959_ = _e4169;
                                     }
-                                    let _e5173 = phi_4414_;
-                                    let _e5176 = local_12.member[0u];
-                                    let _e5182 = local_12.member[1u];
-                                    let _e5198 = local_12.member_1[0u];
-                                    let _e5204 = local_12.member_1[1u];
-                                    let _e5220 = local_12.member_2[0u];
-                                    let _e5226 = local_12.member_2[1u];
-                                    let _e5240 = function_2(array<f64, 3>((_e5176[0] + ((_e5182[0] - _e5176[0]) * _e5173)), (_e5176[1] + ((_e5182[1] - _e5176[1]) * _e5173)), (_e5176[2] + ((_e5182[2] - _e5176[2]) * _e5173))), array<f64, 3>((_e5198[0] + ((_e5204[0] - _e5198[0]) * _e5173)), (_e5198[1] + ((_e5204[1] - _e5198[1]) * _e5173)), (_e5198[2] + ((_e5204[2] - _e5198[2]) * _e5173))), array<f64, 3>((_e5220[0] + ((_e5226[0] - _e5220[0]) * _e5173)), (_e5220[1] + ((_e5226[1] - _e5220[1]) * _e5173)), (_e5220[2] + ((_e5226[2] - _e5220[2]) * _e5173))), 0u);
-                                    let _e5251 = (((_e5240[0] * _e5240[0]) + (_e5240[1] * _e5240[1])) + (_e5240[2] * _e5240[2]));
-                                    if (_e5251 <= 2.2250738585072014e-308lf) {
-                                        if (_e5251 > 0.0lf) {
-                                            phi_4537_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e6006 = phi_4959_;
+                                    let _e6009 = local_12.member[0u];
+                                    let _e6015 = local_12.member[1u];
+                                    let _e6031 = local_12.member_1[0u];
+                                    let _e6037 = local_12.member_1[1u];
+                                    let _e6053 = local_12.member_2[0u];
+                                    let _e6059 = local_12.member_2[1u];
+                                    let _e6073 = function_2(array<f64, 3>((_e6009[0] + ((_e6015[0] - _e6009[0]) * _e6006)), (_e6009[1] + ((_e6015[1] - _e6009[1]) * _e6006)), (_e6009[2] + ((_e6015[2] - _e6009[2]) * _e6006))), array<f64, 3>((_e6031[0] + ((_e6037[0] - _e6031[0]) * _e6006)), (_e6031[1] + ((_e6037[1] - _e6031[1]) * _e6006)), (_e6031[2] + ((_e6037[2] - _e6031[2]) * _e6006))), array<f64, 3>((_e6053[0] + ((_e6059[0] - _e6053[0]) * _e6006)), (_e6053[1] + ((_e6059[1] - _e6053[1]) * _e6006)), (_e6053[2] + ((_e6059[2] - _e6053[2]) * _e6006))), 0u);
+                                    let _e6084 = (((_e6073[0] * _e6073[0]) + (_e6073[1] * _e6073[1])) + (_e6073[2] * _e6073[2]));
+                                    if (_e6084 <= 2.2250738585072014e-308lf) {
+                                        if (_e6084 > 0.0lf) {
+                                            phi_5082_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_4537_ = 0.0lf;
+                                            phi_5082_ = 0.0lf;
                                         }
-                                        let _e5303 = phi_4537_;
-                                        phi_4601_ = _e5303;
+                                        let _e6136 = phi_5082_;
+                                        phi_5146_ = _e6136;
                                     } else {
-                                        phi_4544_ = type_16(0i, 5i);
-                                        phi_4547_ = bitcast<f64>(((bitcast<u64>(_e5251) / 2lu) + 2303426169912950784lu));
+                                        phi_5089_ = type_16(0i, 5i);
+                                        phi_5092_ = bitcast<f64>(((bitcast<u64>(_e6084) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e5258 = phi_4544_;
-                                            let _e5260 = phi_4547_;
-                                            local_27 = _e5260;
-                                            if (_e5258.member < _e5258.member_1) {
-                                                let _e5267 = (_e5258.member + 1i);
-                                                if ((false == (_e5267 > _e5258.member)) != false) {
-                                                    phi_4568_ = true;
+                                            let _e6091 = phi_5089_;
+                                            let _e6093 = phi_5092_;
+                                            local_29 = _e6093;
+                                            if (_e6091.member < _e6091.member_1) {
+                                                let _e6100 = (_e6091.member + 1i);
+                                                if ((false == (_e6100 > _e6091.member)) != false) {
+                                                    phi_5113_ = true;
                                                 } else {
-                                                    phi_4568_ = false;
+                                                    phi_5113_ = false;
                                                 }
-                                                let _e5272 = phi_4568_;
-                                                if _e5272 {
-                                                    phi_4574_ = type_17(0u, type_17().member_1);
+                                                let _e6105 = phi_5113_;
+                                                if _e6105 {
+                                                    phi_5119_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_4574_ = type_17(1u, _e5267);
+                                                    phi_5119_ = type_17(1u, _e6100);
                                                 }
-                                                let _e5277 = phi_4574_;
-                                                phi_4545_ = type_16(_e5277.member_1, _e5258.member_1);
-                                                phi_4588_ = type_17(1u, _e5258.member);
+                                                let _e6110 = phi_5119_;
+                                                phi_5090_ = type_16(_e6110.member_1, _e6091.member_1);
+                                                phi_5133_ = type_17(1u, _e6091.member);
                                             } else {
-                                                phi_4545_ = _e5258;
-                                                phi_4588_ = type_17(0u, type_17().member_1);
+                                                phi_5090_ = _e6091;
+                                                phi_5133_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e5283 = phi_4545_;
-                                            let _e5285 = phi_4588_;
-                                            let _e5288 = (bitcast<i32>(_e5285.member) != 0i);
-                                            if _e5288 {
-                                                phi_4548_ = (0.5lf * (_e5260 + (_e5251 / _e5260)));
+                                            let _e6116 = phi_5090_;
+                                            let _e6118 = phi_5133_;
+                                            let _e6121 = (bitcast<i32>(_e6118.member) != 0i);
+                                            if _e6121 {
+                                                phi_5093_ = (0.5lf * (_e6093 + (_e6084 / _e6093)));
                                             } else {
-                                                phi_4548_ = f64();
+                                                phi_5093_ = f64();
                                             }
-                                            let _e5293 = phi_4548_;
+                                            let _e6126 = phi_5093_;
                                             continue;
                                             continuing {
-                                                phi_4544_ = _e5283;
-                                                phi_4547_ = _e5293;
-                                                break if !(_e5288);
+                                                phi_5089_ = _e6116;
+                                                phi_5092_ = _e6126;
+                                                break if !(_e6121);
                                             }
                                         }
-                                        let _e5298 = local_27;
-                                        phi_4601_ = (_e5298 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e6131 = local_29;
+                                        phi_5146_ = (_e6131 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e5305 = phi_4601_;
-                                    let _e5313 = local_12.member[0u];
-                                    if (_e5313[0] < 0.0lf) {
-                                        phi_4619_ = -(_e5313[0]);
+                                    let _e6138 = phi_5146_;
+                                    let _e6146 = local_12.member[0u];
+                                    if (_e6146[0] < 0.0lf) {
+                                        phi_5164_ = -(_e6146[0]);
                                     } else {
-                                        phi_4619_ = _e5313[0];
+                                        phi_5164_ = _e6146[0];
                                     }
-                                    let _e5320 = phi_4619_;
-                                    if (_e5313[1] < 0.0lf) {
-                                        phi_4626_ = -(_e5313[1]);
+                                    let _e6153 = phi_5164_;
+                                    if (_e6146[1] < 0.0lf) {
+                                        phi_5171_ = -(_e6146[1]);
                                     } else {
-                                        phi_4626_ = _e5313[1];
+                                        phi_5171_ = _e6146[1];
                                     }
-                                    let _e5324 = phi_4626_;
-                                    if (_e5320 > _e5324) {
-                                        phi_4631_ = _e5320;
+                                    let _e6157 = phi_5171_;
+                                    if (_e6153 > _e6157) {
+                                        phi_5176_ = _e6153;
                                     } else {
-                                        phi_4631_ = _e5324;
+                                        phi_5176_ = _e6157;
                                     }
-                                    let _e5327 = phi_4631_;
-                                    if (_e5313[2] < 0.0lf) {
-                                        phi_4638_ = -(_e5313[2]);
+                                    let _e6160 = phi_5176_;
+                                    if (_e6146[2] < 0.0lf) {
+                                        phi_5183_ = -(_e6146[2]);
                                     } else {
-                                        phi_4638_ = _e5313[2];
+                                        phi_5183_ = _e6146[2];
                                     }
-                                    let _e5331 = phi_4638_;
-                                    if (_e5327 > _e5331) {
-                                        phi_4643_ = _e5327;
+                                    let _e6164 = phi_5183_;
+                                    if (_e6160 > _e6164) {
+                                        phi_5188_ = _e6160;
                                     } else {
-                                        phi_4643_ = _e5331;
+                                        phi_5188_ = _e6164;
                                     }
-                                    let _e5334 = phi_4643_;
-                                    let _e5337 = local_12.member[1u];
-                                    if (_e5337[0] < 0.0lf) {
-                                        phi_4656_ = -(_e5337[0]);
+                                    let _e6167 = phi_5188_;
+                                    let _e6170 = local_12.member[1u];
+                                    if (_e6170[0] < 0.0lf) {
+                                        phi_5201_ = -(_e6170[0]);
                                     } else {
-                                        phi_4656_ = _e5337[0];
+                                        phi_5201_ = _e6170[0];
                                     }
-                                    let _e5344 = phi_4656_;
-                                    if (_e5337[1] < 0.0lf) {
-                                        phi_4663_ = -(_e5337[1]);
+                                    let _e6177 = phi_5201_;
+                                    if (_e6170[1] < 0.0lf) {
+                                        phi_5208_ = -(_e6170[1]);
                                     } else {
-                                        phi_4663_ = _e5337[1];
+                                        phi_5208_ = _e6170[1];
                                     }
-                                    let _e5348 = phi_4663_;
-                                    if (_e5344 > _e5348) {
-                                        phi_4668_ = _e5344;
+                                    let _e6181 = phi_5208_;
+                                    if (_e6177 > _e6181) {
+                                        phi_5213_ = _e6177;
                                     } else {
-                                        phi_4668_ = _e5348;
+                                        phi_5213_ = _e6181;
                                     }
-                                    let _e5351 = phi_4668_;
-                                    if (_e5337[2] < 0.0lf) {
-                                        phi_4675_ = -(_e5337[2]);
+                                    let _e6184 = phi_5213_;
+                                    if (_e6170[2] < 0.0lf) {
+                                        phi_5220_ = -(_e6170[2]);
                                     } else {
-                                        phi_4675_ = _e5337[2];
+                                        phi_5220_ = _e6170[2];
                                     }
-                                    let _e5355 = phi_4675_;
-                                    if (_e5351 > _e5355) {
-                                        phi_4680_ = _e5351;
+                                    let _e6188 = phi_5220_;
+                                    if (_e6184 > _e6188) {
+                                        phi_5225_ = _e6184;
                                     } else {
-                                        phi_4680_ = _e5355;
+                                        phi_5225_ = _e6188;
                                     }
-                                    let _e5358 = phi_4680_;
-                                    if (_e5334 > _e5358) {
-                                        phi_4685_ = _e5334;
+                                    let _e6191 = phi_5225_;
+                                    if (_e6167 > _e6191) {
+                                        phi_5230_ = _e6167;
                                     } else {
-                                        phi_4685_ = _e5358;
+                                        phi_5230_ = _e6191;
                                     }
-                                    let _e5361 = phi_4685_;
-                                    let _e5363 = local_12.member_3;
-                                    let _e5367 = local_12.member_1[0u];
-                                    if (_e5367[0] < 0.0lf) {
-                                        phi_4702_ = -(_e5367[0]);
+                                    let _e6194 = phi_5230_;
+                                    let _e6196 = local_12.member_3;
+                                    let _e6200 = local_12.member_1[0u];
+                                    if (_e6200[0] < 0.0lf) {
+                                        phi_5247_ = -(_e6200[0]);
                                     } else {
-                                        phi_4702_ = _e5367[0];
+                                        phi_5247_ = _e6200[0];
                                     }
-                                    let _e5374 = phi_4702_;
-                                    if (_e5367[1] < 0.0lf) {
-                                        phi_4709_ = -(_e5367[1]);
+                                    let _e6207 = phi_5247_;
+                                    if (_e6200[1] < 0.0lf) {
+                                        phi_5254_ = -(_e6200[1]);
                                     } else {
-                                        phi_4709_ = _e5367[1];
+                                        phi_5254_ = _e6200[1];
                                     }
-                                    let _e5378 = phi_4709_;
-                                    if (_e5374 > _e5378) {
-                                        phi_4714_ = _e5374;
+                                    let _e6211 = phi_5254_;
+                                    if (_e6207 > _e6211) {
+                                        phi_5259_ = _e6207;
                                     } else {
-                                        phi_4714_ = _e5378;
+                                        phi_5259_ = _e6211;
                                     }
-                                    let _e5381 = phi_4714_;
-                                    if (_e5367[2] < 0.0lf) {
-                                        phi_4721_ = -(_e5367[2]);
+                                    let _e6214 = phi_5259_;
+                                    if (_e6200[2] < 0.0lf) {
+                                        phi_5266_ = -(_e6200[2]);
                                     } else {
-                                        phi_4721_ = _e5367[2];
+                                        phi_5266_ = _e6200[2];
                                     }
-                                    let _e5385 = phi_4721_;
-                                    if (_e5381 > _e5385) {
-                                        phi_4726_ = _e5381;
+                                    let _e6218 = phi_5266_;
+                                    if (_e6214 > _e6218) {
+                                        phi_5271_ = _e6214;
                                     } else {
-                                        phi_4726_ = _e5385;
+                                        phi_5271_ = _e6218;
                                     }
-                                    let _e5388 = phi_4726_;
-                                    let _e5391 = local_12.member_1[1u];
-                                    if (_e5391[0] < 0.0lf) {
-                                        phi_4740_ = -(_e5391[0]);
+                                    let _e6221 = phi_5271_;
+                                    let _e6224 = local_12.member_1[1u];
+                                    if (_e6224[0] < 0.0lf) {
+                                        phi_5285_ = -(_e6224[0]);
                                     } else {
-                                        phi_4740_ = _e5391[0];
+                                        phi_5285_ = _e6224[0];
                                     }
-                                    let _e5398 = phi_4740_;
-                                    if (_e5391[1] < 0.0lf) {
-                                        phi_4747_ = -(_e5391[1]);
+                                    let _e6231 = phi_5285_;
+                                    if (_e6224[1] < 0.0lf) {
+                                        phi_5292_ = -(_e6224[1]);
                                     } else {
-                                        phi_4747_ = _e5391[1];
+                                        phi_5292_ = _e6224[1];
                                     }
-                                    let _e5402 = phi_4747_;
-                                    if (_e5398 > _e5402) {
-                                        phi_4752_ = _e5398;
+                                    let _e6235 = phi_5292_;
+                                    if (_e6231 > _e6235) {
+                                        phi_5297_ = _e6231;
                                     } else {
-                                        phi_4752_ = _e5402;
+                                        phi_5297_ = _e6235;
                                     }
-                                    let _e5405 = phi_4752_;
-                                    if (_e5391[2] < 0.0lf) {
-                                        phi_4759_ = -(_e5391[2]);
+                                    let _e6238 = phi_5297_;
+                                    if (_e6224[2] < 0.0lf) {
+                                        phi_5304_ = -(_e6224[2]);
                                     } else {
-                                        phi_4759_ = _e5391[2];
+                                        phi_5304_ = _e6224[2];
                                     }
-                                    let _e5409 = phi_4759_;
-                                    if (_e5405 > _e5409) {
-                                        phi_4764_ = _e5405;
+                                    let _e6242 = phi_5304_;
+                                    if (_e6238 > _e6242) {
+                                        phi_5309_ = _e6238;
                                     } else {
-                                        phi_4764_ = _e5409;
+                                        phi_5309_ = _e6242;
                                     }
-                                    let _e5412 = phi_4764_;
-                                    if (_e5388 > _e5412) {
-                                        phi_4769_ = _e5388;
+                                    let _e6245 = phi_5309_;
+                                    if (_e6221 > _e6245) {
+                                        phi_5314_ = _e6221;
                                     } else {
-                                        phi_4769_ = _e5412;
+                                        phi_5314_ = _e6245;
                                     }
-                                    let _e5415 = phi_4769_;
-                                    let _e5417 = local_12.member_3;
-                                    let _e5421 = local_12.member_2[0u];
-                                    if (_e5421[0] < 0.0lf) {
-                                        phi_4786_ = -(_e5421[0]);
+                                    let _e6248 = phi_5314_;
+                                    let _e6250 = local_12.member_3;
+                                    let _e6254 = local_12.member_2[0u];
+                                    if (_e6254[0] < 0.0lf) {
+                                        phi_5331_ = -(_e6254[0]);
                                     } else {
-                                        phi_4786_ = _e5421[0];
+                                        phi_5331_ = _e6254[0];
                                     }
-                                    let _e5428 = phi_4786_;
-                                    if (_e5421[1] < 0.0lf) {
-                                        phi_4793_ = -(_e5421[1]);
+                                    let _e6261 = phi_5331_;
+                                    if (_e6254[1] < 0.0lf) {
+                                        phi_5338_ = -(_e6254[1]);
                                     } else {
-                                        phi_4793_ = _e5421[1];
+                                        phi_5338_ = _e6254[1];
                                     }
-                                    let _e5432 = phi_4793_;
-                                    if (_e5428 > _e5432) {
-                                        phi_4798_ = _e5428;
+                                    let _e6265 = phi_5338_;
+                                    if (_e6261 > _e6265) {
+                                        phi_5343_ = _e6261;
                                     } else {
-                                        phi_4798_ = _e5432;
+                                        phi_5343_ = _e6265;
                                     }
-                                    let _e5435 = phi_4798_;
-                                    if (_e5421[2] < 0.0lf) {
-                                        phi_4805_ = -(_e5421[2]);
+                                    let _e6268 = phi_5343_;
+                                    if (_e6254[2] < 0.0lf) {
+                                        phi_5350_ = -(_e6254[2]);
                                     } else {
-                                        phi_4805_ = _e5421[2];
+                                        phi_5350_ = _e6254[2];
                                     }
-                                    let _e5439 = phi_4805_;
-                                    if (_e5435 > _e5439) {
-                                        phi_4810_ = _e5435;
+                                    let _e6272 = phi_5350_;
+                                    if (_e6268 > _e6272) {
+                                        phi_5355_ = _e6268;
                                     } else {
-                                        phi_4810_ = _e5439;
+                                        phi_5355_ = _e6272;
                                     }
-                                    let _e5442 = phi_4810_;
-                                    let _e5445 = local_12.member_2[1u];
-                                    if (_e5445[0] < 0.0lf) {
-                                        phi_4824_ = -(_e5445[0]);
+                                    let _e6275 = phi_5355_;
+                                    let _e6278 = local_12.member_2[1u];
+                                    if (_e6278[0] < 0.0lf) {
+                                        phi_5369_ = -(_e6278[0]);
                                     } else {
-                                        phi_4824_ = _e5445[0];
+                                        phi_5369_ = _e6278[0];
                                     }
-                                    let _e5452 = phi_4824_;
-                                    if (_e5445[1] < 0.0lf) {
-                                        phi_4831_ = -(_e5445[1]);
+                                    let _e6285 = phi_5369_;
+                                    if (_e6278[1] < 0.0lf) {
+                                        phi_5376_ = -(_e6278[1]);
                                     } else {
-                                        phi_4831_ = _e5445[1];
+                                        phi_5376_ = _e6278[1];
                                     }
-                                    let _e5456 = phi_4831_;
-                                    if (_e5452 > _e5456) {
-                                        phi_4836_ = _e5452;
+                                    let _e6289 = phi_5376_;
+                                    if (_e6285 > _e6289) {
+                                        phi_5381_ = _e6285;
                                     } else {
-                                        phi_4836_ = _e5456;
+                                        phi_5381_ = _e6289;
                                     }
-                                    let _e5459 = phi_4836_;
-                                    if (_e5445[2] < 0.0lf) {
-                                        phi_4843_ = -(_e5445[2]);
+                                    let _e6292 = phi_5381_;
+                                    if (_e6278[2] < 0.0lf) {
+                                        phi_5388_ = -(_e6278[2]);
                                     } else {
-                                        phi_4843_ = _e5445[2];
+                                        phi_5388_ = _e6278[2];
                                     }
-                                    let _e5463 = phi_4843_;
-                                    if (_e5459 > _e5463) {
-                                        phi_4848_ = _e5459;
+                                    let _e6296 = phi_5388_;
+                                    if (_e6292 > _e6296) {
+                                        phi_5393_ = _e6292;
                                     } else {
-                                        phi_4848_ = _e5463;
+                                        phi_5393_ = _e6296;
                                     }
-                                    let _e5466 = phi_4848_;
-                                    if (_e5442 > _e5466) {
-                                        phi_4853_ = _e5442;
+                                    let _e6299 = phi_5393_;
+                                    if (_e6275 > _e6299) {
+                                        phi_5398_ = _e6275;
                                     } else {
-                                        phi_4853_ = _e5466;
+                                        phi_5398_ = _e6299;
                                     }
-                                    let _e5469 = phi_4853_;
-                                    let _e5471 = local_12.member_3;
-                                    let _e5479 = local_12.member_3;
-                                    let _e5489 = (((_e5305 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5361 + _e5363) + (_e5415 + _e5417)) + (_e5469 + _e5471)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5479 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1);
-                                    if _e5489 {
-                                        phi_4877_ = false;
+                                    let _e6302 = phi_5398_;
+                                    let _e6304 = local_12.member_3;
+                                    let _e6312 = local_12.member_3;
+                                    let _e6322 = (((_e6138 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e6194 + _e6196) + (_e6248 + _e6250)) + (_e6302 + _e6304)) * (1.1102230246251565e-16lf * f64(16f))) + (_e6312 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1);
+                                    if _e6322 {
+                                        phi_5422_ = false;
                                     } else {
-                                        phi_4877_ = true;
+                                        phi_5422_ = true;
                                     }
-                                    let _e5491 = phi_4877_;
-                                    phi_4878_ = _e5491;
-                                    phi_4879_ = _e5489;
+                                    let _e6324 = phi_5422_;
+                                    phi_5423_ = _e6324;
+                                    phi_5424_ = _e6322;
                                 } else {
-                                    phi_4878_ = false;
-                                    phi_4879_ = false;
+                                    phi_5423_ = false;
+                                    phi_5424_ = false;
                                 }
-                                let _e5493 = phi_4878_;
-                                let _e5495 = phi_4879_;
-                                local_28 = _e5495;
+                                let _e6326 = phi_5423_;
+                                let _e6328 = phi_5424_;
+                                local_30 = _e6328;
                                 continue;
                                 continuing {
-                                    phi_4369_ = _e5160;
-                                    break if !(_e5493);
+                                    phi_4914_ = _e5993;
+                                    break if !(_e6326);
                                 }
                             }
-                            let _e5498 = local_28;
-                            if _e5498 {
-                                phi_4884_ = type_44(1u, _e5136.member_1);
-                                phi_4885_ = false;
+                            let _e6331 = local_30;
+                            if _e6331 {
+                                phi_5429_ = type_44(1u, _e5970.member_1);
+                                phi_5430_ = false;
                             } else {
-                                phi_4884_ = type_44();
-                                phi_4885_ = true;
+                                phi_5429_ = type_44();
+                                phi_5430_ = true;
                             }
-                            let _e5501 = phi_4884_;
-                            let _e5503 = phi_4885_;
-                            if _e5503 {
-                                phi_4890_ = type_44(2u, _e5136.member_1);
-                                phi_4891_ = false;
+                            let _e6334 = phi_5429_;
+                            let _e6336 = phi_5430_;
+                            if _e6336 {
+                                phi_5435_ = type_44(2u, _e5970.member_1);
+                                phi_5436_ = false;
                             } else {
-                                phi_4890_ = type_44();
-                                phi_4891_ = true;
+                                phi_5435_ = type_44();
+                                phi_5436_ = true;
                             }
-                            let _e5506 = phi_4890_;
-                            let _e5508 = phi_4891_;
-                            phi_4893_ = _e5506;
-                            phi_4894_ = _e5501;
-                            phi_4895_ = _e5508;
+                            let _e6339 = phi_5435_;
+                            let _e6341 = phi_5436_;
+                            phi_5438_ = _e6339;
+                            phi_5439_ = _e6334;
+                            phi_5440_ = _e6341;
                         } else {
-                            phi_4893_ = type_44();
-                            phi_4894_ = type_44(0u, type_44().member_1);
-                            phi_4895_ = true;
+                            phi_5438_ = type_44();
+                            phi_5439_ = type_44(0u, type_44().member_1);
+                            phi_5440_ = true;
                         }
-                        let _e5510 = phi_4893_;
-                        let _e5512 = phi_4894_;
-                        let _e5514 = phi_4895_;
-                        if _e5514 {
-                            phi_4899_ = _e5512;
+                        let _e6343 = phi_5438_;
+                        let _e6345 = phi_5439_;
+                        let _e6347 = phi_5440_;
+                        if _e6347 {
+                            phi_5444_ = _e6345;
                         } else {
-                            phi_4899_ = _e5510;
+                            phi_5444_ = _e6343;
                         }
-                        let _e5516 = phi_4899_;
-                        phi_8924_ = _e5516;
+                        let _e6349 = phi_5444_;
+                        phi_10015_ = _e6349;
                     } else {
                         if (_e713 < 0.0lf) {
-                            phi_4910_ = -(_e713);
+                            phi_5455_ = -(_e713);
                         } else {
-                            phi_4910_ = _e713;
+                            phi_5455_ = _e713;
                         }
-                        let _e1070 = phi_4910_;
+                        let _e1070 = phi_5455_;
                         if (_e736 < 0.0lf) {
-                            phi_4916_ = -(_e736);
+                            phi_5461_ = -(_e736);
                         } else {
-                            phi_4916_ = _e736;
+                            phi_5461_ = _e736;
                         }
-                        let _e1074 = phi_4916_;
+                        let _e1074 = phi_5461_;
                         if (_e1070 > _e1074) {
-                            phi_4921_ = _e1070;
+                            phi_5466_ = _e1070;
                         } else {
-                            phi_4921_ = _e1074;
+                            phi_5466_ = _e1074;
                         }
-                        let _e1077 = phi_4921_;
+                        let _e1077 = phi_5466_;
                         if (_e759 < 0.0lf) {
-                            phi_4927_ = -(_e759);
+                            phi_5472_ = -(_e759);
                         } else {
-                            phi_4927_ = _e759;
+                            phi_5472_ = _e759;
                         }
-                        let _e1081 = phi_4927_;
+                        let _e1081 = phi_5472_;
                         if (_e770 < 0.0lf) {
-                            phi_4933_ = -(_e770);
+                            phi_5478_ = -(_e770);
                         } else {
-                            phi_4933_ = _e770;
+                            phi_5478_ = _e770;
                         }
-                        let _e1085 = phi_4933_;
+                        let _e1085 = phi_5478_;
                         if (_e1081 > _e1085) {
-                            phi_4938_ = _e1081;
+                            phi_5483_ = _e1081;
                         } else {
-                            phi_4938_ = _e1085;
+                            phi_5483_ = _e1085;
                         }
-                        let _e1088 = phi_4938_;
+                        let _e1088 = phi_5483_;
                         if (_e1077 > _e1088) {
-                            phi_4943_ = _e1077;
+                            phi_5488_ = _e1077;
                         } else {
-                            phi_4943_ = _e1088;
+                            phi_5488_ = _e1088;
                         }
-                        let _e1091 = phi_4943_;
+                        let _e1091 = phi_5488_;
                         let _e1093 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e1094 = f64(1f);
                         if (_e1091 >= _e1093) {
-                            phi_4953_ = (_e1091 <= (_e1094 / _e1093));
+                            phi_5498_ = (_e1091 <= (_e1094 / _e1093));
                         } else {
-                            phi_4953_ = false;
+                            phi_5498_ = false;
                         }
-                        let _e1099 = phi_4953_;
+                        let _e1099 = phi_5498_;
                         if _e1099 {
-                            phi_4960_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_5505_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4960_ = f64(2f);
+                            phi_5505_ = f64(2f);
                         }
-                        let _e1104 = phi_4960_;
+                        let _e1104 = phi_5505_;
                         let _e1106 = ((_e1029 * f64(0.34f)) + (_e1091 * _e1104));
                         if _e1099 {
-                            phi_4968_ = (_e1094 / _e1091);
+                            phi_5513_ = (_e1094 / _e1091);
                         } else {
-                            phi_4968_ = f64(0f);
+                            phi_5513_ = f64(0f);
                         }
-                        let _e1110 = phi_4968_;
+                        let _e1110 = phi_5513_;
                         let _e1111 = f64(0f);
                         let _e1112 = f64(1f);
                         let _e1113 = f64(3f);
@@ -3774,65 +4396,65 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e1128 > _e1111) {
                             if (_e1128 <= 2.2250738585072014e-308lf) {
                                 if (_e1128 > 0.0lf) {
-                                    phi_5004_ = (1.464336215552873e-154lf * 2.0lf);
+                                    phi_5549_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_5004_ = 0.0lf;
+                                    phi_5549_ = 0.0lf;
                                 }
-                                let _e1181 = phi_5004_;
-                                phi_5068_ = _e1181;
+                                let _e1181 = phi_5549_;
+                                phi_5613_ = _e1181;
                             } else {
-                                phi_5011_ = type_16(0i, 5i);
-                                phi_5014_ = bitcast<f64>(((bitcast<u64>(_e1128) / 2lu) + 2303426169912950784lu));
+                                phi_5556_ = type_16(0i, 5i);
+                                phi_5559_ = bitcast<f64>(((bitcast<u64>(_e1128) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e1136 = phi_5011_;
-                                    let _e1138 = phi_5014_;
+                                    let _e1136 = phi_5556_;
+                                    let _e1138 = phi_5559_;
                                     local_13 = _e1138;
                                     if (_e1136.member < _e1136.member_1) {
                                         let _e1145 = (_e1136.member + 1i);
                                         if ((false == (_e1145 > _e1136.member)) != false) {
-                                            phi_5035_ = true;
+                                            phi_5580_ = true;
                                         } else {
-                                            phi_5035_ = false;
+                                            phi_5580_ = false;
                                         }
-                                        let _e1150 = phi_5035_;
+                                        let _e1150 = phi_5580_;
                                         if _e1150 {
-                                            phi_5041_ = type_17(0u, type_17().member_1);
+                                            phi_5586_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_5041_ = type_17(1u, _e1145);
+                                            phi_5586_ = type_17(1u, _e1145);
                                         }
-                                        let _e1155 = phi_5041_;
-                                        phi_5012_ = type_16(_e1155.member_1, _e1136.member_1);
-                                        phi_5055_ = type_17(1u, _e1136.member);
+                                        let _e1155 = phi_5586_;
+                                        phi_5557_ = type_16(_e1155.member_1, _e1136.member_1);
+                                        phi_5600_ = type_17(1u, _e1136.member);
                                     } else {
-                                        phi_5012_ = _e1136;
-                                        phi_5055_ = type_17(0u, type_17().member_1);
+                                        phi_5557_ = _e1136;
+                                        phi_5600_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e1161 = phi_5012_;
-                                    let _e1163 = phi_5055_;
+                                    let _e1161 = phi_5557_;
+                                    let _e1163 = phi_5600_;
                                     let _e1166 = (bitcast<i32>(_e1163.member) != 0i);
                                     if _e1166 {
-                                        phi_5015_ = (0.5lf * (_e1138 + (_e1128 / _e1138)));
+                                        phi_5560_ = (0.5lf * (_e1138 + (_e1128 / _e1138)));
                                     } else {
-                                        phi_5015_ = f64();
+                                        phi_5560_ = f64();
                                     }
-                                    let _e1171 = phi_5015_;
+                                    let _e1171 = phi_5560_;
                                     continue;
                                     continuing {
-                                        phi_5011_ = _e1161;
-                                        phi_5014_ = _e1171;
+                                        phi_5556_ = _e1161;
+                                        phi_5559_ = _e1171;
                                         break if !(_e1166);
                                     }
                                 }
                                 let _e1176 = local_13;
-                                phi_5068_ = (_e1176 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                phi_5613_ = (_e1176 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e1183 = phi_5068_;
+                            let _e1183 = phi_5613_;
                             if (_e1120 < _e1111) {
-                                phi_5074_ = -(_e1183);
+                                phi_5619_ = -(_e1183);
                             } else {
-                                phi_5074_ = _e1183;
+                                phi_5619_ = _e1183;
                             }
-                            let _e1187 = phi_5074_;
+                            let _e1187 = phi_5619_;
                             let _e1189 = -((_e1120 + _e1187));
                             local_7[0u] = (_e1189 / (_e1189 + _e1121));
                             local_7[1u] = (_e1119 / (_e1119 + _e1189));
@@ -3844,21 +4466,21 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1202;
                                 local_7[1u] = _e1204;
                             }
-                            phi_5099_ = type_9(0u, 2u);
-                            phi_5102_ = 1u;
+                            phi_5644_ = type_9(0u, 2u);
+                            phi_5647_ = 1u;
                             loop {
-                                let _e1208 = phi_5099_;
-                                let _e1210 = phi_5102_;
-                                local_29 = _e1210;
+                                let _e1208 = phi_5644_;
+                                let _e1210 = phi_5647_;
+                                local_31 = _e1210;
                                 if (_e1208.member < _e1208.member_1) {
-                                    phi_5100_ = type_9((_e1208.member + 1u), _e1208.member_1);
-                                    phi_5125_ = type_9(1u, _e1208.member);
+                                    phi_5645_ = type_9((_e1208.member + 1u), _e1208.member_1);
+                                    phi_5670_ = type_9(1u, _e1208.member);
                                 } else {
-                                    phi_5100_ = _e1208;
-                                    phi_5125_ = type_9(0u, type_9().member_1);
+                                    phi_5645_ = _e1208;
+                                    phi_5670_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1222 = phi_5100_;
-                                let _e1224 = phi_5125_;
+                                let _e1222 = phi_5645_;
+                                let _e1224 = phi_5670_;
                                 let _e1228 = (bitcast<i32>(_e1224.member) != 0i);
                                 if _e1228 {
                                     let _e1230 = local_7[_e1224.member_1];
@@ -3867,49 +4489,49 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1233 < _e1112) {
                                             let _e1236 = local_7[_e1224.member_1];
                                             local_6[_e1210] = _e1236;
-                                            phi_5169_ = (_e1210 + 1u);
+                                            phi_5714_ = (_e1210 + 1u);
                                         } else {
-                                            phi_5169_ = _e1210;
+                                            phi_5714_ = _e1210;
                                         }
-                                        let _e1240 = phi_5169_;
-                                        phi_5170_ = _e1240;
+                                        let _e1240 = phi_5714_;
+                                        phi_5715_ = _e1240;
                                     } else {
-                                        phi_5170_ = _e1210;
+                                        phi_5715_ = _e1210;
                                     }
-                                    let _e1242 = phi_5170_;
-                                    phi_5103_ = _e1242;
+                                    let _e1242 = phi_5715_;
+                                    phi_5648_ = _e1242;
                                 } else {
-                                    phi_5103_ = u32();
+                                    phi_5648_ = u32();
                                 }
-                                let _e1244 = phi_5103_;
+                                let _e1244 = phi_5648_;
                                 continue;
                                 continuing {
-                                    phi_5099_ = _e1222;
-                                    phi_5102_ = _e1244;
+                                    phi_5644_ = _e1222;
+                                    phi_5647_ = _e1244;
                                     break if !(_e1228);
                                 }
                             }
-                            let _e5742 = local_29;
-                            phi_5171_ = _e5742;
+                            let _e6575 = local_31;
+                            phi_5716_ = _e6575;
                         } else {
-                            phi_5171_ = 1u;
+                            phi_5716_ = 1u;
                         }
-                        let _e1247 = phi_5171_;
+                        let _e1247 = phi_5716_;
                         local_6[_e1247] = _e1112;
                         let _e1249 = local_6;
                         local_8 = _e1249;
-                        phi_5191_ = type_9(0u, _e1247);
+                        phi_5736_ = type_9(0u, _e1247);
                         loop {
-                            let _e1252 = phi_5191_;
+                            let _e1252 = phi_5736_;
                             if (_e1252.member < _e1252.member_1) {
-                                phi_5192_ = type_9((_e1252.member + 1u), _e1252.member_1);
-                                phi_5215_ = type_9(1u, _e1252.member);
+                                phi_5737_ = type_9((_e1252.member + 1u), _e1252.member_1);
+                                phi_5760_ = type_9(1u, _e1252.member);
                             } else {
-                                phi_5192_ = _e1252;
-                                phi_5215_ = type_9(0u, type_9().member_1);
+                                phi_5737_ = _e1252;
+                                phi_5760_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1264 = phi_5192_;
-                            let _e1266 = phi_5215_;
+                            let _e1264 = phi_5737_;
+                            let _e1266 = phi_5760_;
                             if (bitcast<i32>(_e1266.member) != 0i) {
                                 let _e1272 = local_8[_e1266.member_1];
                                 let _e1275 = local_8[(_e1266.member_1 + 1u)];
@@ -3918,326 +4540,326 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1290 = (f64(1f) - _e1275);
                                 let _e1301 = ((((_e713 * _e1290) + (_e736 * _e1275)) * (_e1290 * _e1290)) + (((_e759 * _e1290) + (_e770 * _e1275)) * (_e1275 * _e1275)));
                                 if (_e1288 < 0.0lf) {
-                                    phi_5269_ = -(_e1288);
+                                    phi_5814_ = -(_e1288);
                                 } else {
-                                    phi_5269_ = _e1288;
+                                    phi_5814_ = _e1288;
                                 }
-                                let _e1305 = phi_5269_;
+                                let _e1305 = phi_5814_;
                                 let _e1306 = (_e1305 > _e1106);
                                 if (_e1301 < 0.0lf) {
-                                    phi_5276_ = -(_e1301);
+                                    phi_5821_ = -(_e1301);
                                 } else {
-                                    phi_5276_ = _e1301;
+                                    phi_5821_ = _e1301;
                                 }
-                                let _e1310 = phi_5276_;
+                                let _e1310 = phi_5821_;
                                 let _e1311 = (_e1310 > _e1106);
                                 let _e1312 = f64(0f);
                                 if _e1306 {
                                     if _e1311 {
-                                        phi_5288_ = ((_e1288 > _e1312) != (_e1301 > _e1312));
-                                        phi_5289_ = false;
+                                        phi_5833_ = ((_e1288 > _e1312) != (_e1301 > _e1312));
+                                        phi_5834_ = false;
                                     } else {
-                                        phi_5288_ = bool();
-                                        phi_5289_ = true;
+                                        phi_5833_ = bool();
+                                        phi_5834_ = true;
                                     }
-                                    let _e1317 = phi_5288_;
-                                    let _e1319 = phi_5289_;
-                                    phi_5290_ = _e1317;
-                                    phi_5291_ = _e1319;
+                                    let _e1317 = phi_5833_;
+                                    let _e1319 = phi_5834_;
+                                    phi_5835_ = _e1317;
+                                    phi_5836_ = _e1319;
                                 } else {
-                                    phi_5290_ = bool();
-                                    phi_5291_ = true;
+                                    phi_5835_ = bool();
+                                    phi_5836_ = true;
                                 }
-                                let _e1321 = phi_5290_;
-                                let _e1323 = phi_5291_;
+                                let _e1321 = phi_5835_;
+                                let _e1323 = phi_5836_;
                                 if _e1323 {
-                                    phi_5295_ = false;
+                                    phi_5840_ = false;
                                 } else {
-                                    phi_5295_ = _e1321;
+                                    phi_5840_ = _e1321;
                                 }
-                                let _e1325 = phi_5295_;
+                                let _e1325 = phi_5840_;
                                 if _e1306 {
                                     if _e1311 {
                                         if _e1325 {
-                                            phi_5307_ = type_45();
+                                            phi_5852_ = type_45();
                                         } else {
-                                            phi_5307_ = type_45(f64(1f), _e1312, _e1325);
+                                            phi_5852_ = type_45(f64(1f), _e1312, _e1325);
                                         }
-                                        let _e1329 = phi_5307_;
-                                        phi_5308_ = _e1329;
-                                        phi_5309_ = _e1325;
+                                        let _e1329 = phi_5852_;
+                                        phi_5853_ = _e1329;
+                                        phi_5854_ = _e1325;
                                     } else {
-                                        phi_5308_ = type_45();
-                                        phi_5309_ = true;
+                                        phi_5853_ = type_45();
+                                        phi_5854_ = true;
                                     }
-                                    let _e1331 = phi_5308_;
-                                    let _e1333 = phi_5309_;
-                                    phi_5310_ = _e1331;
-                                    phi_5311_ = _e1333;
+                                    let _e1331 = phi_5853_;
+                                    let _e1333 = phi_5854_;
+                                    phi_5855_ = _e1331;
+                                    phi_5856_ = _e1333;
                                 } else {
-                                    phi_5310_ = type_45();
-                                    phi_5311_ = true;
+                                    phi_5855_ = type_45();
+                                    phi_5856_ = true;
                                 }
-                                let _e1335 = phi_5310_;
-                                let _e1337 = phi_5311_;
+                                let _e1335 = phi_5855_;
+                                let _e1337 = phi_5856_;
                                 if _e1337 {
                                     if _e1306 {
                                         if (_e1288 < _e1312) {
-                                            phi_5324_ = f64(-1f);
+                                            phi_5869_ = f64(-1f);
                                         } else {
-                                            phi_5324_ = f64(1f);
+                                            phi_5869_ = f64(1f);
                                         }
-                                        let _e1342 = phi_5324_;
+                                        let _e1342 = phi_5869_;
                                         let _e1343 = f64(0.00000000000022737368f);
                                         let _e1344 = f64(0.5f);
                                         let _e1345 = f64(3f);
                                         let _e1348 = (_e759 - _e736);
-                                        phi_5337_ = type_9(0u, 64u);
-                                        phi_5340_ = _e1275;
-                                        phi_5342_ = _e1272;
-                                        phi_5344_ = (_e1344 * (_e1272 + _e1275));
+                                        phi_5882_ = type_9(0u, 64u);
+                                        phi_5885_ = _e1275;
+                                        phi_5887_ = _e1272;
+                                        phi_5889_ = (_e1344 * (_e1272 + _e1275));
                                         loop {
-                                            let _e1354 = phi_5337_;
-                                            let _e1356 = phi_5340_;
-                                            let _e1358 = phi_5342_;
-                                            let _e1360 = phi_5344_;
-                                            local_31 = _e1358;
+                                            let _e1354 = phi_5882_;
+                                            let _e1356 = phi_5885_;
+                                            let _e1358 = phi_5887_;
+                                            let _e1360 = phi_5889_;
+                                            local_33 = _e1358;
                                             if (_e1354.member < _e1354.member_1) {
-                                                phi_5338_ = type_9((_e1354.member + 1u), _e1354.member_1);
-                                                phi_5367_ = type_9(1u, _e1354.member);
+                                                phi_5883_ = type_9((_e1354.member + 1u), _e1354.member_1);
+                                                phi_5912_ = type_9(1u, _e1354.member);
                                             } else {
-                                                phi_5338_ = _e1354;
-                                                phi_5367_ = type_9(0u, type_9().member_1);
+                                                phi_5883_ = _e1354;
+                                                phi_5912_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1372 = phi_5338_;
-                                            let _e1374 = phi_5367_;
+                                            let _e1372 = phi_5883_;
+                                            let _e1374 = phi_5912_;
                                             if (bitcast<i32>(_e1374.member) != 0i) {
                                                 let _e1379 = (f64(1f) - _e1360);
                                                 let _e1392 = ((_e1342 * ((((_e713 * _e1379) + (_e736 * _e1360)) * (_e1379 * _e1379)) + (((_e759 * _e1379) + (_e770 * _e1360)) * (_e1360 * _e1360)))) - _e1106);
                                                 if (_e1392 > f64(0f)) {
-                                                    phi_5394_ = _e1356;
-                                                    phi_5395_ = _e1360;
+                                                    phi_5939_ = _e1356;
+                                                    phi_5940_ = _e1360;
                                                 } else {
-                                                    phi_5394_ = _e1360;
-                                                    phi_5395_ = _e1358;
+                                                    phi_5939_ = _e1360;
+                                                    phi_5940_ = _e1358;
                                                 }
-                                                let _e1396 = phi_5394_;
-                                                let _e1398 = phi_5395_;
+                                                let _e1396 = phi_5939_;
+                                                let _e1398 = phi_5940_;
                                                 let _e1400 = ((_e1396 - _e1398) > _e1343);
                                                 if _e1400 {
                                                     let _e1402 = (f64(1f) - _e1360);
                                                     let _e1414 = (-(_e1392) / (_e1342 * (((((_e736 - (_e1345 * _e713)) * _e1402) + (_e1348 * _e1360)) * _e1402) + (((_e1348 * _e1402) + (((_e1345 * _e770) - _e759) * _e1360)) * _e1360))));
                                                     if (_e1392 > f64(0f)) {
-                                                        phi_5423_ = (_e1344 * _e1343);
+                                                        phi_5968_ = (_e1344 * _e1343);
                                                     } else {
-                                                        phi_5423_ = -((_e1344 * _e1343));
+                                                        phi_5968_ = -((_e1344 * _e1343));
                                                     }
-                                                    let _e1421 = phi_5423_;
+                                                    let _e1421 = phi_5968_;
                                                     let _e1423 = ((_e1360 + _e1414) + _e1421);
                                                     if (_e1423 > _e1398) {
                                                         if (_e1423 < _e1396) {
                                                             if (_e1414 < 0.0lf) {
-                                                                phi_5439_ = -(_e1414);
+                                                                phi_5984_ = -(_e1414);
                                                             } else {
-                                                                phi_5439_ = _e1414;
+                                                                phi_5984_ = _e1414;
                                                             }
-                                                            let _e1429 = phi_5439_;
+                                                            let _e1429 = phi_5984_;
                                                             if (_e1429 < (_e1344 * (_e1396 - _e1398))) {
-                                                                phi_5446_ = false;
+                                                                phi_5991_ = false;
                                                             } else {
-                                                                phi_5446_ = true;
+                                                                phi_5991_ = true;
                                                             }
-                                                            let _e1434 = phi_5446_;
-                                                            phi_5447_ = _e1434;
+                                                            let _e1434 = phi_5991_;
+                                                            phi_5992_ = _e1434;
                                                         } else {
-                                                            phi_5447_ = true;
+                                                            phi_5992_ = true;
                                                         }
-                                                        let _e1436 = phi_5447_;
-                                                        phi_5448_ = _e1436;
+                                                        let _e1436 = phi_5992_;
+                                                        phi_5993_ = _e1436;
                                                     } else {
-                                                        phi_5448_ = true;
+                                                        phi_5993_ = true;
                                                     }
-                                                    let _e1438 = phi_5448_;
+                                                    let _e1438 = phi_5993_;
                                                     if _e1438 {
-                                                        phi_5454_ = (_e1344 * (_e1398 + _e1396));
+                                                        phi_5999_ = (_e1344 * (_e1398 + _e1396));
                                                     } else {
-                                                        phi_5454_ = _e1423;
+                                                        phi_5999_ = _e1423;
                                                     }
-                                                    let _e1442 = phi_5454_;
-                                                    phi_5455_ = _e1442;
-                                                    phi_5456_ = false;
+                                                    let _e1442 = phi_5999_;
+                                                    phi_6000_ = _e1442;
+                                                    phi_6001_ = false;
                                                 } else {
-                                                    phi_5455_ = f64();
-                                                    phi_5456_ = true;
+                                                    phi_6000_ = f64();
+                                                    phi_6001_ = true;
                                                 }
-                                                let _e1444 = phi_5455_;
-                                                let _e1446 = phi_5456_;
-                                                phi_5341_ = _e1396;
-                                                phi_5343_ = _e1398;
-                                                phi_5345_ = _e1444;
-                                                phi_5457_ = _e1398;
-                                                phi_5458_ = _e1400;
-                                                phi_5459_ = _e1446;
+                                                let _e1444 = phi_6000_;
+                                                let _e1446 = phi_6001_;
+                                                phi_5886_ = _e1396;
+                                                phi_5888_ = _e1398;
+                                                phi_5890_ = _e1444;
+                                                phi_6002_ = _e1398;
+                                                phi_6003_ = _e1400;
+                                                phi_6004_ = _e1446;
                                             } else {
-                                                phi_5341_ = f64();
-                                                phi_5343_ = f64();
-                                                phi_5345_ = f64();
-                                                phi_5457_ = f64();
-                                                phi_5458_ = false;
-                                                phi_5459_ = false;
+                                                phi_5886_ = f64();
+                                                phi_5888_ = f64();
+                                                phi_5890_ = f64();
+                                                phi_6002_ = f64();
+                                                phi_6003_ = false;
+                                                phi_6004_ = false;
                                             }
-                                            let _e1448 = phi_5341_;
-                                            let _e1450 = phi_5343_;
-                                            let _e1452 = phi_5345_;
-                                            let _e1454 = phi_5457_;
-                                            let _e1456 = phi_5458_;
-                                            let _e1458 = phi_5459_;
+                                            let _e1448 = phi_5886_;
+                                            let _e1450 = phi_5888_;
+                                            let _e1452 = phi_5890_;
+                                            let _e1454 = phi_6002_;
+                                            let _e1456 = phi_6003_;
+                                            let _e1458 = phi_6004_;
                                             local_14 = _e1458;
-                                            local_30 = _e1454;
+                                            local_32 = _e1454;
                                             continue;
                                             continuing {
-                                                phi_5337_ = _e1372;
-                                                phi_5340_ = _e1448;
-                                                phi_5342_ = _e1450;
-                                                phi_5344_ = _e1452;
+                                                phi_5882_ = _e1372;
+                                                phi_5885_ = _e1448;
+                                                phi_5887_ = _e1450;
+                                                phi_5889_ = _e1452;
                                                 break if !(_e1456);
                                             }
                                         }
                                         let _e1461 = local_14;
                                         if _e1461 {
-                                            let _e5784 = local_30;
-                                            phi_5463_ = _e5784;
+                                            let _e6617 = local_32;
+                                            phi_6008_ = _e6617;
                                         } else {
-                                            let _e5786 = local_31;
-                                            phi_5463_ = _e5786;
+                                            let _e6619 = local_33;
+                                            phi_6008_ = _e6619;
                                         }
-                                        let _e1463 = phi_5463_;
-                                        phi_5464_ = _e1463;
+                                        let _e1463 = phi_6008_;
+                                        phi_6009_ = _e1463;
                                     } else {
-                                        phi_5464_ = _e1272;
+                                        phi_6009_ = _e1272;
                                     }
-                                    let _e1465 = phi_5464_;
+                                    let _e1465 = phi_6009_;
                                     if _e1311 {
                                         if (_e1301 < _e1312) {
-                                            phi_5474_ = f64(-1f);
+                                            phi_6019_ = f64(-1f);
                                         } else {
-                                            phi_5474_ = f64(1f);
+                                            phi_6019_ = f64(1f);
                                         }
-                                        let _e1470 = phi_5474_;
-                                        phi_5479_ = type_9(0u, 64u);
-                                        phi_5482_ = f64((2f * 0.00000000000022737368f));
+                                        let _e1470 = phi_6019_;
+                                        phi_6024_ = type_9(0u, 64u);
+                                        phi_6027_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1474 = phi_5479_;
-                                            let _e1476 = phi_5482_;
+                                            let _e1474 = phi_6024_;
+                                            let _e1476 = phi_6027_;
                                             if (_e1474.member < _e1474.member_1) {
-                                                phi_5480_ = type_9((_e1474.member + 1u), _e1474.member_1);
-                                                phi_5505_ = type_9(1u, _e1474.member);
+                                                phi_6025_ = type_9((_e1474.member + 1u), _e1474.member_1);
+                                                phi_6050_ = type_9(1u, _e1474.member);
                                             } else {
-                                                phi_5480_ = _e1474;
-                                                phi_5505_ = type_9(0u, type_9().member_1);
+                                                phi_6025_ = _e1474;
+                                                phi_6050_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1488 = phi_5480_;
-                                            let _e1490 = phi_5505_;
+                                            let _e1488 = phi_6025_;
+                                            let _e1490 = phi_6050_;
                                             if (bitcast<i32>(_e1490.member) != 0i) {
                                                 let _e1494 = (_e1465 + _e1476);
                                                 if (_e1494 < _e1275) {
                                                     let _e1497 = (f64(1f) - _e1494);
                                                     let _e1510 = ((_e1470 * ((((_e713 * _e1497) + (_e736 * _e1494)) * (_e1497 * _e1497)) + (((_e759 * _e1497) + (_e770 * _e1494)) * (_e1494 * _e1494)))) > _e1106);
                                                     if _e1510 {
-                                                        phi_5536_ = f64();
-                                                        phi_5537_ = false;
+                                                        phi_6081_ = f64();
+                                                        phi_6082_ = false;
                                                     } else {
-                                                        phi_5536_ = (_e1476 + _e1476);
-                                                        phi_5537_ = true;
+                                                        phi_6081_ = (_e1476 + _e1476);
+                                                        phi_6082_ = true;
                                                     }
-                                                    let _e1513 = phi_5536_;
-                                                    let _e1515 = phi_5537_;
-                                                    phi_5538_ = _e1513;
-                                                    phi_5539_ = _e1515;
-                                                    phi_5540_ = _e1510;
-                                                    phi_5541_ = false;
+                                                    let _e1513 = phi_6081_;
+                                                    let _e1515 = phi_6082_;
+                                                    phi_6083_ = _e1513;
+                                                    phi_6084_ = _e1515;
+                                                    phi_6085_ = _e1510;
+                                                    phi_6086_ = false;
                                                 } else {
-                                                    phi_5538_ = f64();
-                                                    phi_5539_ = false;
-                                                    phi_5540_ = false;
-                                                    phi_5541_ = true;
+                                                    phi_6083_ = f64();
+                                                    phi_6084_ = false;
+                                                    phi_6085_ = false;
+                                                    phi_6086_ = true;
                                                 }
-                                                let _e1517 = phi_5538_;
-                                                let _e1519 = phi_5539_;
-                                                let _e1521 = phi_5540_;
-                                                let _e1523 = phi_5541_;
-                                                phi_5542_ = _e1494;
-                                                phi_5483_ = _e1517;
-                                                phi_5543_ = _e1519;
-                                                phi_5544_ = _e1521;
-                                                phi_5545_ = _e1523;
-                                                phi_5546_ = false;
+                                                let _e1517 = phi_6083_;
+                                                let _e1519 = phi_6084_;
+                                                let _e1521 = phi_6085_;
+                                                let _e1523 = phi_6086_;
+                                                phi_6087_ = _e1494;
+                                                phi_6028_ = _e1517;
+                                                phi_6088_ = _e1519;
+                                                phi_6089_ = _e1521;
+                                                phi_6090_ = _e1523;
+                                                phi_6091_ = false;
                                             } else {
-                                                phi_5542_ = f64();
-                                                phi_5483_ = f64();
-                                                phi_5543_ = false;
-                                                phi_5544_ = false;
-                                                phi_5545_ = false;
-                                                phi_5546_ = true;
+                                                phi_6087_ = f64();
+                                                phi_6028_ = f64();
+                                                phi_6088_ = false;
+                                                phi_6089_ = false;
+                                                phi_6090_ = false;
+                                                phi_6091_ = true;
                                             }
-                                            let _e1525 = phi_5542_;
-                                            let _e1527 = phi_5483_;
-                                            let _e1529 = phi_5543_;
-                                            let _e1531 = phi_5544_;
-                                            let _e1533 = phi_5545_;
-                                            let _e1535 = phi_5546_;
+                                            let _e1525 = phi_6087_;
+                                            let _e1527 = phi_6028_;
+                                            let _e1529 = phi_6088_;
+                                            let _e1531 = phi_6089_;
+                                            let _e1533 = phi_6090_;
+                                            let _e1535 = phi_6091_;
                                             local_15 = _e1531;
-                                            local_32 = _e1533;
-                                            local_33 = _e1535;
-                                            local_34 = _e1525;
+                                            local_34 = _e1533;
+                                            local_35 = _e1535;
+                                            local_36 = _e1525;
                                             continue;
                                             continuing {
-                                                phi_5479_ = _e1488;
-                                                phi_5482_ = _e1527;
+                                                phi_6024_ = _e1488;
+                                                phi_6027_ = _e1527;
                                                 break if !(_e1529);
                                             }
                                         }
                                         let _e1538 = local_15;
                                         if _e1538 {
-                                            phi_5550_ = false;
-                                            phi_5551_ = false;
+                                            phi_6095_ = false;
+                                            phi_6096_ = false;
                                         } else {
-                                            let _e5808 = local_32;
-                                            phi_5550_ = _e5808;
-                                            let _e5811 = local_33;
-                                            phi_5551_ = _e5811;
+                                            let _e6641 = local_34;
+                                            phi_6095_ = _e6641;
+                                            let _e6644 = local_35;
+                                            phi_6096_ = _e6644;
                                         }
-                                        let _e1540 = phi_5550_;
-                                        let _e1542 = phi_5551_;
+                                        let _e1540 = phi_6095_;
+                                        let _e1542 = phi_6096_;
                                         if _e1540 {
-                                            phi_5555_ = true;
+                                            phi_6100_ = true;
                                         } else {
-                                            phi_5555_ = _e1542;
+                                            phi_6100_ = _e1542;
                                         }
-                                        let _e1544 = phi_5555_;
+                                        let _e1544 = phi_6100_;
                                         if _e1544 {
-                                            phi_5559_ = _e1275;
+                                            phi_6104_ = _e1275;
                                         } else {
-                                            let _e5815 = local_34;
-                                            phi_5559_ = _e5815;
+                                            let _e6648 = local_36;
+                                            phi_6104_ = _e6648;
                                         }
-                                        let _e1546 = phi_5559_;
-                                        phi_5560_ = _e1546;
+                                        let _e1546 = phi_6104_;
+                                        phi_6105_ = _e1546;
                                     } else {
-                                        phi_5560_ = _e1275;
+                                        phi_6105_ = _e1275;
                                     }
-                                    let _e1548 = phi_5560_;
-                                    phi_5562_ = type_45(_e1465, _e1548, _e1325);
+                                    let _e1548 = phi_6105_;
+                                    phi_6107_ = type_45(_e1465, _e1548, _e1325);
                                 } else {
-                                    phi_5562_ = _e1335;
+                                    phi_6107_ = _e1335;
                                 }
-                                let _e1551 = phi_5562_;
+                                let _e1551 = phi_6107_;
                                 if (_e1551.member > _e1551.member_1) {
-                                    phi_8880_ = f64();
-                                    phi_8881_ = true;
-                                    phi_8882_ = false;
-                                    phi_8883_ = false;
-                                    phi_8884_ = false;
+                                    phi_9971_ = f64();
+                                    phi_9972_ = true;
+                                    phi_9973_ = false;
+                                    phi_9974_ = false;
+                                    phi_9975_ = false;
                                 } else {
                                     let _e1559 = ((_e1551.member_1 - _e1551.member) * f64(0.5f));
                                     let _e1560 = (_e1551.member + _e1559);
@@ -4245,72 +4867,72 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1565 = local_12.member_3;
                                     let _e1568 = local_12.member[0u];
                                     if (_e1568[0] < 0.0lf) {
-                                        phi_5593_ = -(_e1568[0]);
+                                        phi_6138_ = -(_e1568[0]);
                                     } else {
-                                        phi_5593_ = _e1568[0];
+                                        phi_6138_ = _e1568[0];
                                     }
-                                    let _e1575 = phi_5593_;
+                                    let _e1575 = phi_6138_;
                                     if (_e1568[1] < 0.0lf) {
-                                        phi_5600_ = -(_e1568[1]);
+                                        phi_6145_ = -(_e1568[1]);
                                     } else {
-                                        phi_5600_ = _e1568[1];
+                                        phi_6145_ = _e1568[1];
                                     }
-                                    let _e1579 = phi_5600_;
+                                    let _e1579 = phi_6145_;
                                     if (_e1575 > _e1579) {
-                                        phi_5605_ = _e1575;
+                                        phi_6150_ = _e1575;
                                     } else {
-                                        phi_5605_ = _e1579;
+                                        phi_6150_ = _e1579;
                                     }
-                                    let _e1582 = phi_5605_;
+                                    let _e1582 = phi_6150_;
                                     if (_e1568[2] < 0.0lf) {
-                                        phi_5612_ = -(_e1568[2]);
+                                        phi_6157_ = -(_e1568[2]);
                                     } else {
-                                        phi_5612_ = _e1568[2];
+                                        phi_6157_ = _e1568[2];
                                     }
-                                    let _e1586 = phi_5612_;
+                                    let _e1586 = phi_6157_;
                                     if (_e1582 > _e1586) {
-                                        phi_5617_ = _e1582;
+                                        phi_6162_ = _e1582;
                                     } else {
-                                        phi_5617_ = _e1586;
+                                        phi_6162_ = _e1586;
                                     }
-                                    let _e1589 = phi_5617_;
+                                    let _e1589 = phi_6162_;
                                     let _e1591 = local_12.member[1u];
                                     if (_e1591[0] < 0.0lf) {
-                                        phi_5630_ = -(_e1591[0]);
+                                        phi_6175_ = -(_e1591[0]);
                                     } else {
-                                        phi_5630_ = _e1591[0];
+                                        phi_6175_ = _e1591[0];
                                     }
-                                    let _e1598 = phi_5630_;
+                                    let _e1598 = phi_6175_;
                                     if (_e1591[1] < 0.0lf) {
-                                        phi_5637_ = -(_e1591[1]);
+                                        phi_6182_ = -(_e1591[1]);
                                     } else {
-                                        phi_5637_ = _e1591[1];
+                                        phi_6182_ = _e1591[1];
                                     }
-                                    let _e1602 = phi_5637_;
+                                    let _e1602 = phi_6182_;
                                     if (_e1598 > _e1602) {
-                                        phi_5642_ = _e1598;
+                                        phi_6187_ = _e1598;
                                     } else {
-                                        phi_5642_ = _e1602;
+                                        phi_6187_ = _e1602;
                                     }
-                                    let _e1605 = phi_5642_;
+                                    let _e1605 = phi_6187_;
                                     if (_e1591[2] < 0.0lf) {
-                                        phi_5649_ = -(_e1591[2]);
+                                        phi_6194_ = -(_e1591[2]);
                                     } else {
-                                        phi_5649_ = _e1591[2];
+                                        phi_6194_ = _e1591[2];
                                     }
-                                    let _e1609 = phi_5649_;
+                                    let _e1609 = phi_6194_;
                                     if (_e1605 > _e1609) {
-                                        phi_5654_ = _e1605;
+                                        phi_6199_ = _e1605;
                                     } else {
-                                        phi_5654_ = _e1609;
+                                        phi_6199_ = _e1609;
                                     }
-                                    let _e1612 = phi_5654_;
+                                    let _e1612 = phi_6199_;
                                     if (_e1589 > _e1612) {
-                                        phi_5659_ = _e1589;
+                                        phi_6204_ = _e1589;
                                     } else {
-                                        phi_5659_ = _e1612;
+                                        phi_6204_ = _e1612;
                                     }
-                                    let _e1615 = phi_5659_;
+                                    let _e1615 = phi_6204_;
                                     let _e1618 = local_12.member[0u];
                                     let _e1623 = local_12.member[1u];
                                     let _e1633 = (_e1618[0] + ((_e1623[0] - _e1618[0]) * _e1560));
@@ -4322,136 +4944,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1647 = (_e1637[1] - _e1642[1]);
                                     let _e1648 = (_e1637[2] - _e1642[2]);
                                     if (_e1646 < 0.0lf) {
-                                        phi_5718_ = -(_e1646);
+                                        phi_6263_ = -(_e1646);
                                     } else {
-                                        phi_5718_ = _e1646;
+                                        phi_6263_ = _e1646;
                                     }
-                                    let _e1652 = phi_5718_;
+                                    let _e1652 = phi_6263_;
                                     if (_e1647 < 0.0lf) {
-                                        phi_5724_ = -(_e1647);
+                                        phi_6269_ = -(_e1647);
                                     } else {
-                                        phi_5724_ = _e1647;
+                                        phi_6269_ = _e1647;
                                     }
-                                    let _e1656 = phi_5724_;
+                                    let _e1656 = phi_6269_;
                                     if (_e1652 > _e1656) {
-                                        phi_5729_ = _e1652;
+                                        phi_6274_ = _e1652;
                                     } else {
-                                        phi_5729_ = _e1656;
+                                        phi_6274_ = _e1656;
                                     }
-                                    let _e1659 = phi_5729_;
+                                    let _e1659 = phi_6274_;
                                     if (_e1648 < 0.0lf) {
-                                        phi_5735_ = -(_e1648);
+                                        phi_6280_ = -(_e1648);
                                     } else {
-                                        phi_5735_ = _e1648;
+                                        phi_6280_ = _e1648;
                                     }
-                                    let _e1663 = phi_5735_;
+                                    let _e1663 = phi_6280_;
                                     if (_e1659 > _e1663) {
-                                        phi_5740_ = _e1659;
+                                        phi_6285_ = _e1659;
                                     } else {
-                                        phi_5740_ = _e1663;
+                                        phi_6285_ = _e1663;
                                     }
-                                    let _e1666 = phi_5740_;
+                                    let _e1666 = phi_6285_;
                                     let _e1674 = ((((_e1563 * _e1666) * f64(1.01f)) + ((_e1615 + _e1565) * (1.1102230246251565e-16lf * f64(8f)))) + _e1565);
                                     if (_e1633 < 0.0lf) {
-                                        phi_5754_ = -(_e1633);
+                                        phi_6299_ = -(_e1633);
                                     } else {
-                                        phi_5754_ = _e1633;
+                                        phi_6299_ = _e1633;
                                     }
-                                    let _e1678 = phi_5754_;
+                                    let _e1678 = phi_6299_;
                                     if (_e1634 < 0.0lf) {
-                                        phi_5760_ = -(_e1634);
+                                        phi_6305_ = -(_e1634);
                                     } else {
-                                        phi_5760_ = _e1634;
+                                        phi_6305_ = _e1634;
                                     }
-                                    let _e1682 = phi_5760_;
+                                    let _e1682 = phi_6305_;
                                     if (_e1678 > _e1682) {
-                                        phi_5765_ = _e1678;
+                                        phi_6310_ = _e1678;
                                     } else {
-                                        phi_5765_ = _e1682;
+                                        phi_6310_ = _e1682;
                                     }
-                                    let _e1685 = phi_5765_;
+                                    let _e1685 = phi_6310_;
                                     if (_e1635 < 0.0lf) {
-                                        phi_5771_ = -(_e1635);
+                                        phi_6316_ = -(_e1635);
                                     } else {
-                                        phi_5771_ = _e1635;
+                                        phi_6316_ = _e1635;
                                     }
-                                    let _e1689 = phi_5771_;
+                                    let _e1689 = phi_6316_;
                                     if (_e1685 > _e1689) {
-                                        phi_5776_ = _e1685;
+                                        phi_6321_ = _e1685;
                                     } else {
-                                        phi_5776_ = _e1689;
+                                        phi_6321_ = _e1689;
                                     }
-                                    let _e1692 = phi_5776_;
+                                    let _e1692 = phi_6321_;
                                     local_2 = type_35(array<f64, 3>(_e1633, _e1634, _e1635), _e1674, (_e1692 + _e1674));
                                     let _e1698 = local_12.member_3;
                                     let _e1700 = local_12.member_1[0u];
                                     if (_e1700[0] < 0.0lf) {
-                                        phi_5802_ = -(_e1700[0]);
+                                        phi_6347_ = -(_e1700[0]);
                                     } else {
-                                        phi_5802_ = _e1700[0];
+                                        phi_6347_ = _e1700[0];
                                     }
-                                    let _e1707 = phi_5802_;
+                                    let _e1707 = phi_6347_;
                                     if (_e1700[1] < 0.0lf) {
-                                        phi_5809_ = -(_e1700[1]);
+                                        phi_6354_ = -(_e1700[1]);
                                     } else {
-                                        phi_5809_ = _e1700[1];
+                                        phi_6354_ = _e1700[1];
                                     }
-                                    let _e1711 = phi_5809_;
+                                    let _e1711 = phi_6354_;
                                     if (_e1707 > _e1711) {
-                                        phi_5814_ = _e1707;
+                                        phi_6359_ = _e1707;
                                     } else {
-                                        phi_5814_ = _e1711;
+                                        phi_6359_ = _e1711;
                                     }
-                                    let _e1714 = phi_5814_;
+                                    let _e1714 = phi_6359_;
                                     if (_e1700[2] < 0.0lf) {
-                                        phi_5821_ = -(_e1700[2]);
+                                        phi_6366_ = -(_e1700[2]);
                                     } else {
-                                        phi_5821_ = _e1700[2];
+                                        phi_6366_ = _e1700[2];
                                     }
-                                    let _e1718 = phi_5821_;
+                                    let _e1718 = phi_6366_;
                                     if (_e1714 > _e1718) {
-                                        phi_5826_ = _e1714;
+                                        phi_6371_ = _e1714;
                                     } else {
-                                        phi_5826_ = _e1718;
+                                        phi_6371_ = _e1718;
                                     }
-                                    let _e1721 = phi_5826_;
+                                    let _e1721 = phi_6371_;
                                     let _e1723 = local_12.member_1[1u];
                                     if (_e1723[0] < 0.0lf) {
-                                        phi_5839_ = -(_e1723[0]);
+                                        phi_6384_ = -(_e1723[0]);
                                     } else {
-                                        phi_5839_ = _e1723[0];
+                                        phi_6384_ = _e1723[0];
                                     }
-                                    let _e1730 = phi_5839_;
+                                    let _e1730 = phi_6384_;
                                     if (_e1723[1] < 0.0lf) {
-                                        phi_5846_ = -(_e1723[1]);
+                                        phi_6391_ = -(_e1723[1]);
                                     } else {
-                                        phi_5846_ = _e1723[1];
+                                        phi_6391_ = _e1723[1];
                                     }
-                                    let _e1734 = phi_5846_;
+                                    let _e1734 = phi_6391_;
                                     if (_e1730 > _e1734) {
-                                        phi_5851_ = _e1730;
+                                        phi_6396_ = _e1730;
                                     } else {
-                                        phi_5851_ = _e1734;
+                                        phi_6396_ = _e1734;
                                     }
-                                    let _e1737 = phi_5851_;
+                                    let _e1737 = phi_6396_;
                                     if (_e1723[2] < 0.0lf) {
-                                        phi_5858_ = -(_e1723[2]);
+                                        phi_6403_ = -(_e1723[2]);
                                     } else {
-                                        phi_5858_ = _e1723[2];
+                                        phi_6403_ = _e1723[2];
                                     }
-                                    let _e1741 = phi_5858_;
+                                    let _e1741 = phi_6403_;
                                     if (_e1737 > _e1741) {
-                                        phi_5863_ = _e1737;
+                                        phi_6408_ = _e1737;
                                     } else {
-                                        phi_5863_ = _e1741;
+                                        phi_6408_ = _e1741;
                                     }
-                                    let _e1744 = phi_5863_;
+                                    let _e1744 = phi_6408_;
                                     if (_e1721 > _e1744) {
-                                        phi_5868_ = _e1721;
+                                        phi_6413_ = _e1721;
                                     } else {
-                                        phi_5868_ = _e1744;
+                                        phi_6413_ = _e1744;
                                     }
-                                    let _e1747 = phi_5868_;
+                                    let _e1747 = phi_6413_;
                                     let _e1750 = local_12.member_1[0u];
                                     let _e1755 = local_12.member_1[1u];
                                     let _e1765 = (_e1750[0] + ((_e1755[0] - _e1750[0]) * _e1560));
@@ -4463,136 +5085,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1779 = (_e1769[1] - _e1774[1]);
                                     let _e1780 = (_e1769[2] - _e1774[2]);
                                     if (_e1778 < 0.0lf) {
-                                        phi_5927_ = -(_e1778);
+                                        phi_6472_ = -(_e1778);
                                     } else {
-                                        phi_5927_ = _e1778;
+                                        phi_6472_ = _e1778;
                                     }
-                                    let _e1784 = phi_5927_;
+                                    let _e1784 = phi_6472_;
                                     if (_e1779 < 0.0lf) {
-                                        phi_5933_ = -(_e1779);
+                                        phi_6478_ = -(_e1779);
                                     } else {
-                                        phi_5933_ = _e1779;
+                                        phi_6478_ = _e1779;
                                     }
-                                    let _e1788 = phi_5933_;
+                                    let _e1788 = phi_6478_;
                                     if (_e1784 > _e1788) {
-                                        phi_5938_ = _e1784;
+                                        phi_6483_ = _e1784;
                                     } else {
-                                        phi_5938_ = _e1788;
+                                        phi_6483_ = _e1788;
                                     }
-                                    let _e1791 = phi_5938_;
+                                    let _e1791 = phi_6483_;
                                     if (_e1780 < 0.0lf) {
-                                        phi_5944_ = -(_e1780);
+                                        phi_6489_ = -(_e1780);
                                     } else {
-                                        phi_5944_ = _e1780;
+                                        phi_6489_ = _e1780;
                                     }
-                                    let _e1795 = phi_5944_;
+                                    let _e1795 = phi_6489_;
                                     if (_e1791 > _e1795) {
-                                        phi_5949_ = _e1791;
+                                        phi_6494_ = _e1791;
                                     } else {
-                                        phi_5949_ = _e1795;
+                                        phi_6494_ = _e1795;
                                     }
-                                    let _e1798 = phi_5949_;
+                                    let _e1798 = phi_6494_;
                                     let _e1806 = ((((_e1563 * _e1798) * f64(1.01f)) + ((_e1747 + _e1698) * (1.1102230246251565e-16lf * f64(8f)))) + _e1698);
                                     if (_e1765 < 0.0lf) {
-                                        phi_5963_ = -(_e1765);
+                                        phi_6508_ = -(_e1765);
                                     } else {
-                                        phi_5963_ = _e1765;
+                                        phi_6508_ = _e1765;
                                     }
-                                    let _e1810 = phi_5963_;
+                                    let _e1810 = phi_6508_;
                                     if (_e1766 < 0.0lf) {
-                                        phi_5969_ = -(_e1766);
+                                        phi_6514_ = -(_e1766);
                                     } else {
-                                        phi_5969_ = _e1766;
+                                        phi_6514_ = _e1766;
                                     }
-                                    let _e1814 = phi_5969_;
+                                    let _e1814 = phi_6514_;
                                     if (_e1810 > _e1814) {
-                                        phi_5974_ = _e1810;
+                                        phi_6519_ = _e1810;
                                     } else {
-                                        phi_5974_ = _e1814;
+                                        phi_6519_ = _e1814;
                                     }
-                                    let _e1817 = phi_5974_;
+                                    let _e1817 = phi_6519_;
                                     if (_e1767 < 0.0lf) {
-                                        phi_5980_ = -(_e1767);
+                                        phi_6525_ = -(_e1767);
                                     } else {
-                                        phi_5980_ = _e1767;
+                                        phi_6525_ = _e1767;
                                     }
-                                    let _e1821 = phi_5980_;
+                                    let _e1821 = phi_6525_;
                                     if (_e1817 > _e1821) {
-                                        phi_5985_ = _e1817;
+                                        phi_6530_ = _e1817;
                                     } else {
-                                        phi_5985_ = _e1821;
+                                        phi_6530_ = _e1821;
                                     }
-                                    let _e1824 = phi_5985_;
+                                    let _e1824 = phi_6530_;
                                     local_3 = type_35(array<f64, 3>(_e1765, _e1766, _e1767), _e1806, (_e1824 + _e1806));
                                     let _e1830 = local_12.member_3;
                                     let _e1832 = local_12.member_2[0u];
                                     if (_e1832[0] < 0.0lf) {
-                                        phi_6011_ = -(_e1832[0]);
+                                        phi_6556_ = -(_e1832[0]);
                                     } else {
-                                        phi_6011_ = _e1832[0];
+                                        phi_6556_ = _e1832[0];
                                     }
-                                    let _e1839 = phi_6011_;
+                                    let _e1839 = phi_6556_;
                                     if (_e1832[1] < 0.0lf) {
-                                        phi_6018_ = -(_e1832[1]);
+                                        phi_6563_ = -(_e1832[1]);
                                     } else {
-                                        phi_6018_ = _e1832[1];
+                                        phi_6563_ = _e1832[1];
                                     }
-                                    let _e1843 = phi_6018_;
+                                    let _e1843 = phi_6563_;
                                     if (_e1839 > _e1843) {
-                                        phi_6023_ = _e1839;
+                                        phi_6568_ = _e1839;
                                     } else {
-                                        phi_6023_ = _e1843;
+                                        phi_6568_ = _e1843;
                                     }
-                                    let _e1846 = phi_6023_;
+                                    let _e1846 = phi_6568_;
                                     if (_e1832[2] < 0.0lf) {
-                                        phi_6030_ = -(_e1832[2]);
+                                        phi_6575_ = -(_e1832[2]);
                                     } else {
-                                        phi_6030_ = _e1832[2];
+                                        phi_6575_ = _e1832[2];
                                     }
-                                    let _e1850 = phi_6030_;
+                                    let _e1850 = phi_6575_;
                                     if (_e1846 > _e1850) {
-                                        phi_6035_ = _e1846;
+                                        phi_6580_ = _e1846;
                                     } else {
-                                        phi_6035_ = _e1850;
+                                        phi_6580_ = _e1850;
                                     }
-                                    let _e1853 = phi_6035_;
+                                    let _e1853 = phi_6580_;
                                     let _e1855 = local_12.member_2[1u];
                                     if (_e1855[0] < 0.0lf) {
-                                        phi_6048_ = -(_e1855[0]);
+                                        phi_6593_ = -(_e1855[0]);
                                     } else {
-                                        phi_6048_ = _e1855[0];
+                                        phi_6593_ = _e1855[0];
                                     }
-                                    let _e1862 = phi_6048_;
+                                    let _e1862 = phi_6593_;
                                     if (_e1855[1] < 0.0lf) {
-                                        phi_6055_ = -(_e1855[1]);
+                                        phi_6600_ = -(_e1855[1]);
                                     } else {
-                                        phi_6055_ = _e1855[1];
+                                        phi_6600_ = _e1855[1];
                                     }
-                                    let _e1866 = phi_6055_;
+                                    let _e1866 = phi_6600_;
                                     if (_e1862 > _e1866) {
-                                        phi_6060_ = _e1862;
+                                        phi_6605_ = _e1862;
                                     } else {
-                                        phi_6060_ = _e1866;
+                                        phi_6605_ = _e1866;
                                     }
-                                    let _e1869 = phi_6060_;
+                                    let _e1869 = phi_6605_;
                                     if (_e1855[2] < 0.0lf) {
-                                        phi_6067_ = -(_e1855[2]);
+                                        phi_6612_ = -(_e1855[2]);
                                     } else {
-                                        phi_6067_ = _e1855[2];
+                                        phi_6612_ = _e1855[2];
                                     }
-                                    let _e1873 = phi_6067_;
+                                    let _e1873 = phi_6612_;
                                     if (_e1869 > _e1873) {
-                                        phi_6072_ = _e1869;
+                                        phi_6617_ = _e1869;
                                     } else {
-                                        phi_6072_ = _e1873;
+                                        phi_6617_ = _e1873;
                                     }
-                                    let _e1876 = phi_6072_;
+                                    let _e1876 = phi_6617_;
                                     if (_e1853 > _e1876) {
-                                        phi_6077_ = _e1853;
+                                        phi_6622_ = _e1853;
                                     } else {
-                                        phi_6077_ = _e1876;
+                                        phi_6622_ = _e1876;
                                     }
-                                    let _e1879 = phi_6077_;
+                                    let _e1879 = phi_6622_;
                                     let _e1882 = local_12.member_2[0u];
                                     let _e1887 = local_12.member_2[1u];
                                     let _e1897 = (_e1882[0] + ((_e1887[0] - _e1882[0]) * _e1560));
@@ -4604,66 +5226,66 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1911 = (_e1901[1] - _e1906[1]);
                                     let _e1912 = (_e1901[2] - _e1906[2]);
                                     if (_e1910 < 0.0lf) {
-                                        phi_6136_ = -(_e1910);
+                                        phi_6681_ = -(_e1910);
                                     } else {
-                                        phi_6136_ = _e1910;
+                                        phi_6681_ = _e1910;
                                     }
-                                    let _e1916 = phi_6136_;
+                                    let _e1916 = phi_6681_;
                                     if (_e1911 < 0.0lf) {
-                                        phi_6142_ = -(_e1911);
+                                        phi_6687_ = -(_e1911);
                                     } else {
-                                        phi_6142_ = _e1911;
+                                        phi_6687_ = _e1911;
                                     }
-                                    let _e1920 = phi_6142_;
+                                    let _e1920 = phi_6687_;
                                     if (_e1916 > _e1920) {
-                                        phi_6147_ = _e1916;
+                                        phi_6692_ = _e1916;
                                     } else {
-                                        phi_6147_ = _e1920;
+                                        phi_6692_ = _e1920;
                                     }
-                                    let _e1923 = phi_6147_;
+                                    let _e1923 = phi_6692_;
                                     if (_e1912 < 0.0lf) {
-                                        phi_6153_ = -(_e1912);
+                                        phi_6698_ = -(_e1912);
                                     } else {
-                                        phi_6153_ = _e1912;
+                                        phi_6698_ = _e1912;
                                     }
-                                    let _e1927 = phi_6153_;
+                                    let _e1927 = phi_6698_;
                                     if (_e1923 > _e1927) {
-                                        phi_6158_ = _e1923;
+                                        phi_6703_ = _e1923;
                                     } else {
-                                        phi_6158_ = _e1927;
+                                        phi_6703_ = _e1927;
                                     }
-                                    let _e1930 = phi_6158_;
+                                    let _e1930 = phi_6703_;
                                     let _e1938 = ((((_e1563 * _e1930) * f64(1.01f)) + ((_e1879 + _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + _e1830);
                                     if (_e1897 < 0.0lf) {
-                                        phi_6172_ = -(_e1897);
+                                        phi_6717_ = -(_e1897);
                                     } else {
-                                        phi_6172_ = _e1897;
+                                        phi_6717_ = _e1897;
                                     }
-                                    let _e1942 = phi_6172_;
+                                    let _e1942 = phi_6717_;
                                     if (_e1898 < 0.0lf) {
-                                        phi_6178_ = -(_e1898);
+                                        phi_6723_ = -(_e1898);
                                     } else {
-                                        phi_6178_ = _e1898;
+                                        phi_6723_ = _e1898;
                                     }
-                                    let _e1946 = phi_6178_;
+                                    let _e1946 = phi_6723_;
                                     if (_e1942 > _e1946) {
-                                        phi_6183_ = _e1942;
+                                        phi_6728_ = _e1942;
                                     } else {
-                                        phi_6183_ = _e1946;
+                                        phi_6728_ = _e1946;
                                     }
-                                    let _e1949 = phi_6183_;
+                                    let _e1949 = phi_6728_;
                                     if (_e1899 < 0.0lf) {
-                                        phi_6189_ = -(_e1899);
+                                        phi_6734_ = -(_e1899);
                                     } else {
-                                        phi_6189_ = _e1899;
+                                        phi_6734_ = _e1899;
                                     }
-                                    let _e1953 = phi_6189_;
+                                    let _e1953 = phi_6734_;
                                     if (_e1949 > _e1953) {
-                                        phi_6194_ = _e1949;
+                                        phi_6739_ = _e1949;
                                     } else {
-                                        phi_6194_ = _e1953;
+                                        phi_6739_ = _e1953;
                                     }
-                                    let _e1956 = phi_6194_;
+                                    let _e1956 = phi_6739_;
                                     local_4 = type_35(array<f64, 3>(_e1897, _e1898, _e1899), _e1938, (_e1956 + _e1938));
                                     let _e1961 = local_3.member;
                                     let _e1966 = local_4.member;
@@ -4671,68 +5293,68 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1975 = ((_e1961[2] * _e1966[0]) - (_e1961[0] * _e1966[2]));
                                     let _e1978 = ((_e1961[0] * _e1966[1]) - (_e1961[1] * _e1966[0]));
                                     if (_e1972 < 0.0lf) {
-                                        phi_6243_ = -(_e1972);
+                                        phi_6788_ = -(_e1972);
                                     } else {
-                                        phi_6243_ = _e1972;
+                                        phi_6788_ = _e1972;
                                     }
-                                    let _e1982 = phi_6243_;
+                                    let _e1982 = phi_6788_;
                                     if (_e1975 < 0.0lf) {
-                                        phi_6249_ = -(_e1975);
+                                        phi_6794_ = -(_e1975);
                                     } else {
-                                        phi_6249_ = _e1975;
+                                        phi_6794_ = _e1975;
                                     }
-                                    let _e1986 = phi_6249_;
+                                    let _e1986 = phi_6794_;
                                     if (_e1982 > _e1986) {
                                         if (_e1972 < 0.0lf) {
-                                            phi_6259_ = -(_e1972);
+                                            phi_6804_ = -(_e1972);
                                         } else {
-                                            phi_6259_ = _e1972;
+                                            phi_6804_ = _e1972;
                                         }
-                                        let _e2004 = phi_6259_;
+                                        let _e2004 = phi_6804_;
                                         if (_e1978 < 0.0lf) {
-                                            phi_6265_ = -(_e1978);
+                                            phi_6810_ = -(_e1978);
                                         } else {
-                                            phi_6265_ = _e1978;
+                                            phi_6810_ = _e1978;
                                         }
-                                        let _e2008 = phi_6265_;
+                                        let _e2008 = phi_6810_;
                                         if (_e2004 > _e2008) {
-                                            phi_6270_ = 2u;
-                                            phi_6271_ = 1u;
+                                            phi_6815_ = 2u;
+                                            phi_6816_ = 1u;
                                         } else {
-                                            phi_6270_ = 1u;
-                                            phi_6271_ = 0u;
+                                            phi_6815_ = 1u;
+                                            phi_6816_ = 0u;
                                         }
-                                        let _e2011 = phi_6270_;
-                                        let _e2013 = phi_6271_;
-                                        phi_6290_ = _e2011;
-                                        phi_6291_ = _e2013;
+                                        let _e2011 = phi_6815_;
+                                        let _e2013 = phi_6816_;
+                                        phi_6835_ = _e2011;
+                                        phi_6836_ = _e2013;
                                     } else {
                                         if (_e1975 < 0.0lf) {
-                                            phi_6277_ = -(_e1975);
+                                            phi_6822_ = -(_e1975);
                                         } else {
-                                            phi_6277_ = _e1975;
+                                            phi_6822_ = _e1975;
                                         }
-                                        let _e1991 = phi_6277_;
+                                        let _e1991 = phi_6822_;
                                         if (_e1978 < 0.0lf) {
-                                            phi_6283_ = -(_e1978);
+                                            phi_6828_ = -(_e1978);
                                         } else {
-                                            phi_6283_ = _e1978;
+                                            phi_6828_ = _e1978;
                                         }
-                                        let _e1995 = phi_6283_;
+                                        let _e1995 = phi_6828_;
                                         if (_e1991 > _e1995) {
-                                            phi_6288_ = 0u;
-                                            phi_6289_ = 2u;
+                                            phi_6833_ = 0u;
+                                            phi_6834_ = 2u;
                                         } else {
-                                            phi_6288_ = 1u;
-                                            phi_6289_ = 0u;
+                                            phi_6833_ = 1u;
+                                            phi_6834_ = 0u;
                                         }
-                                        let _e1998 = phi_6288_;
-                                        let _e2000 = phi_6289_;
-                                        phi_6290_ = _e1998;
-                                        phi_6291_ = _e2000;
+                                        let _e1998 = phi_6833_;
+                                        let _e2000 = phi_6834_;
+                                        phi_6835_ = _e1998;
+                                        phi_6836_ = _e2000;
                                     }
-                                    let _e2015 = phi_6290_;
-                                    let _e2017 = phi_6291_;
+                                    let _e2015 = phi_6835_;
+                                    let _e2017 = phi_6836_;
                                     let _e2020 = local_3.member[_e2017];
                                     let _e2023 = local_4.member[_e2015];
                                     let _e2027 = local_3.member[_e2015];
@@ -4750,18 +5372,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e2064 = local_4.member_2;
                                     let _e2068 = (((((_e2036 * _e2038) + (_e2041 * _e2043)) * f64(2.01f)) + (((_e2049 * _e2034) * (_e2052 * _e2034)) * (1.1102230246251565e-16lf * _e2034))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2033 + _e2061) * (_e2033 + _e2064))));
                                     if (_e2032 < 0.0lf) {
-                                        phi_6364_ = -(_e2032);
+                                        phi_6909_ = -(_e2032);
                                     } else {
-                                        phi_6364_ = _e2032;
+                                        phi_6909_ = _e2032;
                                     }
-                                    let _e2072 = phi_6364_;
+                                    let _e2072 = phi_6909_;
                                     if (_e2072 > _e2068) {
                                         if (_e2032 < f64(0f)) {
-                                            phi_6376_ = f64(-1f);
+                                            phi_6921_ = f64(-1f);
                                         } else {
-                                            phi_6376_ = f64(1f);
+                                            phi_6921_ = f64(1f);
                                         }
-                                        let _e2079 = phi_6376_;
+                                        let _e2079 = phi_6921_;
                                         let _e2082 = local_2.member[_e2017];
                                         let _e2085 = local_4.member[_e2015];
                                         let _e2089 = local_2.member[_e2015];
@@ -4796,139 +5418,140 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2183 = (((_e2082 * _e2085) - (_e2089 * _e2092)) * _e2079);
                                         let _e2184 = (((_e2133 * _e2136) - (_e2140 * _e2143)) * _e2079);
                                         if (_e2182 < 0.0lf) {
-                                            phi_6519_ = -(_e2182);
+                                            phi_7064_ = -(_e2182);
                                         } else {
-                                            phi_6519_ = _e2182;
+                                            phi_7064_ = _e2182;
                                         }
-                                        let _e2188 = phi_6519_;
+                                        let _e2188 = phi_7064_;
                                         if (_e2183 < 0.0lf) {
-                                            phi_6525_ = -(_e2183);
+                                            phi_7070_ = -(_e2183);
                                         } else {
-                                            phi_6525_ = _e2183;
+                                            phi_7070_ = _e2183;
                                         }
-                                        let _e2192 = phi_6525_;
+                                        let _e2192 = phi_7070_;
                                         if (_e2184 < 0.0lf) {
-                                            phi_6532_ = -(_e2184);
+                                            phi_7077_ = -(_e2184);
                                         } else {
-                                            phi_6532_ = _e2184;
+                                            phi_7077_ = _e2184;
                                         }
-                                        let _e2197 = phi_6532_;
+                                        let _e2197 = phi_7077_;
                                         let _e2203 = ((_e2182 - _e2183) - _e2184);
                                         let _e2206 = (((_e2068 + _e2130) + _e2181) + (((_e2188 + _e2192) + _e2197) * (1.1102230246251565e-16lf * f64(4f))));
                                         local_5 = array<type_36, 4>(type_36(_e2183, _e2130), type_36(_e2184, _e2181), type_36(_e2203, _e2206), type_36(_e2203, _e2206));
-                                        phi_6588_ = type_9(0u, 4u);
-                                        phi_6591_ = true;
+                                        phi_7133_ = type_9(0u, 4u);
+                                        phi_7136_ = true;
                                         loop {
-                                            let _e2213 = phi_6588_;
-                                            let _e2215 = phi_6591_;
+                                            let _e2213 = phi_7133_;
+                                            let _e2215 = phi_7136_;
                                             local_17 = _e2215;
                                             if (_e2213.member < _e2213.member_1) {
-                                                phi_6589_ = type_9((_e2213.member + 1u), _e2213.member_1);
-                                                phi_6614_ = type_9(1u, _e2213.member);
+                                                phi_7134_ = type_9((_e2213.member + 1u), _e2213.member_1);
+                                                phi_7159_ = type_9(1u, _e2213.member);
                                             } else {
-                                                phi_6589_ = _e2213;
-                                                phi_6614_ = type_9(0u, type_9().member_1);
+                                                phi_7134_ = _e2213;
+                                                phi_7159_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2227 = phi_6589_;
-                                            let _e2229 = phi_6614_;
+                                            let _e2227 = phi_7134_;
+                                            let _e2229 = phi_7159_;
                                             if (bitcast<i32>(_e2229.member) != 0i) {
                                                 let _e2236 = local_5[_e2229.member_1].member;
                                                 let _e2239 = local_5[_e2229.member_1].member_1;
                                                 let _e2241 = (_e2236 < -(_e2239));
                                                 if _e2241 {
-                                                    phi_6641_ = bool();
-                                                    phi_6642_ = false;
+                                                    phi_7186_ = bool();
+                                                    phi_7187_ = false;
                                                 } else {
-                                                    phi_6641_ = (_e2215 && (_e2236 > _e2239));
-                                                    phi_6642_ = true;
+                                                    phi_7186_ = (_e2215 && (_e2236 > _e2239));
+                                                    phi_7187_ = true;
                                                 }
-                                                let _e2245 = phi_6641_;
-                                                let _e2247 = phi_6642_;
-                                                phi_6592_ = _e2245;
-                                                phi_6643_ = _e2247;
-                                                phi_6644_ = _e2241;
+                                                let _e2245 = phi_7186_;
+                                                let _e2247 = phi_7187_;
+                                                phi_7137_ = _e2245;
+                                                phi_7188_ = _e2247;
+                                                phi_7189_ = _e2241;
                                             } else {
-                                                phi_6592_ = bool();
-                                                phi_6643_ = false;
-                                                phi_6644_ = false;
+                                                phi_7137_ = bool();
+                                                phi_7188_ = false;
+                                                phi_7189_ = false;
                                             }
-                                            let _e2249 = phi_6592_;
-                                            let _e2251 = phi_6643_;
-                                            let _e2253 = phi_6644_;
+                                            let _e2249 = phi_7137_;
+                                            let _e2251 = phi_7188_;
+                                            let _e2253 = phi_7189_;
                                             local_16 = _e2253;
                                             continue;
                                             continuing {
-                                                phi_6588_ = _e2227;
-                                                phi_6591_ = _e2249;
+                                                phi_7133_ = _e2227;
+                                                phi_7136_ = _e2249;
                                                 break if !(_e2251);
                                             }
                                         }
                                         let _e2256 = local_16;
                                         if _e2256 {
-                                            phi_6648_ = false;
+                                            phi_7193_ = false;
                                         } else {
-                                            phi_6648_ = true;
+                                            phi_7193_ = true;
                                         }
-                                        let _e2258 = phi_6648_;
+                                        let _e2258 = phi_7193_;
                                         if _e2258 {
                                             let _e2260 = local_17;
                                             if _e2260 {
-                                                phi_6655_ = 1u;
+                                                phi_7200_ = 1u;
                                             } else {
-                                                phi_6655_ = 2u;
+                                                phi_7200_ = 2u;
                                             }
-                                            let _e2262 = phi_6655_;
-                                            phi_6656_ = _e2262;
-                                            phi_6657_ = false;
+                                            let _e2262 = phi_7200_;
+                                            phi_7201_ = _e2262;
+                                            phi_7202_ = false;
                                         } else {
-                                            phi_6656_ = u32();
-                                            phi_6657_ = true;
+                                            phi_7201_ = u32();
+                                            phi_7202_ = true;
                                         }
-                                        let _e2264 = phi_6656_;
-                                        let _e2266 = phi_6657_;
-                                        phi_6658_ = _e2264;
-                                        phi_6659_ = 0u;
-                                        phi_6660_ = _e2266;
+                                        let _e2264 = phi_7201_;
+                                        let _e2266 = phi_7202_;
+                                        phi_7203_ = _e2264;
+                                        phi_7204_ = 0u;
+                                        phi_7205_ = _e2266;
                                     } else {
-                                        phi_6658_ = u32();
-                                        phi_6659_ = 2u;
-                                        phi_6660_ = true;
+                                        phi_7203_ = u32();
+                                        phi_7204_ = 2u;
+                                        phi_7205_ = true;
                                     }
-                                    let _e2268 = phi_6658_;
-                                    let _e2270 = phi_6659_;
-                                    let _e2272 = phi_6660_;
+                                    let _e2268 = phi_7203_;
+                                    let _e2270 = phi_7204_;
+                                    let _e2272 = phi_7205_;
                                     if _e2272 {
-                                        phi_6664_ = _e2270;
+                                        phi_7209_ = _e2270;
                                     } else {
-                                        phi_6664_ = _e2268;
+                                        phi_7209_ = _e2268;
                                     }
-                                    let _e2274 = phi_6664_;
+                                    let _e2274 = phi_7209_;
                                     let _e2275 = (_e2274 == 0u);
                                     if _e2275 {
-                                        phi_8876_ = f64();
-                                        phi_8877_ = false;
-                                        phi_8878_ = false;
-                                        phi_8879_ = false;
+                                        phi_9967_ = f64();
+                                        phi_9968_ = false;
+                                        phi_9969_ = false;
+                                        phi_9970_ = false;
                                     } else {
                                         if (_e2274 == 1u) {
                                             if _e1551.member_2 {
                                                 if ((_e1551.member_1 - _e1551.member) <= f64(0.0000005f)) {
-                                                    phi_6685_ = false;
+                                                    phi_7230_ = false;
                                                 } else {
-                                                    phi_6685_ = true;
+                                                    phi_7230_ = true;
                                                 }
-                                                let _e2284 = phi_6685_;
-                                                phi_6686_ = _e2284;
+                                                let _e2284 = phi_7230_;
+                                                phi_7231_ = _e2284;
                                             } else {
-                                                phi_6686_ = true;
+                                                phi_7231_ = true;
                                             }
-                                            let _e2286 = phi_6686_;
-                                            phi_6687_ = _e2286;
+                                            let _e2286 = phi_7231_;
+                                            phi_7232_ = _e2286;
                                         } else {
-                                            phi_6687_ = true;
+                                            phi_7232_ = true;
                                         }
-                                        let _e2288 = phi_6687_;
+                                        let _e2288 = phi_7232_;
                                         if _e2288 {
+                                            let _e2291 = f64(0f);
                                             let _e2294 = local_12.member[0u];
                                             let _e2300 = local_12.member_1[0u];
                                             let _e2306 = local_12.member_2[0u];
@@ -4937,1472 +5560,1914 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2330 = local_12.member_2[1u];
                                             let _e2342 = local_12.member[0u];
                                             if (_e2342[0] < 0.0lf) {
-                                                phi_6836_ = -(_e2342[0]);
+                                                phi_7381_ = -(_e2342[0]);
                                             } else {
-                                                phi_6836_ = _e2342[0];
+                                                phi_7381_ = _e2342[0];
                                             }
-                                            let _e2349 = phi_6836_;
+                                            let _e2349 = phi_7381_;
                                             if (_e2342[1] < 0.0lf) {
-                                                phi_6843_ = -(_e2342[1]);
+                                                phi_7388_ = -(_e2342[1]);
                                             } else {
-                                                phi_6843_ = _e2342[1];
+                                                phi_7388_ = _e2342[1];
                                             }
-                                            let _e2353 = phi_6843_;
+                                            let _e2353 = phi_7388_;
                                             if (_e2349 > _e2353) {
-                                                phi_6848_ = _e2349;
+                                                phi_7393_ = _e2349;
                                             } else {
-                                                phi_6848_ = _e2353;
+                                                phi_7393_ = _e2353;
                                             }
-                                            let _e2356 = phi_6848_;
+                                            let _e2356 = phi_7393_;
                                             if (_e2342[2] < 0.0lf) {
-                                                phi_6855_ = -(_e2342[2]);
+                                                phi_7400_ = -(_e2342[2]);
                                             } else {
-                                                phi_6855_ = _e2342[2];
+                                                phi_7400_ = _e2342[2];
                                             }
-                                            let _e2360 = phi_6855_;
+                                            let _e2360 = phi_7400_;
                                             if (_e2356 > _e2360) {
-                                                phi_6860_ = _e2356;
+                                                phi_7405_ = _e2356;
                                             } else {
-                                                phi_6860_ = _e2360;
+                                                phi_7405_ = _e2360;
                                             }
-                                            let _e2363 = phi_6860_;
+                                            let _e2363 = phi_7405_;
                                             let _e2366 = local_12.member[1u];
                                             if (_e2366[0] < 0.0lf) {
-                                                phi_6873_ = -(_e2366[0]);
+                                                phi_7418_ = -(_e2366[0]);
                                             } else {
-                                                phi_6873_ = _e2366[0];
+                                                phi_7418_ = _e2366[0];
                                             }
-                                            let _e2373 = phi_6873_;
+                                            let _e2373 = phi_7418_;
                                             if (_e2366[1] < 0.0lf) {
-                                                phi_6880_ = -(_e2366[1]);
+                                                phi_7425_ = -(_e2366[1]);
                                             } else {
-                                                phi_6880_ = _e2366[1];
+                                                phi_7425_ = _e2366[1];
                                             }
-                                            let _e2377 = phi_6880_;
+                                            let _e2377 = phi_7425_;
                                             if (_e2373 > _e2377) {
-                                                phi_6885_ = _e2373;
+                                                phi_7430_ = _e2373;
                                             } else {
-                                                phi_6885_ = _e2377;
+                                                phi_7430_ = _e2377;
                                             }
-                                            let _e2380 = phi_6885_;
+                                            let _e2380 = phi_7430_;
                                             if (_e2366[2] < 0.0lf) {
-                                                phi_6892_ = -(_e2366[2]);
+                                                phi_7437_ = -(_e2366[2]);
                                             } else {
-                                                phi_6892_ = _e2366[2];
+                                                phi_7437_ = _e2366[2];
                                             }
-                                            let _e2384 = phi_6892_;
+                                            let _e2384 = phi_7437_;
                                             if (_e2380 > _e2384) {
-                                                phi_6897_ = _e2380;
+                                                phi_7442_ = _e2380;
                                             } else {
-                                                phi_6897_ = _e2384;
+                                                phi_7442_ = _e2384;
                                             }
-                                            let _e2387 = phi_6897_;
+                                            let _e2387 = phi_7442_;
                                             if (_e2363 > _e2387) {
-                                                phi_6902_ = _e2363;
+                                                phi_7447_ = _e2363;
                                             } else {
-                                                phi_6902_ = _e2387;
+                                                phi_7447_ = _e2387;
                                             }
-                                            let _e2390 = phi_6902_;
+                                            let _e2390 = phi_7447_;
                                             let _e2392 = local_12.member_3;
                                             let _e2396 = local_12.member_1[0u];
                                             if (_e2396[0] < 0.0lf) {
-                                                phi_6919_ = -(_e2396[0]);
+                                                phi_7464_ = -(_e2396[0]);
                                             } else {
-                                                phi_6919_ = _e2396[0];
+                                                phi_7464_ = _e2396[0];
                                             }
-                                            let _e2403 = phi_6919_;
+                                            let _e2403 = phi_7464_;
                                             if (_e2396[1] < 0.0lf) {
-                                                phi_6926_ = -(_e2396[1]);
+                                                phi_7471_ = -(_e2396[1]);
                                             } else {
-                                                phi_6926_ = _e2396[1];
+                                                phi_7471_ = _e2396[1];
                                             }
-                                            let _e2407 = phi_6926_;
+                                            let _e2407 = phi_7471_;
                                             if (_e2403 > _e2407) {
-                                                phi_6931_ = _e2403;
+                                                phi_7476_ = _e2403;
                                             } else {
-                                                phi_6931_ = _e2407;
+                                                phi_7476_ = _e2407;
                                             }
-                                            let _e2410 = phi_6931_;
+                                            let _e2410 = phi_7476_;
                                             if (_e2396[2] < 0.0lf) {
-                                                phi_6938_ = -(_e2396[2]);
+                                                phi_7483_ = -(_e2396[2]);
                                             } else {
-                                                phi_6938_ = _e2396[2];
+                                                phi_7483_ = _e2396[2];
                                             }
-                                            let _e2414 = phi_6938_;
+                                            let _e2414 = phi_7483_;
                                             if (_e2410 > _e2414) {
-                                                phi_6943_ = _e2410;
+                                                phi_7488_ = _e2410;
                                             } else {
-                                                phi_6943_ = _e2414;
+                                                phi_7488_ = _e2414;
                                             }
-                                            let _e2417 = phi_6943_;
+                                            let _e2417 = phi_7488_;
                                             let _e2420 = local_12.member_1[1u];
                                             if (_e2420[0] < 0.0lf) {
-                                                phi_6957_ = -(_e2420[0]);
+                                                phi_7502_ = -(_e2420[0]);
                                             } else {
-                                                phi_6957_ = _e2420[0];
+                                                phi_7502_ = _e2420[0];
                                             }
-                                            let _e2427 = phi_6957_;
+                                            let _e2427 = phi_7502_;
                                             if (_e2420[1] < 0.0lf) {
-                                                phi_6964_ = -(_e2420[1]);
+                                                phi_7509_ = -(_e2420[1]);
                                             } else {
-                                                phi_6964_ = _e2420[1];
+                                                phi_7509_ = _e2420[1];
                                             }
-                                            let _e2431 = phi_6964_;
+                                            let _e2431 = phi_7509_;
                                             if (_e2427 > _e2431) {
-                                                phi_6969_ = _e2427;
+                                                phi_7514_ = _e2427;
                                             } else {
-                                                phi_6969_ = _e2431;
+                                                phi_7514_ = _e2431;
                                             }
-                                            let _e2434 = phi_6969_;
+                                            let _e2434 = phi_7514_;
                                             if (_e2420[2] < 0.0lf) {
-                                                phi_6976_ = -(_e2420[2]);
+                                                phi_7521_ = -(_e2420[2]);
                                             } else {
-                                                phi_6976_ = _e2420[2];
+                                                phi_7521_ = _e2420[2];
                                             }
-                                            let _e2438 = phi_6976_;
+                                            let _e2438 = phi_7521_;
                                             if (_e2434 > _e2438) {
-                                                phi_6981_ = _e2434;
+                                                phi_7526_ = _e2434;
                                             } else {
-                                                phi_6981_ = _e2438;
+                                                phi_7526_ = _e2438;
                                             }
-                                            let _e2441 = phi_6981_;
+                                            let _e2441 = phi_7526_;
                                             if (_e2417 > _e2441) {
-                                                phi_6986_ = _e2417;
+                                                phi_7531_ = _e2417;
                                             } else {
-                                                phi_6986_ = _e2441;
+                                                phi_7531_ = _e2441;
                                             }
-                                            let _e2444 = phi_6986_;
+                                            let _e2444 = phi_7531_;
                                             let _e2446 = local_12.member_3;
                                             let _e2450 = local_12.member_2[0u];
                                             if (_e2450[0] < 0.0lf) {
-                                                phi_7003_ = -(_e2450[0]);
+                                                phi_7548_ = -(_e2450[0]);
                                             } else {
-                                                phi_7003_ = _e2450[0];
+                                                phi_7548_ = _e2450[0];
                                             }
-                                            let _e2457 = phi_7003_;
+                                            let _e2457 = phi_7548_;
                                             if (_e2450[1] < 0.0lf) {
-                                                phi_7010_ = -(_e2450[1]);
+                                                phi_7555_ = -(_e2450[1]);
                                             } else {
-                                                phi_7010_ = _e2450[1];
+                                                phi_7555_ = _e2450[1];
                                             }
-                                            let _e2461 = phi_7010_;
+                                            let _e2461 = phi_7555_;
                                             if (_e2457 > _e2461) {
-                                                phi_7015_ = _e2457;
+                                                phi_7560_ = _e2457;
                                             } else {
-                                                phi_7015_ = _e2461;
+                                                phi_7560_ = _e2461;
                                             }
-                                            let _e2464 = phi_7015_;
+                                            let _e2464 = phi_7560_;
                                             if (_e2450[2] < 0.0lf) {
-                                                phi_7022_ = -(_e2450[2]);
+                                                phi_7567_ = -(_e2450[2]);
                                             } else {
-                                                phi_7022_ = _e2450[2];
+                                                phi_7567_ = _e2450[2];
                                             }
-                                            let _e2468 = phi_7022_;
+                                            let _e2468 = phi_7567_;
                                             if (_e2464 > _e2468) {
-                                                phi_7027_ = _e2464;
+                                                phi_7572_ = _e2464;
                                             } else {
-                                                phi_7027_ = _e2468;
+                                                phi_7572_ = _e2468;
                                             }
-                                            let _e2471 = phi_7027_;
+                                            let _e2471 = phi_7572_;
                                             let _e2474 = local_12.member_2[1u];
                                             if (_e2474[0] < 0.0lf) {
-                                                phi_7041_ = -(_e2474[0]);
+                                                phi_7586_ = -(_e2474[0]);
                                             } else {
-                                                phi_7041_ = _e2474[0];
+                                                phi_7586_ = _e2474[0];
                                             }
-                                            let _e2481 = phi_7041_;
+                                            let _e2481 = phi_7586_;
                                             if (_e2474[1] < 0.0lf) {
-                                                phi_7048_ = -(_e2474[1]);
+                                                phi_7593_ = -(_e2474[1]);
                                             } else {
-                                                phi_7048_ = _e2474[1];
+                                                phi_7593_ = _e2474[1];
                                             }
-                                            let _e2485 = phi_7048_;
+                                            let _e2485 = phi_7593_;
                                             if (_e2481 > _e2485) {
-                                                phi_7053_ = _e2481;
+                                                phi_7598_ = _e2481;
                                             } else {
-                                                phi_7053_ = _e2485;
+                                                phi_7598_ = _e2485;
                                             }
-                                            let _e2488 = phi_7053_;
+                                            let _e2488 = phi_7598_;
                                             if (_e2474[2] < 0.0lf) {
-                                                phi_7060_ = -(_e2474[2]);
+                                                phi_7605_ = -(_e2474[2]);
                                             } else {
-                                                phi_7060_ = _e2474[2];
+                                                phi_7605_ = _e2474[2];
                                             }
-                                            let _e2492 = phi_7060_;
+                                            let _e2492 = phi_7605_;
                                             if (_e2488 > _e2492) {
-                                                phi_7065_ = _e2488;
+                                                phi_7610_ = _e2488;
                                             } else {
-                                                phi_7065_ = _e2492;
+                                                phi_7610_ = _e2492;
                                             }
-                                            let _e2495 = phi_7065_;
+                                            let _e2495 = phi_7610_;
                                             if (_e2471 > _e2495) {
-                                                phi_7070_ = _e2471;
+                                                phi_7615_ = _e2471;
                                             } else {
-                                                phi_7070_ = _e2495;
+                                                phi_7615_ = _e2495;
                                             }
-                                            let _e2498 = phi_7070_;
+                                            let _e2498 = phi_7615_;
                                             let _e2500 = local_12.member_3;
                                             let _e2508 = local_12.member_3;
                                             let _e2515 = f64(0f);
                                             let _e2516 = f64(1f);
                                             local = type_34(array<f64, 4>(_e2515, _e2515, _e2515, _e2515), array<f64, 4>(_e2515, _e2515, _e2515, _e2515), array<f64, 4>(_e2516, _e2516, _e2516, _e2516));
-                                            phi_7114_ = type_9(0u, 96u);
-                                            phi_7117_ = _e1551.member;
-                                            phi_7119_ = _e1551.member;
-                                            phi_7121_ = _e1551.member;
-                                            phi_7123_ = false;
-                                            phi_7125_ = 0u;
+                                            phi_7660_ = type_9(0u, 96u);
+                                            phi_7663_ = _e1551.member;
+                                            phi_7665_ = _e1551.member;
+                                            phi_7667_ = (_e1551.member_1 - _e1551.member);
+                                            phi_7669_ = _e1551.member;
+                                            phi_7671_ = false;
+                                            phi_7673_ = 0u;
                                             loop {
-                                                let _e2522 = phi_7114_;
-                                                let _e2524 = phi_7117_;
-                                                let _e2526 = phi_7119_;
-                                                let _e2528 = phi_7121_;
-                                                let _e2530 = phi_7123_;
-                                                let _e2532 = phi_7125_;
-                                                local_36 = _e2526;
-                                                local_20 = _e2524;
-                                                if (_e2522.member < _e2522.member_1) {
-                                                    phi_7115_ = type_9((_e2522.member + 1u), _e2522.member_1);
-                                                    phi_7148_ = type_9(1u, _e2522.member);
+                                                let _e2523 = phi_7660_;
+                                                let _e2525 = phi_7663_;
+                                                let _e2527 = phi_7665_;
+                                                let _e2529 = phi_7667_;
+                                                let _e2531 = phi_7669_;
+                                                let _e2533 = phi_7671_;
+                                                let _e2535 = phi_7673_;
+                                                local_21 = _e2525;
+                                                local_45 = _e2527;
+                                                if (_e2523.member < _e2523.member_1) {
+                                                    phi_7661_ = type_9((_e2523.member + 1u), _e2523.member_1);
+                                                    phi_7696_ = type_9(1u, _e2523.member);
                                                 } else {
-                                                    phi_7115_ = _e2522;
-                                                    phi_7148_ = type_9(0u, type_9().member_1);
+                                                    phi_7661_ = _e2523;
+                                                    phi_7696_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2544 = phi_7115_;
-                                                let _e2546 = phi_7148_;
-                                                if (bitcast<i32>(_e2546.member) != 0i) {
-                                                    let _e2552 = local_12.member[0u];
-                                                    let _e2558 = local_12.member[1u];
-                                                    let _e2574 = local_12.member_1[0u];
-                                                    let _e2580 = local_12.member_1[1u];
-                                                    let _e2596 = local_12.member_2[0u];
-                                                    let _e2602 = local_12.member_2[1u];
-                                                    let _e2616 = function_2(array<f64, 3>((_e2552[0] + ((_e2558[0] - _e2552[0]) * _e2524)), (_e2552[1] + ((_e2558[1] - _e2552[1]) * _e2524)), (_e2552[2] + ((_e2558[2] - _e2552[2]) * _e2524))), array<f64, 3>((_e2574[0] + ((_e2580[0] - _e2574[0]) * _e2524)), (_e2574[1] + ((_e2580[1] - _e2574[1]) * _e2524)), (_e2574[2] + ((_e2580[2] - _e2574[2]) * _e2524))), array<f64, 3>((_e2596[0] + ((_e2602[0] - _e2596[0]) * _e2524)), (_e2596[1] + ((_e2602[1] - _e2596[1]) * _e2524)), (_e2596[2] + ((_e2602[2] - _e2596[2]) * _e2524))), 0u);
-                                                    if (_e2532 == 0u) {
-                                                        phi_7277_ = _e2616;
+                                                let _e2547 = phi_7661_;
+                                                let _e2549 = phi_7696_;
+                                                if (bitcast<i32>(_e2549.member) != 0i) {
+                                                    let _e2555 = local_12.member[0u];
+                                                    let _e2561 = local_12.member[1u];
+                                                    let _e2577 = local_12.member_1[0u];
+                                                    let _e2583 = local_12.member_1[1u];
+                                                    let _e2599 = local_12.member_2[0u];
+                                                    let _e2605 = local_12.member_2[1u];
+                                                    let _e2619 = function_2(array<f64, 3>((_e2555[0] + ((_e2561[0] - _e2555[0]) * _e2525)), (_e2555[1] + ((_e2561[1] - _e2555[1]) * _e2525)), (_e2555[2] + ((_e2561[2] - _e2555[2]) * _e2525))), array<f64, 3>((_e2577[0] + ((_e2583[0] - _e2577[0]) * _e2525)), (_e2577[1] + ((_e2583[1] - _e2577[1]) * _e2525)), (_e2577[2] + ((_e2583[2] - _e2577[2]) * _e2525))), array<f64, 3>((_e2599[0] + ((_e2605[0] - _e2599[0]) * _e2525)), (_e2599[1] + ((_e2605[1] - _e2599[1]) * _e2525)), (_e2599[2] + ((_e2605[2] - _e2599[2]) * _e2525))), 0u);
+                                                    if (_e2535 == 0u) {
+                                                        phi_7825_ = _e2619;
                                                     } else {
-                                                        let _e2618 = f64(0f);
-                                                        if (_e2532 == 1u) {
-                                                            phi_7263_ = _e2616[0];
+                                                        let _e2621 = f64(0f);
+                                                        if (_e2535 == 1u) {
+                                                            phi_7811_ = _e2619[0];
                                                         } else {
-                                                            phi_7263_ = _e2618;
+                                                            phi_7811_ = _e2621;
                                                         }
-                                                        let _e2622 = phi_7263_;
-                                                        if (_e2532 == 2u) {
-                                                            phi_7269_ = _e2616[1];
+                                                        let _e2625 = phi_7811_;
+                                                        if (_e2535 == 2u) {
+                                                            phi_7817_ = _e2619[1];
                                                         } else {
-                                                            phi_7269_ = _e2618;
+                                                            phi_7817_ = _e2621;
                                                         }
-                                                        let _e2626 = phi_7269_;
-                                                        if (_e2532 == 3u) {
-                                                            phi_7275_ = _e2616[2];
+                                                        let _e2629 = phi_7817_;
+                                                        if (_e2535 == 3u) {
+                                                            phi_7823_ = _e2619[2];
                                                         } else {
-                                                            phi_7275_ = _e2618;
+                                                            phi_7823_ = _e2621;
                                                         }
-                                                        let _e2630 = phi_7275_;
-                                                        phi_7277_ = array<f64, 3>(_e2622, _e2626, _e2630);
+                                                        let _e2633 = phi_7823_;
+                                                        phi_7825_ = array<f64, 3>(_e2625, _e2629, _e2633);
                                                     }
-                                                    let _e2633 = phi_7277_;
-                                                    if (_e2633[0] < 0.0lf) {
-                                                        phi_7284_ = -(_e2633[0]);
+                                                    let _e2636 = phi_7825_;
+                                                    if (_e2636[0] < 0.0lf) {
+                                                        phi_7832_ = -(_e2636[0]);
                                                     } else {
-                                                        phi_7284_ = _e2633[0];
+                                                        phi_7832_ = _e2636[0];
                                                     }
-                                                    let _e2638 = phi_7284_;
-                                                    if (_e2633[1] < 0.0lf) {
-                                                        phi_7291_ = -(_e2633[1]);
+                                                    let _e2641 = phi_7832_;
+                                                    if (_e2636[1] < 0.0lf) {
+                                                        phi_7839_ = -(_e2636[1]);
                                                     } else {
-                                                        phi_7291_ = _e2633[1];
+                                                        phi_7839_ = _e2636[1];
                                                     }
-                                                    let _e2643 = phi_7291_;
-                                                    if (_e2633[2] < 0.0lf) {
-                                                        phi_7299_ = -(_e2633[2]);
+                                                    let _e2646 = phi_7839_;
+                                                    if (_e2636[2] < 0.0lf) {
+                                                        phi_7847_ = -(_e2636[2]);
                                                     } else {
-                                                        phi_7299_ = _e2633[2];
+                                                        phi_7847_ = _e2636[2];
                                                     }
-                                                    let _e2649 = phi_7299_;
-                                                    let _e2650 = ((_e2638 + _e2643) + _e2649);
-                                                    if (_e2650 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2650) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2657 = (f64(1f) / _e2650);
-                                                            let _e2659 = (_e2633[0] * _e2657);
-                                                            let _e2661 = (_e2633[1] * _e2657);
-                                                            let _e2663 = (_e2633[2] * _e2657);
-                                                            let _e2668 = (((_e2659 * _e2659) + (_e2661 * _e2661)) + (_e2663 * _e2663));
-                                                            if (_e2668 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2668 > 0.0lf) {
-                                                                    phi_7338_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2652 = phi_7847_;
+                                                    let _e2653 = ((_e2641 + _e2646) + _e2652);
+                                                    if (_e2653 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2653) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2660 = (f64(1f) / _e2653);
+                                                            let _e2662 = (_e2636[0] * _e2660);
+                                                            let _e2664 = (_e2636[1] * _e2660);
+                                                            let _e2666 = (_e2636[2] * _e2660);
+                                                            let _e2671 = (((_e2662 * _e2662) + (_e2664 * _e2664)) + (_e2666 * _e2666));
+                                                            if (_e2671 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2671 > 0.0lf) {
+                                                                    phi_7886_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_7338_ = 0.0lf;
+                                                                    phi_7886_ = 0.0lf;
                                                                 }
-                                                                let _e2720 = phi_7338_;
-                                                                phi_7402_ = _e2720;
+                                                                let _e2723 = phi_7886_;
+                                                                phi_7950_ = _e2723;
                                                             } else {
-                                                                phi_7345_ = type_16(0i, 5i);
-                                                                phi_7348_ = bitcast<f64>(((bitcast<u64>(_e2668) / 2lu) + 2303426169912950784lu));
+                                                                phi_7893_ = type_16(0i, 5i);
+                                                                phi_7896_ = bitcast<f64>(((bitcast<u64>(_e2671) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2675 = phi_7345_;
-                                                                    let _e2677 = phi_7348_;
-                                                                    local_18 = _e2677;
-                                                                    if (_e2675.member < _e2675.member_1) {
-                                                                        let _e2684 = (_e2675.member + 1i);
-                                                                        if ((false == (_e2684 > _e2675.member)) != false) {
-                                                                            phi_7369_ = true;
+                                                                    let _e2678 = phi_7893_;
+                                                                    let _e2680 = phi_7896_;
+                                                                    local_18 = _e2680;
+                                                                    if (_e2678.member < _e2678.member_1) {
+                                                                        let _e2687 = (_e2678.member + 1i);
+                                                                        if ((false == (_e2687 > _e2678.member)) != false) {
+                                                                            phi_7917_ = true;
                                                                         } else {
-                                                                            phi_7369_ = false;
+                                                                            phi_7917_ = false;
                                                                         }
-                                                                        let _e2689 = phi_7369_;
-                                                                        if _e2689 {
-                                                                            phi_7375_ = type_17(0u, type_17().member_1);
+                                                                        let _e2692 = phi_7917_;
+                                                                        if _e2692 {
+                                                                            phi_7923_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_7375_ = type_17(1u, _e2684);
+                                                                            phi_7923_ = type_17(1u, _e2687);
                                                                         }
-                                                                        let _e2694 = phi_7375_;
-                                                                        phi_7346_ = type_16(_e2694.member_1, _e2675.member_1);
-                                                                        phi_7389_ = type_17(1u, _e2675.member);
+                                                                        let _e2697 = phi_7923_;
+                                                                        phi_7894_ = type_16(_e2697.member_1, _e2678.member_1);
+                                                                        phi_7937_ = type_17(1u, _e2678.member);
                                                                     } else {
-                                                                        phi_7346_ = _e2675;
-                                                                        phi_7389_ = type_17(0u, type_17().member_1);
+                                                                        phi_7894_ = _e2678;
+                                                                        phi_7937_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2700 = phi_7346_;
-                                                                    let _e2702 = phi_7389_;
-                                                                    let _e2705 = (bitcast<i32>(_e2702.member) != 0i);
-                                                                    if _e2705 {
-                                                                        phi_7349_ = (0.5lf * (_e2677 + (_e2668 / _e2677)));
+                                                                    let _e2703 = phi_7894_;
+                                                                    let _e2705 = phi_7937_;
+                                                                    let _e2708 = (bitcast<i32>(_e2705.member) != 0i);
+                                                                    if _e2708 {
+                                                                        phi_7897_ = (0.5lf * (_e2680 + (_e2671 / _e2680)));
                                                                     } else {
-                                                                        phi_7349_ = f64();
+                                                                        phi_7897_ = f64();
                                                                     }
-                                                                    let _e2710 = phi_7349_;
+                                                                    let _e2713 = phi_7897_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7345_ = _e2700;
-                                                                        phi_7348_ = _e2710;
-                                                                        break if !(_e2705);
+                                                                        phi_7893_ = _e2703;
+                                                                        phi_7896_ = _e2713;
+                                                                        break if !(_e2708);
                                                                     }
                                                                 }
-                                                                let _e2715 = local_18;
-                                                                phi_7402_ = (_e2715 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2718 = local_18;
+                                                                phi_7950_ = (_e2718 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2722 = phi_7402_;
-                                                            let _e2724 = (1.1102230246251565e-16lf * f64(12f));
-                                                            let _e2731 = ((((((((_e2390 + _e2392) + (_e2444 + _e2446)) + (_e2498 + _e2500)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2508 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2722) * (f64(1f) + _e2724)));
-                                                            let _e2736 = (((_e2659 * _e2294[0]) + (_e2661 * _e2294[1])) + (_e2663 * _e2294[2]));
-                                                            let _e2741 = (((_e2659 * (_e2294[0] - _e2300[0])) + (_e2661 * (_e2294[1] - _e2300[1]))) + (_e2663 * (_e2294[2] - _e2300[2])));
-                                                            let _e2746 = (((_e2659 * (_e2294[0] - _e2306[0])) + (_e2661 * (_e2294[1] - _e2306[1]))) + (_e2663 * (_e2294[2] - _e2306[2])));
-                                                            let _e2751 = (((_e2659 * _e2294[0]) + (_e2661 * _e2294[1])) + (_e2663 * _e2294[2]));
-                                                            let _e2757 = (((_e2659 * _e2318[0]) + (_e2661 * _e2318[1])) + (_e2663 * _e2318[2]));
-                                                            let _e2762 = (((_e2659 * (_e2318[0] - _e2324[0])) + (_e2661 * (_e2318[1] - _e2324[1]))) + (_e2663 * (_e2318[2] - _e2324[2])));
-                                                            let _e2767 = (((_e2659 * (_e2318[0] - _e2330[0])) + (_e2661 * (_e2318[1] - _e2330[1]))) + (_e2663 * (_e2318[2] - _e2330[2])));
-                                                            let _e2772 = (((_e2659 * _e2318[0]) + (_e2661 * _e2318[1])) + (_e2663 * _e2318[2]));
-                                                            if (_e2736 < 0.0lf) {
-                                                                phi_7471_ = -(_e2736);
+                                                            let _e2725 = phi_7950_;
+                                                            let _e2727 = (1.1102230246251565e-16lf * f64(12f));
+                                                            let _e2734 = ((((((((_e2390 + _e2392) + (_e2444 + _e2446)) + (_e2498 + _e2500)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2508 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e2291 * _e2725) * (f64(1f) + _e2727)));
+                                                            let _e2739 = (((_e2662 * _e2294[0]) + (_e2664 * _e2294[1])) + (_e2666 * _e2294[2]));
+                                                            let _e2744 = (((_e2662 * (_e2294[0] - _e2300[0])) + (_e2664 * (_e2294[1] - _e2300[1]))) + (_e2666 * (_e2294[2] - _e2300[2])));
+                                                            let _e2749 = (((_e2662 * (_e2294[0] - _e2306[0])) + (_e2664 * (_e2294[1] - _e2306[1]))) + (_e2666 * (_e2294[2] - _e2306[2])));
+                                                            let _e2754 = (((_e2662 * _e2294[0]) + (_e2664 * _e2294[1])) + (_e2666 * _e2294[2]));
+                                                            let _e2760 = (((_e2662 * _e2318[0]) + (_e2664 * _e2318[1])) + (_e2666 * _e2318[2]));
+                                                            let _e2765 = (((_e2662 * (_e2318[0] - _e2324[0])) + (_e2664 * (_e2318[1] - _e2324[1]))) + (_e2666 * (_e2318[2] - _e2324[2])));
+                                                            let _e2770 = (((_e2662 * (_e2318[0] - _e2330[0])) + (_e2664 * (_e2318[1] - _e2330[1]))) + (_e2666 * (_e2318[2] - _e2330[2])));
+                                                            let _e2775 = (((_e2662 * _e2318[0]) + (_e2664 * _e2318[1])) + (_e2666 * _e2318[2]));
+                                                            if (_e2739 < 0.0lf) {
+                                                                phi_8019_ = -(_e2739);
                                                             } else {
-                                                                phi_7471_ = _e2736;
+                                                                phi_8019_ = _e2739;
                                                             }
-                                                            let _e2777 = phi_7471_;
-                                                            if (_e2757 < 0.0lf) {
-                                                                phi_7477_ = -(_e2757);
+                                                            let _e2780 = phi_8019_;
+                                                            if (_e2760 < 0.0lf) {
+                                                                phi_8025_ = -(_e2760);
                                                             } else {
-                                                                phi_7477_ = _e2757;
+                                                                phi_8025_ = _e2760;
                                                             }
-                                                            let _e2781 = phi_7477_;
-                                                            if (_e2741 < 0.0lf) {
-                                                                phi_7486_ = -(_e2741);
+                                                            let _e2784 = phi_8025_;
+                                                            if (_e2744 < 0.0lf) {
+                                                                phi_8034_ = -(_e2744);
                                                             } else {
-                                                                phi_7486_ = _e2741;
+                                                                phi_8034_ = _e2744;
                                                             }
-                                                            let _e2788 = phi_7486_;
-                                                            if (_e2762 < 0.0lf) {
-                                                                phi_7492_ = -(_e2762);
+                                                            let _e2791 = phi_8034_;
+                                                            if (_e2765 < 0.0lf) {
+                                                                phi_8040_ = -(_e2765);
                                                             } else {
-                                                                phi_7492_ = _e2762;
+                                                                phi_8040_ = _e2765;
                                                             }
-                                                            let _e2792 = phi_7492_;
-                                                            if (_e2746 < 0.0lf) {
-                                                                phi_7501_ = -(_e2746);
+                                                            let _e2795 = phi_8040_;
+                                                            if (_e2749 < 0.0lf) {
+                                                                phi_8049_ = -(_e2749);
                                                             } else {
-                                                                phi_7501_ = _e2746;
+                                                                phi_8049_ = _e2749;
                                                             }
-                                                            let _e2799 = phi_7501_;
-                                                            if (_e2767 < 0.0lf) {
-                                                                phi_7507_ = -(_e2767);
+                                                            let _e2802 = phi_8049_;
+                                                            if (_e2770 < 0.0lf) {
+                                                                phi_8055_ = -(_e2770);
                                                             } else {
-                                                                phi_7507_ = _e2767;
+                                                                phi_8055_ = _e2770;
                                                             }
-                                                            let _e2803 = phi_7507_;
-                                                            if (_e2751 < 0.0lf) {
-                                                                phi_7516_ = -(_e2751);
+                                                            let _e2806 = phi_8055_;
+                                                            if (_e2754 < 0.0lf) {
+                                                                phi_8064_ = -(_e2754);
                                                             } else {
-                                                                phi_7516_ = _e2751;
+                                                                phi_8064_ = _e2754;
                                                             }
-                                                            let _e2810 = phi_7516_;
-                                                            if (_e2772 < 0.0lf) {
-                                                                phi_7522_ = -(_e2772);
+                                                            let _e2813 = phi_8064_;
+                                                            if (_e2775 < 0.0lf) {
+                                                                phi_8070_ = -(_e2775);
                                                             } else {
-                                                                phi_7522_ = _e2772;
+                                                                phi_8070_ = _e2775;
                                                             }
-                                                            let _e2814 = phi_7522_;
-                                                            phi_7528_ = type_34(array<f64, 4>(_e2736, _e2741, _e2746, _e2751), array<f64, 4>(_e2757, _e2762, _e2767, _e2772), array<f64, 4>((_e2731 + ((_e2777 + _e2781) * _e2724)), (_e2731 + ((_e2788 + _e2792) * _e2724)), (_e2731 + ((_e2799 + _e2803) * _e2724)), (_e2731 + ((_e2810 + _e2814) * _e2724))));
-                                                            phi_7529_ = false;
+                                                            let _e2817 = phi_8070_;
+                                                            phi_8076_ = type_34(array<f64, 4>(_e2739, _e2744, _e2749, _e2754), array<f64, 4>(_e2760, _e2765, _e2770, _e2775), array<f64, 4>((_e2734 + ((_e2780 + _e2784) * _e2727)), (_e2734 + ((_e2791 + _e2795) * _e2727)), (_e2734 + ((_e2802 + _e2806) * _e2727)), (_e2734 + ((_e2813 + _e2817) * _e2727))));
+                                                            phi_8077_ = false;
                                                         } else {
-                                                            phi_7528_ = type_34();
-                                                            phi_7529_ = true;
+                                                            phi_8076_ = type_34();
+                                                            phi_8077_ = true;
                                                         }
-                                                        let _e2821 = phi_7528_;
-                                                        let _e2823 = phi_7529_;
-                                                        phi_7530_ = _e2821;
-                                                        phi_7531_ = _e2823;
+                                                        let _e2824 = phi_8076_;
+                                                        let _e2826 = phi_8077_;
+                                                        phi_8078_ = _e2824;
+                                                        phi_8079_ = _e2826;
                                                     } else {
-                                                        phi_7530_ = type_34();
-                                                        phi_7531_ = true;
+                                                        phi_8078_ = type_34();
+                                                        phi_8079_ = true;
                                                     }
-                                                    let _e2825 = phi_7530_;
-                                                    let _e2827 = phi_7531_;
-                                                    if _e2827 {
-                                                        let _e2828 = f64(0f);
-                                                        let _e2829 = f64(1f);
-                                                        phi_7541_ = type_34(array<f64, 4>(_e2828, _e2828, _e2828, _e2828), array<f64, 4>(_e2828, _e2828, _e2828, _e2828), array<f64, 4>(_e2829, _e2829, _e2829, _e2829));
+                                                    let _e2828 = phi_8078_;
+                                                    let _e2830 = phi_8079_;
+                                                    if _e2830 {
+                                                        let _e2831 = f64(0f);
+                                                        let _e2832 = f64(1f);
+                                                        phi_8089_ = type_34(array<f64, 4>(_e2831, _e2831, _e2831, _e2831), array<f64, 4>(_e2831, _e2831, _e2831, _e2831), array<f64, 4>(_e2832, _e2832, _e2832, _e2832));
                                                     } else {
-                                                        phi_7541_ = _e2825;
+                                                        phi_8089_ = _e2828;
                                                     }
-                                                    let _e2835 = phi_7541_;
-                                                    local_1 = type_34(array<f64, 4>(_e2835.member[0], _e2835.member[1], _e2835.member[2], _e2835.member[3]), array<f64, 4>(_e2835.member_1[0], _e2835.member_1[1], _e2835.member_1[2], _e2835.member_1[3]), array<f64, 4>(_e2835.member_2[0], _e2835.member_2[1], _e2835.member_2[2], _e2835.member_2[3]));
-                                                    let _e2855 = (_e2524 - _e2528);
-                                                    let _e2857 = f64(0f);
-                                                    let _e2860 = local_1.member[0u];
-                                                    let _e2863 = local_1.member_1[0u];
-                                                    let _e2866 = local_1.member[0u];
-                                                    let _e2872 = local_1.member_2[0u];
-                                                    if (((_e2860 + ((_e2863 - _e2866) * _e2524)) - _e2872) > _e2857) {
-                                                        let _e2877 = local_1.member[1u];
-                                                        let _e2880 = local_1.member_1[1u];
-                                                        let _e2883 = local_1.member[1u];
-                                                        let _e2889 = local_1.member_2[1u];
-                                                        if (((_e2877 + ((_e2880 - _e2883) * _e2524)) - _e2889) > _e2857) {
-                                                            let _e2894 = local_1.member[2u];
-                                                            let _e2897 = local_1.member_1[2u];
-                                                            let _e2900 = local_1.member[2u];
-                                                            let _e2906 = local_1.member_2[2u];
-                                                            if (((_e2894 + ((_e2897 - _e2900) * _e2524)) - _e2906) > _e2857) {
-                                                                let _e2911 = local_1.member[3u];
-                                                                let _e2914 = local_1.member_1[3u];
-                                                                let _e2917 = local_1.member[3u];
-                                                                let _e2923 = local_1.member_2[3u];
-                                                                phi_7713_ = (((_e2911 + ((_e2914 - _e2917) * _e2524)) - _e2923) > _e2857);
-                                                                phi_7714_ = false;
+                                                    let _e2838 = phi_8089_;
+                                                    local_1 = type_34(array<f64, 4>(_e2838.member[0], _e2838.member[1], _e2838.member[2], _e2838.member[3]), array<f64, 4>(_e2838.member_1[0], _e2838.member_1[1], _e2838.member_1[2], _e2838.member_1[3]), array<f64, 4>(_e2838.member_2[0], _e2838.member_2[1], _e2838.member_2[2], _e2838.member_2[3]));
+                                                    let _e2858 = (_e2525 - _e2531);
+                                                    let _e2860 = f64(0f);
+                                                    let _e2863 = local_1.member[0u];
+                                                    let _e2866 = local_1.member_1[0u];
+                                                    let _e2869 = local_1.member[0u];
+                                                    let _e2875 = local_1.member_2[0u];
+                                                    if (((_e2863 + ((_e2866 - _e2869) * _e2525)) - _e2875) > _e2860) {
+                                                        let _e2880 = local_1.member[1u];
+                                                        let _e2883 = local_1.member_1[1u];
+                                                        let _e2886 = local_1.member[1u];
+                                                        let _e2892 = local_1.member_2[1u];
+                                                        if (((_e2880 + ((_e2883 - _e2886) * _e2525)) - _e2892) > _e2860) {
+                                                            let _e2897 = local_1.member[2u];
+                                                            let _e2900 = local_1.member_1[2u];
+                                                            let _e2903 = local_1.member[2u];
+                                                            let _e2909 = local_1.member_2[2u];
+                                                            if (((_e2897 + ((_e2900 - _e2903) * _e2525)) - _e2909) > _e2860) {
+                                                                let _e2914 = local_1.member[3u];
+                                                                let _e2917 = local_1.member_1[3u];
+                                                                let _e2920 = local_1.member[3u];
+                                                                let _e2926 = local_1.member_2[3u];
+                                                                phi_8261_ = (((_e2914 + ((_e2917 - _e2920) * _e2525)) - _e2926) > _e2860);
+                                                                phi_8262_ = false;
                                                             } else {
-                                                                phi_7713_ = bool();
-                                                                phi_7714_ = true;
+                                                                phi_8261_ = bool();
+                                                                phi_8262_ = true;
                                                             }
-                                                            let _e2927 = phi_7713_;
-                                                            let _e2929 = phi_7714_;
-                                                            phi_7715_ = _e2927;
-                                                            phi_7716_ = _e2929;
+                                                            let _e2930 = phi_8261_;
+                                                            let _e2932 = phi_8262_;
+                                                            phi_8263_ = _e2930;
+                                                            phi_8264_ = _e2932;
                                                         } else {
-                                                            phi_7715_ = bool();
-                                                            phi_7716_ = true;
+                                                            phi_8263_ = bool();
+                                                            phi_8264_ = true;
                                                         }
-                                                        let _e2931 = phi_7715_;
-                                                        let _e2933 = phi_7716_;
-                                                        phi_7717_ = _e2931;
-                                                        phi_7718_ = _e2933;
+                                                        let _e2934 = phi_8263_;
+                                                        let _e2936 = phi_8264_;
+                                                        phi_8265_ = _e2934;
+                                                        phi_8266_ = _e2936;
                                                     } else {
-                                                        phi_7717_ = bool();
-                                                        phi_7718_ = true;
+                                                        phi_8265_ = bool();
+                                                        phi_8266_ = true;
                                                     }
-                                                    let _e2935 = phi_7717_;
-                                                    let _e2937 = phi_7718_;
-                                                    if _e2937 {
-                                                        phi_7722_ = false;
+                                                    let _e2938 = phi_8265_;
+                                                    let _e2940 = phi_8266_;
+                                                    if _e2940 {
+                                                        phi_8270_ = false;
                                                     } else {
-                                                        phi_7722_ = _e2935;
+                                                        phi_8270_ = _e2938;
                                                     }
-                                                    let _e2939 = phi_7722_;
-                                                    if _e2939 {
-                                                        if (_e2524 <= _e2526) {
-                                                            phi_8033_ = true;
+                                                    let _e2942 = phi_8270_;
+                                                    if _e2942 {
+                                                        if (_e2525 <= _e2527) {
+                                                            phi_8581_ = true;
                                                         } else {
-                                                            let _e2941 = f64(0f);
-                                                            let _e2944 = local.member[0u];
-                                                            let _e2947 = local.member_1[0u];
-                                                            let _e2950 = local.member[0u];
-                                                            let _e2956 = local.member_2[0u];
-                                                            let _e2960 = local_1.member[0u];
-                                                            let _e2963 = local_1.member_1[0u];
-                                                            let _e2966 = local_1.member[0u];
-                                                            let _e2972 = local_1.member_2[0u];
-                                                            if ((((_e2944 + ((_e2947 - _e2950) * _e2524)) - _e2956) + ((_e2960 + ((_e2963 - _e2966) * _e2528)) - _e2972)) > _e2941) {
-                                                                let _e2978 = local.member[1u];
-                                                                let _e2981 = local.member_1[1u];
-                                                                let _e2984 = local.member[1u];
-                                                                let _e2990 = local.member_2[1u];
-                                                                let _e2994 = local_1.member[1u];
-                                                                let _e2997 = local_1.member_1[1u];
-                                                                let _e3000 = local_1.member[1u];
-                                                                let _e3006 = local_1.member_2[1u];
-                                                                if ((((_e2978 + ((_e2981 - _e2984) * _e2524)) - _e2990) + ((_e2994 + ((_e2997 - _e3000) * _e2528)) - _e3006)) > _e2941) {
-                                                                    let _e3012 = local.member[2u];
-                                                                    let _e3015 = local.member_1[2u];
-                                                                    let _e3018 = local.member[2u];
-                                                                    let _e3024 = local.member_2[2u];
-                                                                    let _e3028 = local_1.member[2u];
-                                                                    let _e3031 = local_1.member_1[2u];
-                                                                    let _e3034 = local_1.member[2u];
-                                                                    let _e3040 = local_1.member_2[2u];
-                                                                    if ((((_e3012 + ((_e3015 - _e3018) * _e2524)) - _e3024) + ((_e3028 + ((_e3031 - _e3034) * _e2528)) - _e3040)) > _e2941) {
-                                                                        let _e3046 = local.member[3u];
-                                                                        let _e3049 = local.member_1[3u];
-                                                                        let _e3052 = local.member[3u];
-                                                                        let _e3058 = local.member_2[3u];
-                                                                        let _e3062 = local_1.member[3u];
-                                                                        let _e3065 = local_1.member_1[3u];
-                                                                        let _e3068 = local_1.member[3u];
-                                                                        let _e3074 = local_1.member_2[3u];
-                                                                        phi_8020_ = ((((_e3046 + ((_e3049 - _e3052) * _e2524)) - _e3058) + ((_e3062 + ((_e3065 - _e3068) * _e2528)) - _e3074)) > _e2941);
-                                                                        phi_8021_ = false;
+                                                            let _e2944 = f64(0f);
+                                                            let _e2947 = local.member[0u];
+                                                            let _e2950 = local.member_1[0u];
+                                                            let _e2953 = local.member[0u];
+                                                            let _e2959 = local.member_2[0u];
+                                                            let _e2963 = local_1.member[0u];
+                                                            let _e2966 = local_1.member_1[0u];
+                                                            let _e2969 = local_1.member[0u];
+                                                            let _e2975 = local_1.member_2[0u];
+                                                            if ((((_e2947 + ((_e2950 - _e2953) * _e2525)) - _e2959) + ((_e2963 + ((_e2966 - _e2969) * _e2531)) - _e2975)) > _e2944) {
+                                                                let _e2981 = local.member[1u];
+                                                                let _e2984 = local.member_1[1u];
+                                                                let _e2987 = local.member[1u];
+                                                                let _e2993 = local.member_2[1u];
+                                                                let _e2997 = local_1.member[1u];
+                                                                let _e3000 = local_1.member_1[1u];
+                                                                let _e3003 = local_1.member[1u];
+                                                                let _e3009 = local_1.member_2[1u];
+                                                                if ((((_e2981 + ((_e2984 - _e2987) * _e2525)) - _e2993) + ((_e2997 + ((_e3000 - _e3003) * _e2531)) - _e3009)) > _e2944) {
+                                                                    let _e3015 = local.member[2u];
+                                                                    let _e3018 = local.member_1[2u];
+                                                                    let _e3021 = local.member[2u];
+                                                                    let _e3027 = local.member_2[2u];
+                                                                    let _e3031 = local_1.member[2u];
+                                                                    let _e3034 = local_1.member_1[2u];
+                                                                    let _e3037 = local_1.member[2u];
+                                                                    let _e3043 = local_1.member_2[2u];
+                                                                    if ((((_e3015 + ((_e3018 - _e3021) * _e2525)) - _e3027) + ((_e3031 + ((_e3034 - _e3037) * _e2531)) - _e3043)) > _e2944) {
+                                                                        let _e3049 = local.member[3u];
+                                                                        let _e3052 = local.member_1[3u];
+                                                                        let _e3055 = local.member[3u];
+                                                                        let _e3061 = local.member_2[3u];
+                                                                        let _e3065 = local_1.member[3u];
+                                                                        let _e3068 = local_1.member_1[3u];
+                                                                        let _e3071 = local_1.member[3u];
+                                                                        let _e3077 = local_1.member_2[3u];
+                                                                        phi_8568_ = ((((_e3049 + ((_e3052 - _e3055) * _e2525)) - _e3061) + ((_e3065 + ((_e3068 - _e3071) * _e2531)) - _e3077)) > _e2944);
+                                                                        phi_8569_ = false;
                                                                     } else {
-                                                                        phi_8020_ = bool();
-                                                                        phi_8021_ = true;
+                                                                        phi_8568_ = bool();
+                                                                        phi_8569_ = true;
                                                                     }
-                                                                    let _e3079 = phi_8020_;
-                                                                    let _e3081 = phi_8021_;
-                                                                    phi_8022_ = _e3079;
-                                                                    phi_8023_ = _e3081;
+                                                                    let _e3082 = phi_8568_;
+                                                                    let _e3084 = phi_8569_;
+                                                                    phi_8570_ = _e3082;
+                                                                    phi_8571_ = _e3084;
                                                                 } else {
-                                                                    phi_8022_ = bool();
-                                                                    phi_8023_ = true;
+                                                                    phi_8570_ = bool();
+                                                                    phi_8571_ = true;
                                                                 }
-                                                                let _e3083 = phi_8022_;
-                                                                let _e3085 = phi_8023_;
-                                                                phi_8024_ = _e3083;
-                                                                phi_8025_ = _e3085;
+                                                                let _e3086 = phi_8570_;
+                                                                let _e3088 = phi_8571_;
+                                                                phi_8572_ = _e3086;
+                                                                phi_8573_ = _e3088;
                                                             } else {
-                                                                phi_8024_ = bool();
-                                                                phi_8025_ = true;
+                                                                phi_8572_ = bool();
+                                                                phi_8573_ = true;
                                                             }
-                                                            let _e3087 = phi_8024_;
-                                                            let _e3089 = phi_8025_;
-                                                            if _e3089 {
-                                                                phi_8029_ = false;
+                                                            let _e3090 = phi_8572_;
+                                                            let _e3092 = phi_8573_;
+                                                            if _e3092 {
+                                                                phi_8577_ = false;
                                                             } else {
-                                                                phi_8029_ = _e3087;
+                                                                phi_8577_ = _e3090;
                                                             }
-                                                            let _e3091 = phi_8029_;
-                                                            phi_8033_ = _e3091;
+                                                            let _e3094 = phi_8577_;
+                                                            phi_8581_ = _e3094;
                                                         }
-                                                        let _e3093 = phi_8033_;
-                                                        if _e3093 {
-                                                            if _e2530 {
-                                                                if (_e2524 >= _e1551.member_1) {
-                                                                    phi_8044_ = false;
+                                                        let _e3096 = phi_8581_;
+                                                        if _e3096 {
+                                                            if _e2533 {
+                                                                if (_e2525 >= _e1551.member_1) {
+                                                                    phi_8592_ = false;
                                                                 } else {
-                                                                    phi_8044_ = true;
+                                                                    phi_8592_ = true;
                                                                 }
-                                                                let _e3096 = phi_8044_;
-                                                                phi_8045_ = _e3096;
+                                                                let _e3099 = phi_8592_;
+                                                                phi_8593_ = _e3099;
                                                             } else {
-                                                                phi_8045_ = true;
+                                                                phi_8593_ = true;
                                                             }
-                                                            let _e3098 = phi_8045_;
-                                                            if _e3098 {
-                                                                local = type_34(array<f64, 4>(_e2835.member[0], _e2835.member[1], _e2835.member[2], _e2835.member[3]), array<f64, 4>(_e2835.member_1[0], _e2835.member_1[1], _e2835.member_1[2], _e2835.member_1[3]), array<f64, 4>(_e2835.member_2[0], _e2835.member_2[1], _e2835.member_2[2], _e2835.member_2[3]));
-                                                                let _e3120 = local.member[0u];
-                                                                let _e3123 = local.member_1[0u];
-                                                                let _e3126 = local.member_2[0u];
-                                                                if (_e3120 > _e3126) {
-                                                                    if (_e3123 > _e3126) {
-                                                                        phi_8119_ = false;
+                                                            let _e3101 = phi_8593_;
+                                                            if _e3101 {
+                                                                local = type_34(array<f64, 4>(_e2838.member[0], _e2838.member[1], _e2838.member[2], _e2838.member[3]), array<f64, 4>(_e2838.member_1[0], _e2838.member_1[1], _e2838.member_1[2], _e2838.member_1[3]), array<f64, 4>(_e2838.member_2[0], _e2838.member_2[1], _e2838.member_2[2], _e2838.member_2[3]));
+                                                                let _e3123 = local.member[0u];
+                                                                let _e3126 = local.member_1[0u];
+                                                                let _e3129 = local.member_2[0u];
+                                                                if (_e3123 > _e3129) {
+                                                                    if (_e3126 > _e3129) {
+                                                                        phi_8667_ = false;
                                                                     } else {
-                                                                        phi_8119_ = true;
+                                                                        phi_8667_ = true;
                                                                     }
-                                                                    let _e3130 = phi_8119_;
-                                                                    phi_8120_ = _e3130;
+                                                                    let _e3133 = phi_8667_;
+                                                                    phi_8668_ = _e3133;
                                                                 } else {
-                                                                    phi_8120_ = true;
+                                                                    phi_8668_ = true;
                                                                 }
-                                                                let _e3132 = phi_8120_;
-                                                                if _e3132 {
-                                                                    let _e3133 = (_e3123 >= _e3120);
-                                                                    if _e3133 {
-                                                                        phi_8145_ = f64();
-                                                                        phi_8146_ = false;
+                                                                let _e3135 = phi_8668_;
+                                                                if _e3135 {
+                                                                    let _e3136 = (_e3126 >= _e3123);
+                                                                    if _e3136 {
+                                                                        phi_8693_ = f64();
+                                                                        phi_8694_ = false;
                                                                     } else {
-                                                                        if ((_e3120 - _e3123) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8143_ = (((_e3120 - _e3126) / (_e3120 - _e3123)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8144_ = false;
+                                                                        if ((_e3123 - _e3126) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8691_ = (((_e3123 - _e3129) / (_e3123 - _e3126)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8692_ = false;
                                                                         } else {
-                                                                            phi_8143_ = f64();
-                                                                            phi_8144_ = true;
+                                                                            phi_8691_ = f64();
+                                                                            phi_8692_ = true;
                                                                         }
-                                                                        let _e3147 = phi_8143_;
-                                                                        let _e3149 = phi_8144_;
-                                                                        phi_8145_ = _e3147;
-                                                                        phi_8146_ = _e3149;
+                                                                        let _e3150 = phi_8691_;
+                                                                        let _e3152 = phi_8692_;
+                                                                        phi_8693_ = _e3150;
+                                                                        phi_8694_ = _e3152;
                                                                     }
-                                                                    let _e3151 = phi_8145_;
-                                                                    let _e3153 = phi_8146_;
-                                                                    phi_8147_ = _e3151;
-                                                                    phi_8148_ = _e3133;
-                                                                    phi_8149_ = _e3153;
+                                                                    let _e3154 = phi_8693_;
+                                                                    let _e3156 = phi_8694_;
+                                                                    phi_8695_ = _e3154;
+                                                                    phi_8696_ = _e3136;
+                                                                    phi_8697_ = _e3156;
                                                                 } else {
-                                                                    phi_8147_ = f64();
-                                                                    phi_8148_ = true;
-                                                                    phi_8149_ = false;
+                                                                    phi_8695_ = f64();
+                                                                    phi_8696_ = true;
+                                                                    phi_8697_ = false;
                                                                 }
-                                                                let _e3155 = phi_8147_;
-                                                                let _e3157 = phi_8148_;
-                                                                let _e3159 = phi_8149_;
-                                                                if _e3157 {
-                                                                    phi_8154_ = f64(2f);
-                                                                    phi_8155_ = true;
+                                                                let _e3158 = phi_8695_;
+                                                                let _e3160 = phi_8696_;
+                                                                let _e3162 = phi_8697_;
+                                                                if _e3160 {
+                                                                    phi_8702_ = f64(2f);
+                                                                    phi_8703_ = true;
                                                                 } else {
-                                                                    phi_8154_ = _e2524;
-                                                                    phi_8155_ = _e3159;
+                                                                    phi_8702_ = _e2525;
+                                                                    phi_8703_ = _e3162;
                                                                 }
-                                                                let _e3162 = phi_8154_;
-                                                                let _e3164 = phi_8155_;
-                                                                if _e3164 {
-                                                                    phi_8159_ = _e3162;
+                                                                let _e3165 = phi_8702_;
+                                                                let _e3167 = phi_8703_;
+                                                                if _e3167 {
+                                                                    phi_8707_ = _e3165;
                                                                 } else {
-                                                                    phi_8159_ = _e3155;
+                                                                    phi_8707_ = _e3158;
                                                                 }
-                                                                let _e3166 = phi_8159_;
-                                                                let _e3169 = local.member[1u];
-                                                                let _e3172 = local.member_1[1u];
-                                                                let _e3175 = local.member_2[1u];
-                                                                if (_e3169 > _e3175) {
-                                                                    if (_e3172 > _e3175) {
-                                                                        phi_8191_ = false;
+                                                                let _e3169 = phi_8707_;
+                                                                let _e3172 = local.member[1u];
+                                                                let _e3175 = local.member_1[1u];
+                                                                let _e3178 = local.member_2[1u];
+                                                                if (_e3172 > _e3178) {
+                                                                    if (_e3175 > _e3178) {
+                                                                        phi_8739_ = false;
                                                                     } else {
-                                                                        phi_8191_ = true;
+                                                                        phi_8739_ = true;
                                                                     }
-                                                                    let _e3179 = phi_8191_;
-                                                                    phi_8192_ = _e3179;
+                                                                    let _e3182 = phi_8739_;
+                                                                    phi_8740_ = _e3182;
                                                                 } else {
-                                                                    phi_8192_ = true;
+                                                                    phi_8740_ = true;
                                                                 }
-                                                                let _e3181 = phi_8192_;
-                                                                if _e3181 {
-                                                                    let _e3182 = (_e3172 >= _e3169);
-                                                                    if _e3182 {
-                                                                        phi_8217_ = f64();
-                                                                        phi_8218_ = false;
+                                                                let _e3184 = phi_8740_;
+                                                                if _e3184 {
+                                                                    let _e3185 = (_e3175 >= _e3172);
+                                                                    if _e3185 {
+                                                                        phi_8765_ = f64();
+                                                                        phi_8766_ = false;
                                                                     } else {
-                                                                        if ((_e3169 - _e3172) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8215_ = (((_e3169 - _e3175) / (_e3169 - _e3172)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8216_ = false;
+                                                                        if ((_e3172 - _e3175) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8763_ = (((_e3172 - _e3178) / (_e3172 - _e3175)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8764_ = false;
                                                                         } else {
-                                                                            phi_8215_ = f64();
-                                                                            phi_8216_ = true;
+                                                                            phi_8763_ = f64();
+                                                                            phi_8764_ = true;
                                                                         }
-                                                                        let _e3196 = phi_8215_;
-                                                                        let _e3198 = phi_8216_;
-                                                                        phi_8217_ = _e3196;
-                                                                        phi_8218_ = _e3198;
+                                                                        let _e3199 = phi_8763_;
+                                                                        let _e3201 = phi_8764_;
+                                                                        phi_8765_ = _e3199;
+                                                                        phi_8766_ = _e3201;
                                                                     }
-                                                                    let _e3200 = phi_8217_;
-                                                                    let _e3202 = phi_8218_;
-                                                                    phi_8219_ = _e3200;
-                                                                    phi_8220_ = _e3182;
-                                                                    phi_8221_ = _e3202;
+                                                                    let _e3203 = phi_8765_;
+                                                                    let _e3205 = phi_8766_;
+                                                                    phi_8767_ = _e3203;
+                                                                    phi_8768_ = _e3185;
+                                                                    phi_8769_ = _e3205;
                                                                 } else {
-                                                                    phi_8219_ = f64();
-                                                                    phi_8220_ = true;
-                                                                    phi_8221_ = false;
+                                                                    phi_8767_ = f64();
+                                                                    phi_8768_ = true;
+                                                                    phi_8769_ = false;
                                                                 }
-                                                                let _e3204 = phi_8219_;
-                                                                let _e3206 = phi_8220_;
-                                                                let _e3208 = phi_8221_;
-                                                                if _e3206 {
-                                                                    phi_8226_ = f64(2f);
-                                                                    phi_8227_ = true;
+                                                                let _e3207 = phi_8767_;
+                                                                let _e3209 = phi_8768_;
+                                                                let _e3211 = phi_8769_;
+                                                                if _e3209 {
+                                                                    phi_8774_ = f64(2f);
+                                                                    phi_8775_ = true;
                                                                 } else {
-                                                                    phi_8226_ = _e2524;
-                                                                    phi_8227_ = _e3208;
+                                                                    phi_8774_ = _e2525;
+                                                                    phi_8775_ = _e3211;
                                                                 }
-                                                                let _e3211 = phi_8226_;
-                                                                let _e3213 = phi_8227_;
-                                                                if _e3213 {
-                                                                    phi_8231_ = _e3211;
+                                                                let _e3214 = phi_8774_;
+                                                                let _e3216 = phi_8775_;
+                                                                if _e3216 {
+                                                                    phi_8779_ = _e3214;
                                                                 } else {
-                                                                    phi_8231_ = _e3204;
+                                                                    phi_8779_ = _e3207;
                                                                 }
-                                                                let _e3215 = phi_8231_;
-                                                                if (_e3166 < _e3215) {
-                                                                    phi_8236_ = _e3166;
+                                                                let _e3218 = phi_8779_;
+                                                                if (_e3169 < _e3218) {
+                                                                    phi_8784_ = _e3169;
                                                                 } else {
-                                                                    phi_8236_ = _e3215;
+                                                                    phi_8784_ = _e3218;
                                                                 }
-                                                                let _e3218 = phi_8236_;
-                                                                let _e3221 = local.member[2u];
-                                                                let _e3224 = local.member_1[2u];
-                                                                let _e3227 = local.member_2[2u];
-                                                                if (_e3221 > _e3227) {
-                                                                    if (_e3224 > _e3227) {
-                                                                        phi_8268_ = false;
+                                                                let _e3221 = phi_8784_;
+                                                                let _e3224 = local.member[2u];
+                                                                let _e3227 = local.member_1[2u];
+                                                                let _e3230 = local.member_2[2u];
+                                                                if (_e3224 > _e3230) {
+                                                                    if (_e3227 > _e3230) {
+                                                                        phi_8816_ = false;
                                                                     } else {
-                                                                        phi_8268_ = true;
+                                                                        phi_8816_ = true;
                                                                     }
-                                                                    let _e3231 = phi_8268_;
-                                                                    phi_8269_ = _e3231;
+                                                                    let _e3234 = phi_8816_;
+                                                                    phi_8817_ = _e3234;
                                                                 } else {
-                                                                    phi_8269_ = true;
+                                                                    phi_8817_ = true;
                                                                 }
-                                                                let _e3233 = phi_8269_;
-                                                                if _e3233 {
-                                                                    let _e3234 = (_e3224 >= _e3221);
-                                                                    if _e3234 {
-                                                                        phi_8294_ = f64();
-                                                                        phi_8295_ = false;
+                                                                let _e3236 = phi_8817_;
+                                                                if _e3236 {
+                                                                    let _e3237 = (_e3227 >= _e3224);
+                                                                    if _e3237 {
+                                                                        phi_8842_ = f64();
+                                                                        phi_8843_ = false;
                                                                     } else {
-                                                                        if ((_e3221 - _e3224) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8292_ = (((_e3221 - _e3227) / (_e3221 - _e3224)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8293_ = false;
+                                                                        if ((_e3224 - _e3227) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8840_ = (((_e3224 - _e3230) / (_e3224 - _e3227)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8841_ = false;
                                                                         } else {
-                                                                            phi_8292_ = f64();
-                                                                            phi_8293_ = true;
+                                                                            phi_8840_ = f64();
+                                                                            phi_8841_ = true;
                                                                         }
-                                                                        let _e3248 = phi_8292_;
-                                                                        let _e3250 = phi_8293_;
-                                                                        phi_8294_ = _e3248;
-                                                                        phi_8295_ = _e3250;
+                                                                        let _e3251 = phi_8840_;
+                                                                        let _e3253 = phi_8841_;
+                                                                        phi_8842_ = _e3251;
+                                                                        phi_8843_ = _e3253;
                                                                     }
-                                                                    let _e3252 = phi_8294_;
-                                                                    let _e3254 = phi_8295_;
-                                                                    phi_8296_ = _e3252;
-                                                                    phi_8297_ = _e3234;
-                                                                    phi_8298_ = _e3254;
+                                                                    let _e3255 = phi_8842_;
+                                                                    let _e3257 = phi_8843_;
+                                                                    phi_8844_ = _e3255;
+                                                                    phi_8845_ = _e3237;
+                                                                    phi_8846_ = _e3257;
                                                                 } else {
-                                                                    phi_8296_ = f64();
-                                                                    phi_8297_ = true;
-                                                                    phi_8298_ = false;
+                                                                    phi_8844_ = f64();
+                                                                    phi_8845_ = true;
+                                                                    phi_8846_ = false;
                                                                 }
-                                                                let _e3256 = phi_8296_;
-                                                                let _e3258 = phi_8297_;
-                                                                let _e3260 = phi_8298_;
-                                                                if _e3258 {
-                                                                    phi_8303_ = f64(2f);
-                                                                    phi_8304_ = true;
+                                                                let _e3259 = phi_8844_;
+                                                                let _e3261 = phi_8845_;
+                                                                let _e3263 = phi_8846_;
+                                                                if _e3261 {
+                                                                    phi_8851_ = f64(2f);
+                                                                    phi_8852_ = true;
                                                                 } else {
-                                                                    phi_8303_ = _e2524;
-                                                                    phi_8304_ = _e3260;
+                                                                    phi_8851_ = _e2525;
+                                                                    phi_8852_ = _e3263;
                                                                 }
-                                                                let _e3263 = phi_8303_;
-                                                                let _e3265 = phi_8304_;
-                                                                if _e3265 {
-                                                                    phi_8308_ = _e3263;
+                                                                let _e3266 = phi_8851_;
+                                                                let _e3268 = phi_8852_;
+                                                                if _e3268 {
+                                                                    phi_8856_ = _e3266;
                                                                 } else {
-                                                                    phi_8308_ = _e3256;
+                                                                    phi_8856_ = _e3259;
                                                                 }
-                                                                let _e3267 = phi_8308_;
-                                                                let _e3270 = local.member[3u];
-                                                                let _e3273 = local.member_1[3u];
-                                                                let _e3276 = local.member_2[3u];
-                                                                if (_e3270 > _e3276) {
-                                                                    if (_e3273 > _e3276) {
-                                                                        phi_8340_ = false;
+                                                                let _e3270 = phi_8856_;
+                                                                let _e3273 = local.member[3u];
+                                                                let _e3276 = local.member_1[3u];
+                                                                let _e3279 = local.member_2[3u];
+                                                                if (_e3273 > _e3279) {
+                                                                    if (_e3276 > _e3279) {
+                                                                        phi_8888_ = false;
                                                                     } else {
-                                                                        phi_8340_ = true;
+                                                                        phi_8888_ = true;
                                                                     }
-                                                                    let _e3280 = phi_8340_;
-                                                                    phi_8341_ = _e3280;
+                                                                    let _e3283 = phi_8888_;
+                                                                    phi_8889_ = _e3283;
                                                                 } else {
-                                                                    phi_8341_ = true;
+                                                                    phi_8889_ = true;
                                                                 }
-                                                                let _e3282 = phi_8341_;
-                                                                if _e3282 {
-                                                                    let _e3283 = (_e3273 >= _e3270);
-                                                                    if _e3283 {
-                                                                        phi_8366_ = f64();
-                                                                        phi_8367_ = false;
+                                                                let _e3285 = phi_8889_;
+                                                                if _e3285 {
+                                                                    let _e3286 = (_e3276 >= _e3273);
+                                                                    if _e3286 {
+                                                                        phi_8914_ = f64();
+                                                                        phi_8915_ = false;
                                                                     } else {
-                                                                        if ((_e3270 - _e3273) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8364_ = (((_e3270 - _e3276) / (_e3270 - _e3273)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8365_ = false;
+                                                                        if ((_e3273 - _e3276) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8912_ = (((_e3273 - _e3279) / (_e3273 - _e3276)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8913_ = false;
                                                                         } else {
-                                                                            phi_8364_ = f64();
-                                                                            phi_8365_ = true;
+                                                                            phi_8912_ = f64();
+                                                                            phi_8913_ = true;
                                                                         }
-                                                                        let _e3297 = phi_8364_;
-                                                                        let _e3299 = phi_8365_;
-                                                                        phi_8366_ = _e3297;
-                                                                        phi_8367_ = _e3299;
+                                                                        let _e3300 = phi_8912_;
+                                                                        let _e3302 = phi_8913_;
+                                                                        phi_8914_ = _e3300;
+                                                                        phi_8915_ = _e3302;
                                                                     }
-                                                                    let _e3301 = phi_8366_;
-                                                                    let _e3303 = phi_8367_;
-                                                                    phi_8368_ = _e3301;
-                                                                    phi_8369_ = _e3283;
-                                                                    phi_8370_ = _e3303;
+                                                                    let _e3304 = phi_8914_;
+                                                                    let _e3306 = phi_8915_;
+                                                                    phi_8916_ = _e3304;
+                                                                    phi_8917_ = _e3286;
+                                                                    phi_8918_ = _e3306;
                                                                 } else {
-                                                                    phi_8368_ = f64();
-                                                                    phi_8369_ = true;
-                                                                    phi_8370_ = false;
+                                                                    phi_8916_ = f64();
+                                                                    phi_8917_ = true;
+                                                                    phi_8918_ = false;
                                                                 }
-                                                                let _e3305 = phi_8368_;
-                                                                let _e3307 = phi_8369_;
-                                                                let _e3309 = phi_8370_;
-                                                                if _e3307 {
-                                                                    phi_8375_ = f64(2f);
-                                                                    phi_8376_ = true;
+                                                                let _e3308 = phi_8916_;
+                                                                let _e3310 = phi_8917_;
+                                                                let _e3312 = phi_8918_;
+                                                                if _e3310 {
+                                                                    phi_8923_ = f64(2f);
+                                                                    phi_8924_ = true;
                                                                 } else {
-                                                                    phi_8375_ = _e2524;
-                                                                    phi_8376_ = _e3309;
+                                                                    phi_8923_ = _e2525;
+                                                                    phi_8924_ = _e3312;
                                                                 }
-                                                                let _e3312 = phi_8375_;
-                                                                let _e3314 = phi_8376_;
-                                                                if _e3314 {
-                                                                    phi_8380_ = _e3312;
+                                                                let _e3315 = phi_8923_;
+                                                                let _e3317 = phi_8924_;
+                                                                if _e3317 {
+                                                                    phi_8928_ = _e3315;
                                                                 } else {
-                                                                    phi_8380_ = _e3305;
+                                                                    phi_8928_ = _e3308;
                                                                 }
-                                                                let _e3316 = phi_8380_;
-                                                                if (_e3267 < _e3316) {
-                                                                    phi_8385_ = _e3267;
+                                                                let _e3319 = phi_8928_;
+                                                                if (_e3270 < _e3319) {
+                                                                    phi_8933_ = _e3270;
                                                                 } else {
-                                                                    phi_8385_ = _e3316;
+                                                                    phi_8933_ = _e3319;
                                                                 }
-                                                                let _e3319 = phi_8385_;
-                                                                if (_e3218 < _e3319) {
-                                                                    phi_8390_ = _e3218;
+                                                                let _e3322 = phi_8933_;
+                                                                if (_e3221 < _e3322) {
+                                                                    phi_8938_ = _e3221;
                                                                 } else {
-                                                                    phi_8390_ = _e3319;
+                                                                    phi_8938_ = _e3322;
                                                                 }
-                                                                let _e3322 = phi_8390_;
-                                                                if (_e3322 > _e2524) {
-                                                                    phi_8395_ = _e3322;
+                                                                let _e3325 = phi_8938_;
+                                                                if (_e3325 > _e2525) {
+                                                                    phi_8943_ = _e3325;
                                                                 } else {
-                                                                    phi_8395_ = _e2524;
+                                                                    phi_8943_ = _e2525;
                                                                 }
-                                                                let _e3325 = phi_8395_;
-                                                                let _e3326 = (_e3325 > _e1551.member_1);
-                                                                if _e3326 {
-                                                                    phi_8406_ = f64();
-                                                                    phi_8407_ = false;
+                                                                let _e3328 = phi_8943_;
+                                                                let _e3329 = (_e3328 > _e1551.member_1);
+                                                                if _e3329 {
+                                                                    phi_9460_ = f64();
+                                                                    phi_9461_ = f64();
+                                                                    phi_9462_ = false;
+                                                                    phi_9463_ = false;
                                                                 } else {
-                                                                    if _e2530 {
-                                                                        phi_8405_ = (_e2855 + _e2855);
+                                                                    let _e3330 = (_e3328 - _e2525);
+                                                                    let _e3332 = (_e3330 <= f64(0.0000000037252903f));
+                                                                    let _e3334 = (_e3328 + f64(0.00000001f));
+                                                                    if (_e3334 < _e1551.member_1) {
+                                                                        phi_8957_ = _e3334;
                                                                     } else {
-                                                                        phi_8405_ = (_e1551.member_1 - _e2524);
+                                                                        phi_8957_ = _e1551.member_1;
                                                                     }
-                                                                    let _e3330 = phi_8405_;
-                                                                    phi_8406_ = _e3330;
-                                                                    phi_8407_ = true;
-                                                                }
-                                                                let _e3332 = phi_8406_;
-                                                                let _e3334 = phi_8407_;
-                                                                phi_8408_ = _e3325;
-                                                                phi_8409_ = _e3332;
-                                                                phi_8410_ = _e3334;
-                                                                phi_8411_ = _e3326;
-                                                                phi_8412_ = false;
-                                                            } else {
-                                                                phi_8408_ = f64();
-                                                                phi_8409_ = f64();
-                                                                phi_8410_ = false;
-                                                                phi_8411_ = false;
-                                                                phi_8412_ = true;
-                                                            }
-                                                            let _e3336 = phi_8408_;
-                                                            let _e3338 = phi_8409_;
-                                                            let _e3340 = phi_8410_;
-                                                            let _e3342 = phi_8411_;
-                                                            let _e3344 = phi_8412_;
-                                                            phi_8413_ = _e3336;
-                                                            phi_8414_ = _e3338;
-                                                            phi_8415_ = false;
-                                                            phi_8416_ = _e3340;
-                                                            phi_8417_ = _e3342;
-                                                            phi_8418_ = _e3344;
-                                                        } else {
-                                                            phi_8413_ = f64();
-                                                            phi_8414_ = f64();
-                                                            phi_8415_ = true;
-                                                            phi_8416_ = false;
-                                                            phi_8417_ = false;
-                                                            phi_8418_ = false;
-                                                        }
-                                                        let _e3346 = phi_8413_;
-                                                        let _e3348 = phi_8414_;
-                                                        let _e3350 = phi_8415_;
-                                                        let _e3352 = phi_8416_;
-                                                        let _e3354 = phi_8417_;
-                                                        let _e3356 = phi_8418_;
-                                                        phi_8419_ = _e3346;
-                                                        phi_8420_ = _e3348;
-                                                        phi_8421_ = _e3350;
-                                                        phi_8422_ = _e3352;
-                                                        phi_8423_ = _e3354;
-                                                        phi_8424_ = _e3356;
-                                                    } else {
-                                                        phi_8419_ = f64();
-                                                        phi_8420_ = f64();
-                                                        phi_8421_ = true;
-                                                        phi_8422_ = false;
-                                                        phi_8423_ = false;
-                                                        phi_8424_ = false;
-                                                    }
-                                                    let _e3358 = phi_8419_;
-                                                    let _e3360 = phi_8420_;
-                                                    let _e3362 = phi_8421_;
-                                                    let _e3364 = phi_8422_;
-                                                    let _e3366 = phi_8423_;
-                                                    let _e3368 = phi_8424_;
-                                                    if _e3362 {
-                                                        if (_e2524 <= _e2526) {
-                                                            let _e3534 = (_e2532 + 1u);
-                                                            let _e3535 = (_e3534 > 3u);
-                                                            if _e3535 {
-                                                                phi_8437_ = false;
-                                                            } else {
-                                                                phi_8437_ = true;
-                                                            }
-                                                            let _e3537 = phi_8437_;
-                                                            phi_8764_ = _e3534;
-                                                            phi_8765_ = f64();
-                                                            phi_8766_ = false;
-                                                            phi_8767_ = _e3537;
-                                                            phi_8768_ = _e3535;
-                                                        } else {
-                                                            let _e3372 = local.member[0u];
-                                                            let _e3375 = local.member_1[0u];
-                                                            let _e3378 = local.member[0u];
-                                                            let _e3384 = local.member_2[0u];
-                                                            let _e3385 = ((_e3372 + ((_e3375 - _e3378) * _e2528)) - _e3384);
-                                                            let _e3388 = local.member[1u];
-                                                            let _e3391 = local.member_1[1u];
-                                                            let _e3394 = local.member[1u];
-                                                            let _e3400 = local.member_2[1u];
-                                                            let _e3401 = ((_e3388 + ((_e3391 - _e3394) * _e2528)) - _e3400);
-                                                            if (_e3385 < _e3401) {
-                                                                phi_8510_ = _e3385;
-                                                            } else {
-                                                                phi_8510_ = _e3401;
-                                                            }
-                                                            let _e3404 = phi_8510_;
-                                                            let _e3407 = local.member[2u];
-                                                            let _e3410 = local.member_1[2u];
-                                                            let _e3413 = local.member[2u];
-                                                            let _e3419 = local.member_2[2u];
-                                                            let _e3420 = ((_e3407 + ((_e3410 - _e3413) * _e2528)) - _e3419);
-                                                            let _e3423 = local.member[3u];
-                                                            let _e3426 = local.member_1[3u];
-                                                            let _e3429 = local.member[3u];
-                                                            let _e3435 = local.member_2[3u];
-                                                            let _e3436 = ((_e3423 + ((_e3426 - _e3429) * _e2528)) - _e3435);
-                                                            if (_e3420 < _e3436) {
-                                                                phi_8583_ = _e3420;
-                                                            } else {
-                                                                phi_8583_ = _e3436;
-                                                            }
-                                                            let _e3439 = phi_8583_;
-                                                            if (_e3404 < _e3439) {
-                                                                phi_8588_ = _e3404;
-                                                            } else {
-                                                                phi_8588_ = _e3439;
-                                                            }
-                                                            let _e3442 = phi_8588_;
-                                                            let _e3445 = local_1.member[0u];
-                                                            let _e3448 = local_1.member_1[0u];
-                                                            let _e3451 = local_1.member[0u];
-                                                            let _e3457 = local_1.member_2[0u];
-                                                            let _e3458 = ((_e3445 + ((_e3448 - _e3451) * _e2524)) - _e3457);
-                                                            let _e3461 = local_1.member[1u];
-                                                            let _e3464 = local_1.member_1[1u];
-                                                            let _e3467 = local_1.member[1u];
-                                                            let _e3473 = local_1.member_2[1u];
-                                                            let _e3474 = ((_e3461 + ((_e3464 - _e3467) * _e2524)) - _e3473);
-                                                            if (_e3458 < _e3474) {
-                                                                phi_8661_ = _e3458;
-                                                            } else {
-                                                                phi_8661_ = _e3474;
-                                                            }
-                                                            let _e3477 = phi_8661_;
-                                                            let _e3480 = local_1.member[2u];
-                                                            let _e3483 = local_1.member_1[2u];
-                                                            let _e3486 = local_1.member[2u];
-                                                            let _e3492 = local_1.member_2[2u];
-                                                            let _e3493 = ((_e3480 + ((_e3483 - _e3486) * _e2524)) - _e3492);
-                                                            let _e3496 = local_1.member[3u];
-                                                            let _e3499 = local_1.member_1[3u];
-                                                            let _e3502 = local_1.member[3u];
-                                                            let _e3508 = local_1.member_2[3u];
-                                                            let _e3509 = ((_e3496 + ((_e3499 - _e3502) * _e2524)) - _e3508);
-                                                            if (_e3493 < _e3509) {
-                                                                phi_8734_ = _e3493;
-                                                            } else {
-                                                                phi_8734_ = _e3509;
-                                                            }
-                                                            let _e3512 = phi_8734_;
-                                                            if (_e3477 < _e3512) {
-                                                                phi_8739_ = _e3477;
-                                                            } else {
-                                                                phi_8739_ = _e3512;
-                                                            }
-                                                            let _e3515 = phi_8739_;
-                                                            let _e3516 = f64(0.0625f);
-                                                            let _e3518 = f64(0.9f);
-                                                            if (_e3515 > f64(0f)) {
-                                                                phi_8762_ = f64(0.5f);
-                                                            } else {
-                                                                let _e3524 = (f64(0.95f) * (_e3442 / (_e3442 - _e3515)));
-                                                                if (_e3524 > _e3516) {
-                                                                    if (_e3524 < _e3518) {
-                                                                        phi_8760_ = _e3524;
+                                                                    let _e3337 = phi_8957_;
+                                                                    if _e3332 {
+                                                                        if (_e2291 > f64(0f)) {
+                                                                            let _e3342 = local_12.member[0u];
+                                                                            let _e3348 = local_12.member[1u];
+                                                                            let _e3364 = local_12.member_1[0u];
+                                                                            let _e3370 = local_12.member_1[1u];
+                                                                            let _e3386 = local_12.member_2[0u];
+                                                                            let _e3392 = local_12.member_2[1u];
+                                                                            let _e3406 = function_2(array<f64, 3>((_e3342[0] + ((_e3348[0] - _e3342[0]) * _e3337)), (_e3342[1] + ((_e3348[1] - _e3342[1]) * _e3337)), (_e3342[2] + ((_e3348[2] - _e3342[2]) * _e3337))), array<f64, 3>((_e3364[0] + ((_e3370[0] - _e3364[0]) * _e3337)), (_e3364[1] + ((_e3370[1] - _e3364[1]) * _e3337)), (_e3364[2] + ((_e3370[2] - _e3364[2]) * _e3337))), array<f64, 3>((_e3386[0] + ((_e3392[0] - _e3386[0]) * _e3337)), (_e3386[1] + ((_e3392[1] - _e3386[1]) * _e3337)), (_e3386[2] + ((_e3392[2] - _e3386[2]) * _e3337))), 0u);
+                                                                            let _e3417 = (((_e3406[0] * _e3406[0]) + (_e3406[1] * _e3406[1])) + (_e3406[2] * _e3406[2]));
+                                                                            if (_e3417 <= 2.2250738585072014e-308lf) {
+                                                                                if (_e3417 > 0.0lf) {
+                                                                                    phi_9088_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                                } else {
+                                                                                    phi_9088_ = 0.0lf;
+                                                                                }
+                                                                                let _e3469 = phi_9088_;
+                                                                                phi_9152_ = _e3469;
+                                                                            } else {
+                                                                                phi_9095_ = type_16(0i, 5i);
+                                                                                phi_9098_ = bitcast<f64>(((bitcast<u64>(_e3417) / 2lu) + 2303426169912950784lu));
+                                                                                loop {
+                                                                                    let _e3424 = phi_9095_;
+                                                                                    let _e3426 = phi_9098_;
+                                                                                    local_19 = _e3426;
+                                                                                    if (_e3424.member < _e3424.member_1) {
+                                                                                        let _e3433 = (_e3424.member + 1i);
+                                                                                        if ((false == (_e3433 > _e3424.member)) != false) {
+                                                                                            phi_9119_ = true;
+                                                                                        } else {
+                                                                                            phi_9119_ = false;
+                                                                                        }
+                                                                                        let _e3438 = phi_9119_;
+                                                                                        if _e3438 {
+                                                                                            phi_9125_ = type_17(0u, type_17().member_1);
+                                                                                        } else {
+                                                                                            phi_9125_ = type_17(1u, _e3433);
+                                                                                        }
+                                                                                        let _e3443 = phi_9125_;
+                                                                                        phi_9096_ = type_16(_e3443.member_1, _e3424.member_1);
+                                                                                        phi_9139_ = type_17(1u, _e3424.member);
+                                                                                    } else {
+                                                                                        phi_9096_ = _e3424;
+                                                                                        phi_9139_ = type_17(0u, type_17().member_1);
+                                                                                    }
+                                                                                    let _e3449 = phi_9096_;
+                                                                                    let _e3451 = phi_9139_;
+                                                                                    let _e3454 = (bitcast<i32>(_e3451.member) != 0i);
+                                                                                    if _e3454 {
+                                                                                        phi_9099_ = (0.5lf * (_e3426 + (_e3417 / _e3426)));
+                                                                                    } else {
+                                                                                        phi_9099_ = f64();
+                                                                                    }
+                                                                                    let _e3459 = phi_9099_;
+                                                                                    continue;
+                                                                                    continuing {
+                                                                                        phi_9095_ = _e3449;
+                                                                                        phi_9098_ = _e3459;
+                                                                                        break if !(_e3454);
+                                                                                    }
+                                                                                }
+                                                                                let _e3464 = local_19;
+                                                                                phi_9152_ = (_e3464 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                            }
+                                                                            let _e3471 = phi_9152_;
+                                                                            let _e3479 = local_12.member[0u];
+                                                                            if (_e3479[0] < 0.0lf) {
+                                                                                phi_9170_ = -(_e3479[0]);
+                                                                            } else {
+                                                                                phi_9170_ = _e3479[0];
+                                                                            }
+                                                                            let _e3486 = phi_9170_;
+                                                                            if (_e3479[1] < 0.0lf) {
+                                                                                phi_9177_ = -(_e3479[1]);
+                                                                            } else {
+                                                                                phi_9177_ = _e3479[1];
+                                                                            }
+                                                                            let _e3490 = phi_9177_;
+                                                                            if (_e3486 > _e3490) {
+                                                                                phi_9182_ = _e3486;
+                                                                            } else {
+                                                                                phi_9182_ = _e3490;
+                                                                            }
+                                                                            let _e3493 = phi_9182_;
+                                                                            if (_e3479[2] < 0.0lf) {
+                                                                                phi_9189_ = -(_e3479[2]);
+                                                                            } else {
+                                                                                phi_9189_ = _e3479[2];
+                                                                            }
+                                                                            let _e3497 = phi_9189_;
+                                                                            if (_e3493 > _e3497) {
+                                                                                phi_9194_ = _e3493;
+                                                                            } else {
+                                                                                phi_9194_ = _e3497;
+                                                                            }
+                                                                            let _e3500 = phi_9194_;
+                                                                            let _e3503 = local_12.member[1u];
+                                                                            if (_e3503[0] < 0.0lf) {
+                                                                                phi_9207_ = -(_e3503[0]);
+                                                                            } else {
+                                                                                phi_9207_ = _e3503[0];
+                                                                            }
+                                                                            let _e3510 = phi_9207_;
+                                                                            if (_e3503[1] < 0.0lf) {
+                                                                                phi_9214_ = -(_e3503[1]);
+                                                                            } else {
+                                                                                phi_9214_ = _e3503[1];
+                                                                            }
+                                                                            let _e3514 = phi_9214_;
+                                                                            if (_e3510 > _e3514) {
+                                                                                phi_9219_ = _e3510;
+                                                                            } else {
+                                                                                phi_9219_ = _e3514;
+                                                                            }
+                                                                            let _e3517 = phi_9219_;
+                                                                            if (_e3503[2] < 0.0lf) {
+                                                                                phi_9226_ = -(_e3503[2]);
+                                                                            } else {
+                                                                                phi_9226_ = _e3503[2];
+                                                                            }
+                                                                            let _e3521 = phi_9226_;
+                                                                            if (_e3517 > _e3521) {
+                                                                                phi_9231_ = _e3517;
+                                                                            } else {
+                                                                                phi_9231_ = _e3521;
+                                                                            }
+                                                                            let _e3524 = phi_9231_;
+                                                                            if (_e3500 > _e3524) {
+                                                                                phi_9236_ = _e3500;
+                                                                            } else {
+                                                                                phi_9236_ = _e3524;
+                                                                            }
+                                                                            let _e3527 = phi_9236_;
+                                                                            let _e3529 = local_12.member_3;
+                                                                            let _e3533 = local_12.member_1[0u];
+                                                                            if (_e3533[0] < 0.0lf) {
+                                                                                phi_9253_ = -(_e3533[0]);
+                                                                            } else {
+                                                                                phi_9253_ = _e3533[0];
+                                                                            }
+                                                                            let _e3540 = phi_9253_;
+                                                                            if (_e3533[1] < 0.0lf) {
+                                                                                phi_9260_ = -(_e3533[1]);
+                                                                            } else {
+                                                                                phi_9260_ = _e3533[1];
+                                                                            }
+                                                                            let _e3544 = phi_9260_;
+                                                                            if (_e3540 > _e3544) {
+                                                                                phi_9265_ = _e3540;
+                                                                            } else {
+                                                                                phi_9265_ = _e3544;
+                                                                            }
+                                                                            let _e3547 = phi_9265_;
+                                                                            if (_e3533[2] < 0.0lf) {
+                                                                                phi_9272_ = -(_e3533[2]);
+                                                                            } else {
+                                                                                phi_9272_ = _e3533[2];
+                                                                            }
+                                                                            let _e3551 = phi_9272_;
+                                                                            if (_e3547 > _e3551) {
+                                                                                phi_9277_ = _e3547;
+                                                                            } else {
+                                                                                phi_9277_ = _e3551;
+                                                                            }
+                                                                            let _e3554 = phi_9277_;
+                                                                            let _e3557 = local_12.member_1[1u];
+                                                                            if (_e3557[0] < 0.0lf) {
+                                                                                phi_9291_ = -(_e3557[0]);
+                                                                            } else {
+                                                                                phi_9291_ = _e3557[0];
+                                                                            }
+                                                                            let _e3564 = phi_9291_;
+                                                                            if (_e3557[1] < 0.0lf) {
+                                                                                phi_9298_ = -(_e3557[1]);
+                                                                            } else {
+                                                                                phi_9298_ = _e3557[1];
+                                                                            }
+                                                                            let _e3568 = phi_9298_;
+                                                                            if (_e3564 > _e3568) {
+                                                                                phi_9303_ = _e3564;
+                                                                            } else {
+                                                                                phi_9303_ = _e3568;
+                                                                            }
+                                                                            let _e3571 = phi_9303_;
+                                                                            if (_e3557[2] < 0.0lf) {
+                                                                                phi_9310_ = -(_e3557[2]);
+                                                                            } else {
+                                                                                phi_9310_ = _e3557[2];
+                                                                            }
+                                                                            let _e3575 = phi_9310_;
+                                                                            if (_e3571 > _e3575) {
+                                                                                phi_9315_ = _e3571;
+                                                                            } else {
+                                                                                phi_9315_ = _e3575;
+                                                                            }
+                                                                            let _e3578 = phi_9315_;
+                                                                            if (_e3554 > _e3578) {
+                                                                                phi_9320_ = _e3554;
+                                                                            } else {
+                                                                                phi_9320_ = _e3578;
+                                                                            }
+                                                                            let _e3581 = phi_9320_;
+                                                                            let _e3583 = local_12.member_3;
+                                                                            let _e3587 = local_12.member_2[0u];
+                                                                            if (_e3587[0] < 0.0lf) {
+                                                                                phi_9337_ = -(_e3587[0]);
+                                                                            } else {
+                                                                                phi_9337_ = _e3587[0];
+                                                                            }
+                                                                            let _e3594 = phi_9337_;
+                                                                            if (_e3587[1] < 0.0lf) {
+                                                                                phi_9344_ = -(_e3587[1]);
+                                                                            } else {
+                                                                                phi_9344_ = _e3587[1];
+                                                                            }
+                                                                            let _e3598 = phi_9344_;
+                                                                            if (_e3594 > _e3598) {
+                                                                                phi_9349_ = _e3594;
+                                                                            } else {
+                                                                                phi_9349_ = _e3598;
+                                                                            }
+                                                                            let _e3601 = phi_9349_;
+                                                                            if (_e3587[2] < 0.0lf) {
+                                                                                phi_9356_ = -(_e3587[2]);
+                                                                            } else {
+                                                                                phi_9356_ = _e3587[2];
+                                                                            }
+                                                                            let _e3605 = phi_9356_;
+                                                                            if (_e3601 > _e3605) {
+                                                                                phi_9361_ = _e3601;
+                                                                            } else {
+                                                                                phi_9361_ = _e3605;
+                                                                            }
+                                                                            let _e3608 = phi_9361_;
+                                                                            let _e3611 = local_12.member_2[1u];
+                                                                            if (_e3611[0] < 0.0lf) {
+                                                                                phi_9375_ = -(_e3611[0]);
+                                                                            } else {
+                                                                                phi_9375_ = _e3611[0];
+                                                                            }
+                                                                            let _e3618 = phi_9375_;
+                                                                            if (_e3611[1] < 0.0lf) {
+                                                                                phi_9382_ = -(_e3611[1]);
+                                                                            } else {
+                                                                                phi_9382_ = _e3611[1];
+                                                                            }
+                                                                            let _e3622 = phi_9382_;
+                                                                            if (_e3618 > _e3622) {
+                                                                                phi_9387_ = _e3618;
+                                                                            } else {
+                                                                                phi_9387_ = _e3622;
+                                                                            }
+                                                                            let _e3625 = phi_9387_;
+                                                                            if (_e3611[2] < 0.0lf) {
+                                                                                phi_9394_ = -(_e3611[2]);
+                                                                            } else {
+                                                                                phi_9394_ = _e3611[2];
+                                                                            }
+                                                                            let _e3629 = phi_9394_;
+                                                                            if (_e3625 > _e3629) {
+                                                                                phi_9399_ = _e3625;
+                                                                            } else {
+                                                                                phi_9399_ = _e3629;
+                                                                            }
+                                                                            let _e3632 = phi_9399_;
+                                                                            if (_e3608 > _e3632) {
+                                                                                phi_9404_ = _e3608;
+                                                                            } else {
+                                                                                phi_9404_ = _e3632;
+                                                                            }
+                                                                            let _e3635 = phi_9404_;
+                                                                            let _e3637 = local_12.member_3;
+                                                                            let _e3645 = local_12.member_3;
+                                                                            if (((_e3471 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3527 + _e3529) + (_e3581 + _e3583)) + (_e3635 + _e3637)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3645 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e2291) {
+                                                                                phi_9428_ = false;
+                                                                            } else {
+                                                                                phi_9428_ = true;
+                                                                            }
+                                                                            let _e3657 = phi_9428_;
+                                                                            phi_9429_ = _e3657;
+                                                                        } else {
+                                                                            phi_9429_ = true;
+                                                                        }
+                                                                        let _e3659 = phi_9429_;
+                                                                        phi_9430_ = _e3659;
                                                                     } else {
-                                                                        phi_8760_ = _e3518;
+                                                                        phi_9430_ = true;
                                                                     }
-                                                                    let _e3528 = phi_8760_;
-                                                                    phi_8761_ = _e3528;
-                                                                } else {
-                                                                    phi_8761_ = _e3516;
+                                                                    let _e3661 = phi_9430_;
+                                                                    if _e3661 {
+                                                                        if _e2533 {
+                                                                            if _e3332 {
+                                                                                phi_9449_ = f64();
+                                                                                phi_9450_ = true;
+                                                                            } else {
+                                                                                if (_e3330 <= (_e2529 * f64(0.25f))) {
+                                                                                    phi_9447_ = f64(0f);
+                                                                                    phi_9448_ = false;
+                                                                                } else {
+                                                                                    phi_9447_ = f64();
+                                                                                    phi_9448_ = true;
+                                                                                }
+                                                                                let _e3668 = phi_9447_;
+                                                                                let _e3670 = phi_9448_;
+                                                                                phi_9449_ = _e3668;
+                                                                                phi_9450_ = _e3670;
+                                                                            }
+                                                                            let _e3672 = phi_9449_;
+                                                                            let _e3674 = phi_9450_;
+                                                                            if _e3674 {
+                                                                                phi_9455_ = (_e2858 + _e2858);
+                                                                            } else {
+                                                                                phi_9455_ = _e3672;
+                                                                            }
+                                                                            let _e3677 = phi_9455_;
+                                                                            phi_9457_ = _e3677;
+                                                                        } else {
+                                                                            phi_9457_ = (_e1551.member_1 - _e2525);
+                                                                        }
+                                                                        let _e3679 = phi_9457_;
+                                                                        phi_9458_ = _e3679;
+                                                                        phi_9459_ = false;
+                                                                    } else {
+                                                                        phi_9458_ = f64();
+                                                                        phi_9459_ = true;
+                                                                    }
+                                                                    let _e3681 = phi_9458_;
+                                                                    let _e3683 = phi_9459_;
+                                                                    phi_9460_ = _e3681;
+                                                                    phi_9461_ = _e3330;
+                                                                    phi_9462_ = _e3661;
+                                                                    phi_9463_ = _e3683;
                                                                 }
-                                                                let _e3530 = phi_8761_;
-                                                                phi_8762_ = _e3530;
+                                                                let _e3685 = phi_9460_;
+                                                                let _e3687 = phi_9461_;
+                                                                let _e3689 = phi_9462_;
+                                                                let _e3691 = phi_9463_;
+                                                                phi_9464_ = _e3328;
+                                                                phi_9465_ = _e3685;
+                                                                phi_9466_ = _e3687;
+                                                                phi_9467_ = _e3328;
+                                                                phi_9468_ = _e3689;
+                                                                phi_9469_ = _e3329;
+                                                                phi_9470_ = _e3691;
+                                                                phi_9471_ = false;
+                                                            } else {
+                                                                phi_9464_ = f64();
+                                                                phi_9465_ = f64();
+                                                                phi_9466_ = f64();
+                                                                phi_9467_ = f64();
+                                                                phi_9468_ = false;
+                                                                phi_9469_ = false;
+                                                                phi_9470_ = false;
+                                                                phi_9471_ = true;
                                                             }
-                                                            let _e3532 = phi_8762_;
-                                                            phi_8764_ = u32();
-                                                            phi_8765_ = (_e2855 * _e3532);
-                                                            phi_8766_ = true;
-                                                            phi_8767_ = false;
-                                                            phi_8768_ = false;
+                                                            let _e3693 = phi_9464_;
+                                                            let _e3695 = phi_9465_;
+                                                            let _e3697 = phi_9466_;
+                                                            let _e3699 = phi_9467_;
+                                                            let _e3701 = phi_9468_;
+                                                            let _e3703 = phi_9469_;
+                                                            let _e3705 = phi_9470_;
+                                                            let _e3707 = phi_9471_;
+                                                            phi_9472_ = _e3693;
+                                                            phi_9473_ = _e3695;
+                                                            phi_9474_ = _e3697;
+                                                            phi_9475_ = _e3699;
+                                                            phi_9476_ = false;
+                                                            phi_9477_ = _e3701;
+                                                            phi_9478_ = _e3703;
+                                                            phi_9479_ = _e3705;
+                                                            phi_9480_ = _e3707;
+                                                        } else {
+                                                            phi_9472_ = f64();
+                                                            phi_9473_ = f64();
+                                                            phi_9474_ = f64();
+                                                            phi_9475_ = f64();
+                                                            phi_9476_ = true;
+                                                            phi_9477_ = false;
+                                                            phi_9478_ = false;
+                                                            phi_9479_ = false;
+                                                            phi_9480_ = false;
                                                         }
-                                                        let _e3539 = phi_8764_;
-                                                        let _e3541 = phi_8765_;
-                                                        let _e3543 = phi_8766_;
-                                                        let _e3545 = phi_8767_;
-                                                        let _e3547 = phi_8768_;
-                                                        phi_8769_ = _e3539;
-                                                        phi_8770_ = _e2526;
-                                                        phi_8771_ = _e3541;
-                                                        phi_8772_ = _e2528;
-                                                        phi_8773_ = _e2530;
-                                                        phi_8774_ = _e2532;
-                                                        phi_8775_ = _e3543;
-                                                        phi_8776_ = _e3545;
-                                                        phi_8777_ = _e3547;
-                                                        phi_8778_ = false;
-                                                        phi_8779_ = false;
+                                                        let _e3709 = phi_9472_;
+                                                        let _e3711 = phi_9473_;
+                                                        let _e3713 = phi_9474_;
+                                                        let _e3715 = phi_9475_;
+                                                        let _e3717 = phi_9476_;
+                                                        let _e3719 = phi_9477_;
+                                                        let _e3721 = phi_9478_;
+                                                        let _e3723 = phi_9479_;
+                                                        let _e3725 = phi_9480_;
+                                                        phi_9481_ = _e3709;
+                                                        phi_9482_ = _e3711;
+                                                        phi_9483_ = _e3713;
+                                                        phi_9484_ = _e3715;
+                                                        phi_9485_ = _e3717;
+                                                        phi_9486_ = _e3719;
+                                                        phi_9487_ = _e3721;
+                                                        phi_9488_ = _e3723;
+                                                        phi_9489_ = _e3725;
                                                     } else {
-                                                        phi_8769_ = u32();
-                                                        phi_8770_ = _e3358;
-                                                        phi_8771_ = _e3360;
-                                                        phi_8772_ = _e2524;
-                                                        phi_8773_ = true;
-                                                        phi_8774_ = 0u;
-                                                        phi_8775_ = _e3364;
-                                                        phi_8776_ = false;
-                                                        phi_8777_ = false;
-                                                        phi_8778_ = _e3366;
-                                                        phi_8779_ = _e3368;
+                                                        phi_9481_ = f64();
+                                                        phi_9482_ = f64();
+                                                        phi_9483_ = f64();
+                                                        phi_9484_ = f64();
+                                                        phi_9485_ = true;
+                                                        phi_9486_ = false;
+                                                        phi_9487_ = false;
+                                                        phi_9488_ = false;
+                                                        phi_9489_ = false;
                                                     }
-                                                    let _e3549 = phi_8769_;
-                                                    let _e3551 = phi_8770_;
-                                                    let _e3553 = phi_8771_;
-                                                    let _e3555 = phi_8772_;
-                                                    let _e3557 = phi_8773_;
-                                                    let _e3559 = phi_8774_;
-                                                    let _e3561 = phi_8775_;
-                                                    let _e3563 = phi_8776_;
-                                                    let _e3565 = phi_8777_;
-                                                    let _e3567 = phi_8778_;
-                                                    let _e3569 = phi_8779_;
-                                                    if _e3561 {
-                                                        let _e3570 = (_e3555 + _e3553);
-                                                        if (_e3570 > _e3551) {
-                                                            phi_8788_ = _e3570;
+                                                    let _e3727 = phi_9481_;
+                                                    let _e3729 = phi_9482_;
+                                                    let _e3731 = phi_9483_;
+                                                    let _e3733 = phi_9484_;
+                                                    let _e3735 = phi_9485_;
+                                                    let _e3737 = phi_9486_;
+                                                    let _e3739 = phi_9487_;
+                                                    let _e3741 = phi_9488_;
+                                                    let _e3743 = phi_9489_;
+                                                    if _e3735 {
+                                                        if (_e2525 <= _e2527) {
+                                                            let _e3909 = (_e2535 + 1u);
+                                                            let _e3910 = (_e3909 > 3u);
+                                                            if _e3910 {
+                                                                phi_9502_ = false;
+                                                            } else {
+                                                                phi_9502_ = true;
+                                                            }
+                                                            let _e3912 = phi_9502_;
+                                                            phi_9829_ = _e3909;
+                                                            phi_9830_ = f64();
+                                                            phi_9831_ = false;
+                                                            phi_9832_ = _e3912;
+                                                            phi_9833_ = _e3910;
                                                         } else {
-                                                            phi_8788_ = _e3551;
+                                                            let _e3747 = local.member[0u];
+                                                            let _e3750 = local.member_1[0u];
+                                                            let _e3753 = local.member[0u];
+                                                            let _e3759 = local.member_2[0u];
+                                                            let _e3760 = ((_e3747 + ((_e3750 - _e3753) * _e2531)) - _e3759);
+                                                            let _e3763 = local.member[1u];
+                                                            let _e3766 = local.member_1[1u];
+                                                            let _e3769 = local.member[1u];
+                                                            let _e3775 = local.member_2[1u];
+                                                            let _e3776 = ((_e3763 + ((_e3766 - _e3769) * _e2531)) - _e3775);
+                                                            if (_e3760 < _e3776) {
+                                                                phi_9575_ = _e3760;
+                                                            } else {
+                                                                phi_9575_ = _e3776;
+                                                            }
+                                                            let _e3779 = phi_9575_;
+                                                            let _e3782 = local.member[2u];
+                                                            let _e3785 = local.member_1[2u];
+                                                            let _e3788 = local.member[2u];
+                                                            let _e3794 = local.member_2[2u];
+                                                            let _e3795 = ((_e3782 + ((_e3785 - _e3788) * _e2531)) - _e3794);
+                                                            let _e3798 = local.member[3u];
+                                                            let _e3801 = local.member_1[3u];
+                                                            let _e3804 = local.member[3u];
+                                                            let _e3810 = local.member_2[3u];
+                                                            let _e3811 = ((_e3798 + ((_e3801 - _e3804) * _e2531)) - _e3810);
+                                                            if (_e3795 < _e3811) {
+                                                                phi_9648_ = _e3795;
+                                                            } else {
+                                                                phi_9648_ = _e3811;
+                                                            }
+                                                            let _e3814 = phi_9648_;
+                                                            if (_e3779 < _e3814) {
+                                                                phi_9653_ = _e3779;
+                                                            } else {
+                                                                phi_9653_ = _e3814;
+                                                            }
+                                                            let _e3817 = phi_9653_;
+                                                            let _e3820 = local_1.member[0u];
+                                                            let _e3823 = local_1.member_1[0u];
+                                                            let _e3826 = local_1.member[0u];
+                                                            let _e3832 = local_1.member_2[0u];
+                                                            let _e3833 = ((_e3820 + ((_e3823 - _e3826) * _e2525)) - _e3832);
+                                                            let _e3836 = local_1.member[1u];
+                                                            let _e3839 = local_1.member_1[1u];
+                                                            let _e3842 = local_1.member[1u];
+                                                            let _e3848 = local_1.member_2[1u];
+                                                            let _e3849 = ((_e3836 + ((_e3839 - _e3842) * _e2525)) - _e3848);
+                                                            if (_e3833 < _e3849) {
+                                                                phi_9726_ = _e3833;
+                                                            } else {
+                                                                phi_9726_ = _e3849;
+                                                            }
+                                                            let _e3852 = phi_9726_;
+                                                            let _e3855 = local_1.member[2u];
+                                                            let _e3858 = local_1.member_1[2u];
+                                                            let _e3861 = local_1.member[2u];
+                                                            let _e3867 = local_1.member_2[2u];
+                                                            let _e3868 = ((_e3855 + ((_e3858 - _e3861) * _e2525)) - _e3867);
+                                                            let _e3871 = local_1.member[3u];
+                                                            let _e3874 = local_1.member_1[3u];
+                                                            let _e3877 = local_1.member[3u];
+                                                            let _e3883 = local_1.member_2[3u];
+                                                            let _e3884 = ((_e3871 + ((_e3874 - _e3877) * _e2525)) - _e3883);
+                                                            if (_e3868 < _e3884) {
+                                                                phi_9799_ = _e3868;
+                                                            } else {
+                                                                phi_9799_ = _e3884;
+                                                            }
+                                                            let _e3887 = phi_9799_;
+                                                            if (_e3852 < _e3887) {
+                                                                phi_9804_ = _e3852;
+                                                            } else {
+                                                                phi_9804_ = _e3887;
+                                                            }
+                                                            let _e3890 = phi_9804_;
+                                                            let _e3891 = f64(0.0625f);
+                                                            let _e3893 = f64(0.9f);
+                                                            if (_e3890 > f64(0f)) {
+                                                                phi_9827_ = f64(0.5f);
+                                                            } else {
+                                                                let _e3899 = (f64(0.95f) * (_e3817 / (_e3817 - _e3890)));
+                                                                if (_e3899 > _e3891) {
+                                                                    if (_e3899 < _e3893) {
+                                                                        phi_9825_ = _e3899;
+                                                                    } else {
+                                                                        phi_9825_ = _e3893;
+                                                                    }
+                                                                    let _e3903 = phi_9825_;
+                                                                    phi_9826_ = _e3903;
+                                                                } else {
+                                                                    phi_9826_ = _e3891;
+                                                                }
+                                                                let _e3905 = phi_9826_;
+                                                                phi_9827_ = _e3905;
+                                                            }
+                                                            let _e3907 = phi_9827_;
+                                                            phi_9829_ = u32();
+                                                            phi_9830_ = (_e2858 * _e3907);
+                                                            phi_9831_ = true;
+                                                            phi_9832_ = false;
+                                                            phi_9833_ = false;
                                                         }
-                                                        let _e3573 = phi_8788_;
-                                                        if (_e3573 < _e1551.member_1) {
-                                                            phi_8793_ = _e3573;
-                                                        } else {
-                                                            phi_8793_ = _e1551.member_1;
-                                                        }
-                                                        let _e3576 = phi_8793_;
-                                                        if !(_e2530) {
-                                                            phi_8803_ = true;
-                                                        } else {
-                                                            phi_8803_ = ((_e3576 - _e3555) > f64(0.0000000037252903f));
-                                                        }
-                                                        let _e3581 = phi_8803_;
-                                                        if _e3581 {
-                                                            phi_8807_ = false;
-                                                        } else {
-                                                            phi_8807_ = true;
-                                                        }
-                                                        let _e3583 = phi_8807_;
-                                                        phi_8808_ = _e3576;
-                                                        phi_8809_ = _e3551;
-                                                        phi_8810_ = _e3555;
-                                                        phi_8811_ = _e3557;
-                                                        phi_8812_ = _e3559;
-                                                        phi_8813_ = _e3581;
-                                                        phi_8814_ = _e3583;
-                                                        phi_8815_ = false;
-                                                        phi_8816_ = false;
-                                                        phi_8817_ = false;
+                                                        let _e3914 = phi_9829_;
+                                                        let _e3916 = phi_9830_;
+                                                        let _e3918 = phi_9831_;
+                                                        let _e3920 = phi_9832_;
+                                                        let _e3922 = phi_9833_;
+                                                        phi_9834_ = _e3914;
+                                                        phi_9835_ = _e2527;
+                                                        phi_9836_ = _e3916;
+                                                        phi_9837_ = _e2529;
+                                                        phi_9838_ = _e2531;
+                                                        phi_9839_ = _e2533;
+                                                        phi_9840_ = _e2535;
+                                                        phi_9841_ = _e3918;
+                                                        phi_9842_ = _e3920;
+                                                        phi_9843_ = _e3922;
+                                                        phi_9844_ = false;
+                                                        phi_9845_ = false;
+                                                        phi_9846_ = false;
                                                     } else {
-                                                        phi_8808_ = _e2524;
-                                                        phi_8809_ = _e2526;
-                                                        phi_8810_ = _e2528;
-                                                        phi_8811_ = _e2530;
-                                                        phi_8812_ = _e3549;
-                                                        phi_8813_ = _e3563;
-                                                        phi_8814_ = false;
-                                                        phi_8815_ = _e3565;
-                                                        phi_8816_ = _e3567;
-                                                        phi_8817_ = _e3569;
+                                                        phi_9834_ = u32();
+                                                        phi_9835_ = _e3727;
+                                                        phi_9836_ = _e3729;
+                                                        phi_9837_ = _e3731;
+                                                        phi_9838_ = _e2525;
+                                                        phi_9839_ = true;
+                                                        phi_9840_ = 0u;
+                                                        phi_9841_ = _e3737;
+                                                        phi_9842_ = false;
+                                                        phi_9843_ = false;
+                                                        phi_9844_ = _e3739;
+                                                        phi_9845_ = _e3741;
+                                                        phi_9846_ = _e3743;
                                                     }
-                                                    let _e3585 = phi_8808_;
-                                                    let _e3587 = phi_8809_;
-                                                    let _e3589 = phi_8810_;
-                                                    let _e3591 = phi_8811_;
-                                                    let _e3593 = phi_8812_;
-                                                    let _e3595 = phi_8813_;
-                                                    let _e3597 = phi_8814_;
-                                                    let _e3599 = phi_8815_;
-                                                    let _e3601 = phi_8816_;
-                                                    let _e3603 = phi_8817_;
-                                                    phi_7118_ = _e3585;
-                                                    phi_7120_ = _e3587;
-                                                    phi_7122_ = _e3589;
-                                                    phi_7124_ = _e3591;
-                                                    phi_7126_ = _e3593;
-                                                    phi_8818_ = _e3551;
-                                                    phi_8819_ = _e3595;
-                                                    phi_8820_ = _e3597;
-                                                    phi_8821_ = false;
-                                                    phi_8822_ = _e3599;
-                                                    phi_8823_ = _e3601;
-                                                    phi_8824_ = _e3603;
+                                                    let _e3924 = phi_9834_;
+                                                    let _e3926 = phi_9835_;
+                                                    let _e3928 = phi_9836_;
+                                                    let _e3930 = phi_9837_;
+                                                    let _e3932 = phi_9838_;
+                                                    let _e3934 = phi_9839_;
+                                                    let _e3936 = phi_9840_;
+                                                    let _e3938 = phi_9841_;
+                                                    let _e3940 = phi_9842_;
+                                                    let _e3942 = phi_9843_;
+                                                    let _e3944 = phi_9844_;
+                                                    let _e3946 = phi_9845_;
+                                                    let _e3948 = phi_9846_;
+                                                    if _e3938 {
+                                                        let _e3949 = (_e3932 + _e3928);
+                                                        if (_e3949 > _e3926) {
+                                                            phi_9855_ = _e3949;
+                                                        } else {
+                                                            phi_9855_ = _e3926;
+                                                        }
+                                                        let _e3952 = phi_9855_;
+                                                        if (_e3952 < _e1551.member_1) {
+                                                            phi_9860_ = _e3952;
+                                                        } else {
+                                                            phi_9860_ = _e1551.member_1;
+                                                        }
+                                                        let _e3955 = phi_9860_;
+                                                        if !(_e2533) {
+                                                            phi_9870_ = true;
+                                                        } else {
+                                                            phi_9870_ = ((_e3955 - _e3932) > f64(0.0000000037252903f));
+                                                        }
+                                                        let _e3960 = phi_9870_;
+                                                        if _e3960 {
+                                                            phi_9874_ = false;
+                                                        } else {
+                                                            phi_9874_ = true;
+                                                        }
+                                                        let _e3962 = phi_9874_;
+                                                        phi_9875_ = _e3955;
+                                                        phi_9876_ = _e3926;
+                                                        phi_9877_ = _e3930;
+                                                        phi_9878_ = _e3932;
+                                                        phi_9879_ = _e3934;
+                                                        phi_9880_ = _e3936;
+                                                        phi_9881_ = _e3960;
+                                                        phi_9882_ = _e3962;
+                                                        phi_9883_ = false;
+                                                        phi_9884_ = false;
+                                                        phi_9885_ = false;
+                                                        phi_9886_ = false;
+                                                    } else {
+                                                        phi_9875_ = _e2525;
+                                                        phi_9876_ = _e2527;
+                                                        phi_9877_ = _e2529;
+                                                        phi_9878_ = _e2531;
+                                                        phi_9879_ = _e2533;
+                                                        phi_9880_ = _e3924;
+                                                        phi_9881_ = _e3940;
+                                                        phi_9882_ = false;
+                                                        phi_9883_ = _e3942;
+                                                        phi_9884_ = _e3944;
+                                                        phi_9885_ = _e3946;
+                                                        phi_9886_ = _e3948;
+                                                    }
+                                                    let _e3964 = phi_9875_;
+                                                    let _e3966 = phi_9876_;
+                                                    let _e3968 = phi_9877_;
+                                                    let _e3970 = phi_9878_;
+                                                    let _e3972 = phi_9879_;
+                                                    let _e3974 = phi_9880_;
+                                                    let _e3976 = phi_9881_;
+                                                    let _e3978 = phi_9882_;
+                                                    let _e3980 = phi_9883_;
+                                                    let _e3982 = phi_9884_;
+                                                    let _e3984 = phi_9885_;
+                                                    let _e3986 = phi_9886_;
+                                                    phi_7664_ = _e3964;
+                                                    phi_7666_ = _e3966;
+                                                    phi_7668_ = _e3968;
+                                                    phi_7670_ = _e3970;
+                                                    phi_7672_ = _e3972;
+                                                    phi_7674_ = _e3974;
+                                                    phi_9887_ = _e3926;
+                                                    phi_9888_ = _e3733;
+                                                    phi_9889_ = _e3976;
+                                                    phi_9890_ = _e3978;
+                                                    phi_9891_ = _e3980;
+                                                    phi_9892_ = _e3982;
+                                                    phi_9893_ = _e3984;
+                                                    phi_9894_ = false;
+                                                    phi_9895_ = _e3986;
                                                 } else {
-                                                    phi_7118_ = f64();
-                                                    phi_7120_ = f64();
-                                                    phi_7122_ = f64();
-                                                    phi_7124_ = bool();
-                                                    phi_7126_ = u32();
-                                                    phi_8818_ = f64();
-                                                    phi_8819_ = false;
-                                                    phi_8820_ = false;
-                                                    phi_8821_ = true;
-                                                    phi_8822_ = false;
-                                                    phi_8823_ = false;
-                                                    phi_8824_ = false;
+                                                    phi_7664_ = f64();
+                                                    phi_7666_ = f64();
+                                                    phi_7668_ = f64();
+                                                    phi_7670_ = f64();
+                                                    phi_7672_ = bool();
+                                                    phi_7674_ = u32();
+                                                    phi_9887_ = f64();
+                                                    phi_9888_ = f64();
+                                                    phi_9889_ = false;
+                                                    phi_9890_ = false;
+                                                    phi_9891_ = false;
+                                                    phi_9892_ = false;
+                                                    phi_9893_ = false;
+                                                    phi_9894_ = true;
+                                                    phi_9895_ = false;
                                                 }
-                                                let _e3605 = phi_7118_;
-                                                let _e3607 = phi_7120_;
-                                                let _e3609 = phi_7122_;
-                                                let _e3611 = phi_7124_;
-                                                let _e3613 = phi_7126_;
-                                                let _e3615 = phi_8818_;
-                                                let _e3617 = phi_8819_;
-                                                let _e3619 = phi_8820_;
-                                                let _e3621 = phi_8821_;
-                                                let _e3623 = phi_8822_;
-                                                let _e3625 = phi_8823_;
-                                                let _e3627 = phi_8824_;
-                                                local_19 = _e3619;
-                                                local_35 = _e3615;
-                                                local_37 = _e3621;
-                                                local_38 = _e3623;
-                                                local_39 = _e3625;
-                                                local_40 = _e3627;
+                                                let _e3988 = phi_7664_;
+                                                let _e3990 = phi_7666_;
+                                                let _e3992 = phi_7668_;
+                                                let _e3994 = phi_7670_;
+                                                let _e3996 = phi_7672_;
+                                                let _e3998 = phi_7674_;
+                                                let _e4000 = phi_9887_;
+                                                let _e4002 = phi_9888_;
+                                                let _e4004 = phi_9889_;
+                                                let _e4006 = phi_9890_;
+                                                let _e4008 = phi_9891_;
+                                                let _e4010 = phi_9892_;
+                                                let _e4012 = phi_9893_;
+                                                let _e4014 = phi_9894_;
+                                                let _e4016 = phi_9895_;
+                                                local_20 = _e4006;
+                                                local_37 = _e4008;
+                                                local_38 = _e4010;
+                                                local_39 = _e4012;
+                                                local_40 = _e4014;
+                                                local_41 = _e4016;
+                                                local_42 = _e4006;
+                                                local_43 = _e4002;
+                                                local_44 = _e4000;
                                                 continue;
                                                 continuing {
-                                                    phi_7114_ = _e2544;
-                                                    phi_7117_ = _e3605;
-                                                    phi_7119_ = _e3607;
-                                                    phi_7121_ = _e3609;
-                                                    phi_7123_ = _e3611;
-                                                    phi_7125_ = _e3613;
-                                                    break if !(_e3617);
+                                                    phi_7660_ = _e2547;
+                                                    phi_7663_ = _e3988;
+                                                    phi_7665_ = _e3990;
+                                                    phi_7667_ = _e3992;
+                                                    phi_7669_ = _e3994;
+                                                    phi_7671_ = _e3996;
+                                                    phi_7673_ = _e3998;
+                                                    break if !(_e4004);
                                                 }
                                             }
-                                            let _e3630 = local_19;
-                                            if _e3630 {
-                                                let _e6135 = local_35;
-                                                phi_8828_ = _e6135;
-                                                phi_8829_ = true;
-                                                phi_8830_ = false;
-                                                phi_8831_ = false;
-                                                phi_8832_ = false;
+                                            let _e4019 = local_20;
+                                            if _e4019 {
+                                                phi_9899_ = false;
+                                                phi_9900_ = false;
+                                                phi_9901_ = false;
+                                                phi_9902_ = false;
+                                                phi_9903_ = false;
                                             } else {
-                                                let _e6137 = local_36;
-                                                phi_8828_ = _e6137;
-                                                let _e6140 = local_37;
-                                                phi_8829_ = _e6140;
-                                                let _e6143 = local_38;
-                                                phi_8830_ = _e6143;
-                                                let _e6146 = local_39;
-                                                phi_8831_ = _e6146;
-                                                let _e6149 = local_40;
-                                                phi_8832_ = _e6149;
+                                                let _e7041 = local_37;
+                                                phi_9899_ = _e7041;
+                                                let _e7044 = local_38;
+                                                phi_9900_ = _e7044;
+                                                let _e7047 = local_39;
+                                                phi_9901_ = _e7047;
+                                                let _e7050 = local_40;
+                                                phi_9902_ = _e7050;
+                                                let _e7053 = local_41;
+                                                phi_9903_ = _e7053;
                                             }
-                                            let _e3632 = phi_8828_;
-                                            let _e3634 = phi_8829_;
-                                            let _e3636 = phi_8830_;
-                                            let _e3638 = phi_8831_;
-                                            let _e3640 = phi_8832_;
-                                            if _e3634 {
-                                                phi_8837_ = type_44(1u, _e3632);
-                                                phi_8838_ = false;
-                                                phi_8839_ = false;
-                                                phi_8840_ = false;
+                                            let _e4021 = phi_9899_;
+                                            let _e4023 = phi_9900_;
+                                            let _e4025 = phi_9901_;
+                                            let _e4027 = phi_9902_;
+                                            let _e4029 = phi_9903_;
+                                            if _e4021 {
+                                                let _e4031 = local_21;
+                                                phi_9908_ = type_44(1u, _e4031);
+                                                phi_9909_ = false;
+                                                phi_9910_ = false;
+                                                phi_9911_ = false;
+                                                phi_9912_ = false;
+                                                phi_9913_ = false;
                                             } else {
-                                                phi_8837_ = type_44();
-                                                phi_8838_ = _e3636;
-                                                phi_8839_ = _e3638;
-                                                phi_8840_ = _e3640;
+                                                phi_9908_ = type_44();
+                                                phi_9909_ = _e4023;
+                                                phi_9910_ = _e4025;
+                                                let _e7060 = local_42;
+                                                phi_9911_ = _e7060;
+                                                phi_9912_ = _e4027;
+                                                phi_9913_ = _e4029;
                                             }
-                                            let _e3643 = phi_8837_;
-                                            let _e3645 = phi_8838_;
-                                            let _e3647 = phi_8839_;
-                                            let _e3649 = phi_8840_;
-                                            if _e3645 {
-                                                let _e3651 = local_20;
-                                                phi_8845_ = type_44(1u, _e3651);
-                                                phi_8846_ = false;
-                                                phi_8847_ = false;
+                                            let _e4034 = phi_9908_;
+                                            let _e4036 = phi_9909_;
+                                            let _e4038 = phi_9910_;
+                                            let _e4040 = phi_9911_;
+                                            let _e4042 = phi_9912_;
+                                            let _e4044 = phi_9913_;
+                                            if _e4036 {
+                                                phi_9918_ = type_44(0u, type_44().member_1);
+                                                phi_9919_ = false;
+                                                phi_9920_ = false;
+                                                phi_9921_ = false;
+                                                phi_9922_ = false;
+                                                phi_9923_ = true;
                                             } else {
-                                                phi_8845_ = type_44();
-                                                phi_8846_ = _e3647;
-                                                phi_8847_ = _e3649;
+                                                phi_9918_ = _e4034;
+                                                phi_9919_ = _e4038;
+                                                phi_9920_ = _e4040;
+                                                phi_9921_ = _e4042;
+                                                phi_9922_ = _e4044;
+                                                phi_9923_ = _e4021;
                                             }
-                                            let _e3654 = phi_8845_;
-                                            let _e3656 = phi_8846_;
-                                            let _e3658 = phi_8847_;
-                                            if _e3656 {
-                                                phi_8852_ = type_44(0u, type_44().member_1);
-                                                phi_8853_ = false;
-                                                phi_8854_ = true;
+                                            let _e4048 = phi_9918_;
+                                            let _e4050 = phi_9919_;
+                                            let _e4052 = phi_9920_;
+                                            let _e4054 = phi_9921_;
+                                            let _e4056 = phi_9922_;
+                                            let _e4058 = phi_9923_;
+                                            if _e4050 {
+                                                let _e7071 = local_43;
+                                                phi_9927_ = _e7071;
+                                                phi_9928_ = true;
+                                                phi_9929_ = false;
+                                                phi_9930_ = false;
+                                                phi_9931_ = false;
                                             } else {
-                                                phi_8852_ = _e3654;
-                                                phi_8853_ = _e3658;
-                                                phi_8854_ = _e3645;
+                                                let _e7073 = local_44;
+                                                phi_9927_ = _e7073;
+                                                phi_9928_ = _e4052;
+                                                phi_9929_ = _e4054;
+                                                phi_9930_ = _e4056;
+                                                phi_9931_ = _e4058;
                                             }
-                                            let _e3662 = phi_8852_;
-                                            let _e3664 = phi_8853_;
-                                            let _e3666 = phi_8854_;
-                                            if _e3664 {
-                                                phi_8859_ = type_44(0u, type_44().member_1);
-                                                phi_8860_ = true;
+                                            let _e4060 = phi_9927_;
+                                            let _e4062 = phi_9928_;
+                                            let _e4064 = phi_9929_;
+                                            let _e4066 = phi_9930_;
+                                            let _e4068 = phi_9931_;
+                                            if _e4062 {
+                                                phi_9935_ = _e4060;
+                                                phi_9936_ = true;
+                                                phi_9937_ = false;
+                                                phi_9938_ = false;
                                             } else {
-                                                phi_8859_ = _e3662;
-                                                phi_8860_ = _e3666;
+                                                let _e7080 = local_45;
+                                                phi_9935_ = _e7080;
+                                                phi_9936_ = _e4064;
+                                                phi_9937_ = _e4066;
+                                                phi_9938_ = _e4068;
                                             }
-                                            let _e3670 = phi_8859_;
-                                            let _e3672 = phi_8860_;
-                                            if _e3672 {
-                                                phi_8864_ = _e3670;
+                                            let _e4070 = phi_9935_;
+                                            let _e4072 = phi_9936_;
+                                            let _e4074 = phi_9937_;
+                                            let _e4076 = phi_9938_;
+                                            if _e4072 {
+                                                phi_9943_ = type_44(1u, _e4070);
+                                                phi_9944_ = false;
+                                                phi_9945_ = false;
                                             } else {
-                                                phi_8864_ = _e3643;
+                                                phi_9943_ = type_44();
+                                                phi_9944_ = _e4074;
+                                                phi_9945_ = _e4076;
                                             }
-                                            let _e3674 = phi_8864_;
-                                            let _e3677 = (_e3674.member != 0u);
-                                            if _e3677 {
-                                                phi_8871_ = false;
+                                            let _e4079 = phi_9943_;
+                                            let _e4081 = phi_9944_;
+                                            let _e4083 = phi_9945_;
+                                            if _e4081 {
+                                                phi_9950_ = type_44(0u, type_44().member_1);
+                                                phi_9951_ = true;
                                             } else {
-                                                phi_8871_ = true;
+                                                phi_9950_ = _e4048;
+                                                phi_9951_ = _e4083;
                                             }
-                                            let _e3679 = phi_8871_;
-                                            phi_8872_ = _e3674.member_1;
-                                            phi_8873_ = _e3679;
-                                            phi_8874_ = _e3677;
-                                            phi_8875_ = false;
+                                            let _e4087 = phi_9950_;
+                                            let _e4089 = phi_9951_;
+                                            if _e4089 {
+                                                phi_9955_ = _e4087;
+                                            } else {
+                                                phi_9955_ = _e4079;
+                                            }
+                                            let _e4091 = phi_9955_;
+                                            let _e4094 = (_e4091.member != 0u);
+                                            if _e4094 {
+                                                phi_9962_ = false;
+                                            } else {
+                                                phi_9962_ = true;
+                                            }
+                                            let _e4096 = phi_9962_;
+                                            phi_9963_ = _e4091.member_1;
+                                            phi_9964_ = _e4096;
+                                            phi_9965_ = _e4094;
+                                            phi_9966_ = false;
                                         } else {
-                                            phi_8872_ = f64();
-                                            phi_8873_ = false;
-                                            phi_8874_ = false;
-                                            phi_8875_ = true;
+                                            phi_9963_ = f64();
+                                            phi_9964_ = false;
+                                            phi_9965_ = false;
+                                            phi_9966_ = true;
                                         }
-                                        let _e3681 = phi_8872_;
-                                        let _e3683 = phi_8873_;
-                                        let _e3685 = phi_8874_;
-                                        let _e3687 = phi_8875_;
-                                        phi_8876_ = _e3681;
-                                        phi_8877_ = _e3683;
-                                        phi_8878_ = _e3685;
-                                        phi_8879_ = _e3687;
+                                        let _e4098 = phi_9963_;
+                                        let _e4100 = phi_9964_;
+                                        let _e4102 = phi_9965_;
+                                        let _e4104 = phi_9966_;
+                                        phi_9967_ = _e4098;
+                                        phi_9968_ = _e4100;
+                                        phi_9969_ = _e4102;
+                                        phi_9970_ = _e4104;
                                     }
-                                    let _e3689 = phi_8876_;
-                                    let _e3691 = phi_8877_;
-                                    let _e3693 = phi_8878_;
-                                    let _e3695 = phi_8879_;
-                                    phi_8880_ = _e3689;
-                                    phi_8881_ = _e2275;
-                                    phi_8882_ = _e3691;
-                                    phi_8883_ = _e3693;
-                                    phi_8884_ = _e3695;
+                                    let _e4106 = phi_9967_;
+                                    let _e4108 = phi_9968_;
+                                    let _e4110 = phi_9969_;
+                                    let _e4112 = phi_9970_;
+                                    phi_9971_ = _e4106;
+                                    phi_9972_ = _e2275;
+                                    phi_9973_ = _e4108;
+                                    phi_9974_ = _e4110;
+                                    phi_9975_ = _e4112;
                                 }
-                                let _e3697 = phi_8880_;
-                                let _e3699 = phi_8881_;
-                                let _e3701 = phi_8882_;
-                                let _e3703 = phi_8883_;
-                                let _e3705 = phi_8884_;
-                                if _e3699 {
-                                    phi_8888_ = true;
-                                    phi_8889_ = false;
-                                    phi_8890_ = false;
+                                let _e4114 = phi_9971_;
+                                let _e4116 = phi_9972_;
+                                let _e4118 = phi_9973_;
+                                let _e4120 = phi_9974_;
+                                let _e4122 = phi_9975_;
+                                if _e4116 {
+                                    phi_9979_ = true;
+                                    phi_9980_ = false;
+                                    phi_9981_ = false;
                                 } else {
-                                    phi_8888_ = _e3701;
-                                    phi_8889_ = _e3703;
-                                    phi_8890_ = _e3705;
+                                    phi_9979_ = _e4118;
+                                    phi_9980_ = _e4120;
+                                    phi_9981_ = _e4122;
                                 }
-                                let _e3707 = phi_8888_;
-                                let _e3709 = phi_8889_;
-                                let _e3711 = phi_8890_;
-                                phi_8891_ = _e3697;
-                                phi_8892_ = _e1551;
-                                phi_8893_ = _e3707;
-                                phi_8894_ = false;
-                                phi_8895_ = _e3709;
-                                phi_8896_ = _e3711;
+                                let _e4124 = phi_9979_;
+                                let _e4126 = phi_9980_;
+                                let _e4128 = phi_9981_;
+                                phi_9982_ = _e4114;
+                                phi_9983_ = _e1551;
+                                phi_9984_ = _e4124;
+                                phi_9985_ = false;
+                                phi_9986_ = _e4126;
+                                phi_9987_ = _e4128;
                             } else {
-                                phi_8891_ = f64();
-                                phi_8892_ = type_45();
-                                phi_8893_ = false;
-                                phi_8894_ = true;
-                                phi_8895_ = false;
-                                phi_8896_ = false;
+                                phi_9982_ = f64();
+                                phi_9983_ = type_45();
+                                phi_9984_ = false;
+                                phi_9985_ = true;
+                                phi_9986_ = false;
+                                phi_9987_ = false;
                             }
-                            let _e3713 = phi_8891_;
-                            let _e3715 = phi_8892_;
-                            let _e3717 = phi_8893_;
-                            let _e3719 = phi_8894_;
-                            let _e3721 = phi_8895_;
-                            let _e3723 = phi_8896_;
-                            local_21 = _e3719;
-                            local_41 = _e3721;
-                            local_42 = _e3723;
-                            local_22 = _e3713;
-                            local_23 = _e3715;
+                            let _e4130 = phi_9982_;
+                            let _e4132 = phi_9983_;
+                            let _e4134 = phi_9984_;
+                            let _e4136 = phi_9985_;
+                            let _e4138 = phi_9986_;
+                            let _e4140 = phi_9987_;
+                            local_22 = _e4136;
+                            local_46 = _e4138;
+                            local_47 = _e4140;
+                            local_23 = _e4130;
+                            local_24 = _e4132;
                             continue;
                             continuing {
-                                phi_5191_ = _e1264;
-                                break if !(_e3717);
+                                phi_5736_ = _e1264;
+                                break if !(_e4134);
                             }
                         }
-                        let _e3726 = local_21;
-                        if _e3726 {
-                            phi_8901_ = type_44(0u, type_44().member_1);
-                            phi_8902_ = false;
-                            phi_8903_ = false;
+                        let _e4143 = local_22;
+                        if _e4143 {
+                            phi_9992_ = type_44(0u, type_44().member_1);
+                            phi_9993_ = false;
+                            phi_9994_ = false;
                         } else {
-                            phi_8901_ = type_44();
-                            let _e6191 = local_41;
-                            phi_8902_ = _e6191;
-                            let _e6194 = local_42;
-                            phi_8903_ = _e6194;
+                            phi_9992_ = type_44();
+                            let _e7117 = local_46;
+                            phi_9993_ = _e7117;
+                            let _e7120 = local_47;
+                            phi_9994_ = _e7120;
                         }
-                        let _e3730 = phi_8901_;
-                        let _e3732 = phi_8902_;
-                        let _e3734 = phi_8903_;
-                        if _e3732 {
-                            let _e3736 = local_22;
-                            phi_8908_ = type_44(2u, _e3736);
-                            phi_8909_ = false;
+                        let _e4147 = phi_9992_;
+                        let _e4149 = phi_9993_;
+                        let _e4151 = phi_9994_;
+                        if _e4149 {
+                            let _e4153 = local_23;
+                            phi_9999_ = type_44(2u, _e4153);
+                            phi_10000_ = false;
                         } else {
-                            phi_8908_ = type_44();
-                            phi_8909_ = _e3734;
+                            phi_9999_ = type_44();
+                            phi_10000_ = _e4151;
                         }
-                        let _e3739 = phi_8908_;
-                        let _e3741 = phi_8909_;
-                        if _e3741 {
-                            let _e3743 = local_23;
-                            phi_8915_ = type_44(1u, _e3743.member);
-                            phi_8916_ = true;
+                        let _e4156 = phi_9999_;
+                        let _e4158 = phi_10000_;
+                        if _e4158 {
+                            let _e4160 = local_24;
+                            phi_10006_ = type_44(1u, _e4160.member);
+                            phi_10007_ = true;
                         } else {
-                            phi_8915_ = _e3739;
-                            phi_8916_ = _e3732;
+                            phi_10006_ = _e4156;
+                            phi_10007_ = _e4149;
                         }
-                        let _e3747 = phi_8915_;
-                        let _e3749 = phi_8916_;
-                        if _e3749 {
-                            phi_8920_ = _e3747;
+                        let _e4164 = phi_10006_;
+                        let _e4166 = phi_10007_;
+                        if _e4166 {
+                            phi_10011_ = _e4164;
                         } else {
-                            phi_8920_ = _e3730;
+                            phi_10011_ = _e4147;
                         }
-                        let _e3751 = phi_8920_;
-                        phi_8924_ = _e3751;
+                        let _e4168 = phi_10011_;
+                        phi_10015_ = _e4168;
                     }
-                    let _e5518 = phi_8924_;
-                    phi_8925_ = _e5518;
+                    let _e6351 = phi_10015_;
+                    phi_10016_ = _e6351;
                 }
-                let _e5522 = phi_8925_;
-                switch bitcast<i32>(_e5522.member) {
+                let _e6355 = phi_10016_;
+                switch bitcast<i32>(_e6355.member) {
                     case 0: {
-                        phi_8938_ = type_32(0u, array<u32, 2>(0u, 0u), false);
+                        phi_10029_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5528 = function_3(_e5522.member_1);
-                        phi_8938_ = type_32(0u, _e5528, true);
+                        let _e6361 = function_3(_e6355.member_1);
+                        phi_10029_ = type_32(0u, _e6361, true);
                         break;
                     }
                     case 2: {
-                        let _e5526 = function_3(_e5522.member_1);
-                        phi_8938_ = type_32(1u, _e5526, true);
+                        let _e6359 = function_3(_e6355.member_1);
+                        phi_10029_ = type_32(1u, _e6359, true);
                         break;
                     }
                     default: {
-                        phi_8938_ = type_32();
+                        phi_10029_ = type_32();
                         break;
                     }
                 }
-                let _e5531 = phi_8938_;
-                if _e5531.member_2 {
-                    let _e5538 = (_e5531.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5538 <= 896u) {
-                        phi_8961_ = 0u;
+                let _e6364 = phi_10029_;
+                if _e6364.member_2 {
+                    let _e6371 = (_e6364.member_1[1] >> bitcast<u32>(20i));
+                    if (_e6371 <= 896u) {
+                        phi_10052_ = 0u;
                     } else {
-                        phi_8961_ = ((((_e5538 - 896u) << bitcast<u32>(23i)) | ((_e5531.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5531.member_1[0] >> bitcast<u32>(29i)));
+                        phi_10052_ = ((((_e6371 - 896u) << bitcast<u32>(23i)) | ((_e6364.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e6364.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5553 = phi_8961_;
-                    let _e5555 = atomicMin((&earliest.member[0u]), _e5553);
+                    let _e6386 = phi_10052_;
+                    let _e6388 = atomicMin((&earliest.member[0u]), _e6386);
                 }
-                phi_8965_ = type_22(0u, _e5531.member, _e181, _e184, _e5531.member_1);
-                phi_8966_ = _e5531.member_2;
+                phi_10056_ = type_22(0u, _e6364.member, _e181, _e184, _e6364.member_1);
+                phi_10057_ = _e6364.member_2;
             } else {
-                phi_8965_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_8966_ = false;
+                phi_10056_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_10057_ = false;
             }
-            let _e5557 = phi_8965_;
-            let _e5559 = phi_8966_;
-            let _e5562 = params.member.member.member_1;
-            if ((_e5562 & 16u) != 0u) {
+            let _e6390 = phi_10056_;
+            let _e6392 = phi_10057_;
+            let _e6395 = params.member.member.member_1;
+            if ((_e6395 & 16u) != 0u) {
                 if (_e110 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5559 {
-                    let _e5568 = atomicAdd((&counters[0u]), 1u);
-                    phi_8985_ = _e5568;
+                if _e6392 {
+                    let _e6401 = atomicAdd((&counters[0u]), 1u);
+                    phi_10076_ = _e6401;
                 } else {
-                    phi_8985_ = 0u;
+                    phi_10076_ = 0u;
                 }
-                let _e5570 = phi_8985_;
+                let _e6403 = phi_10076_;
                 workgroupBarrier();
                 if (_e110 == 0u) {
-                    let _e5573 = atomicLoad((&counters[0u]));
-                    if (_e5573 > 0u) {
-                        let _e5576 = atomicAdd((&contacts.member[0u]), _e5573);
-                        atomicStore((&counters[1u]), _e5576);
+                    let _e6406 = atomicLoad((&counters[0u]));
+                    if (_e6406 > 0u) {
+                        let _e6409 = atomicAdd((&contacts.member[0u]), _e6406);
+                        atomicStore((&counters[1u]), _e6409);
                     }
                 }
                 workgroupBarrier();
-                let _e5579 = atomicLoad((&counters[1u]));
-                let _e5580 = (_e5579 + _e5570);
-                if _e5559 {
-                    let _e5583 = params.member.member_1.member_3;
-                    if (_e5580 < _e5583) {
-                        let _e5585 = (6u * _e5580);
-                        atomicStore((&contacts.member[(4u + _e5585)]), _e5557.member);
-                        atomicStore((&contacts.member[(_e5585 + 5u)]), _e5557.member_1);
-                        atomicStore((&contacts.member[(_e5585 + 6u)]), _e5557.member_2);
-                        atomicStore((&contacts.member[(_e5585 + 7u)]), _e5557.member_3);
-                        atomicStore((&contacts.member[(_e5585 + 8u)]), _e5557.member_4[0]);
-                        atomicStore((&contacts.member[(_e5585 + 9u)]), _e5557.member_4[1]);
+                let _e6412 = atomicLoad((&counters[1u]));
+                let _e6413 = (_e6412 + _e6403);
+                if _e6392 {
+                    let _e6416 = params.member.member_1.member_3;
+                    if (_e6413 < _e6416) {
+                        let _e6418 = (6u * _e6413);
+                        atomicStore((&contacts.member[(4u + _e6418)]), _e6390.member);
+                        atomicStore((&contacts.member[(_e6418 + 5u)]), _e6390.member_1);
+                        atomicStore((&contacts.member[(_e6418 + 6u)]), _e6390.member_2);
+                        atomicStore((&contacts.member[(_e6418 + 7u)]), _e6390.member_3);
+                        atomicStore((&contacts.member[(_e6418 + 8u)]), _e6390.member_4[0]);
+                        atomicStore((&contacts.member[(_e6418 + 9u)]), _e6390.member_4[1]);
                     }
                 }
             }

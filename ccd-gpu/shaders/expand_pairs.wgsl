@@ -87,96 +87,106 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_354_: array<array<u32, 2>, 4>;
     var phi_355_: bool;
     var phi_367_: bool;
-    var phi_372_: bool;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_420_: bool;
-    var phi_425_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_388_: bool;
+    var phi_393_: bool;
+    var phi_434_: bool;
     var phi_435_: bool;
     var phi_436_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
-    var phi_544_: array<u32, 2>;
-    var phi_574_: array<u32, 2>;
-    var phi_604_: array<u32, 2>;
-    var phi_634_: array<u32, 2>;
-    var phi_636_: array<array<u32, 2>, 4>;
-    var phi_637_: bool;
-    var phi_638_: array<array<u32, 2>, 4>;
-    var phi_639_: bool;
-    var phi_798_: array<u32, 2>;
-    var phi_830_: array<u32, 2>;
-    var phi_705_: array<u32, 2>;
-    var phi_737_: array<u32, 2>;
-    var phi_832_: array<array<u32, 2>, 4>;
-    var phi_833_: array<array<u32, 2>, 4>;
-    var phi_834_: array<array<u32, 2>, 4>;
-    var phi_835_: bool;
-    var phi_836_: array<array<u32, 2>, 4>;
-    var phi_837_: bool;
-    var phi_841_: array<array<u32, 2>, 4>;
-    var phi_842_: array<array<u32, 2>, 4>;
-    var phi_843_: bool;
-    var phi_847_: array<array<u32, 2>, 4>;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_869_: u32;
-    var phi_870_: u32;
-    var phi_876_: array<u32, 2>;
-    var phi_877_: array<u32, 2>;
+    var phi_437_: bool;
+    var phi_441_: bool;
+    var phi_443_: bool;
+    var phi_452_: bool;
+    var phi_457_: bool;
+    var phi_498_: bool;
+    var phi_499_: bool;
+    var phi_500_: bool;
+    var phi_501_: bool;
+    var phi_505_: bool;
+    var phi_515_: bool;
+    var phi_516_: bool;
+    var phi_528_: bool;
+    var phi_529_: bool;
+    var phi_624_: array<u32, 2>;
+    var phi_654_: array<u32, 2>;
+    var phi_684_: array<u32, 2>;
+    var phi_714_: array<u32, 2>;
+    var phi_716_: array<array<u32, 2>, 4>;
+    var phi_717_: bool;
+    var phi_718_: array<array<u32, 2>, 4>;
+    var phi_719_: bool;
     var phi_878_: array<u32, 2>;
-    var phi_879_: array<u32, 2>;
-    var phi_880_: array<u32, 2>;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_901_: u32;
-    var phi_902_: u32;
-    var phi_911_: u32;
-    var phi_914_: u32;
-    var phi_930_: bool;
-    var phi_931_: bool;
-    var phi_935_: u32;
-    var phi_936_: u32;
-    var phi_945_: u32;
-    var phi_948_: u32;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_969_: u32;
-    var phi_970_: u32;
-    var phi_979_: u32;
+    var phi_910_: array<u32, 2>;
+    var phi_785_: array<u32, 2>;
+    var phi_817_: array<u32, 2>;
+    var phi_912_: array<array<u32, 2>, 4>;
+    var phi_913_: array<array<u32, 2>, 4>;
+    var phi_914_: array<array<u32, 2>, 4>;
+    var phi_915_: bool;
+    var phi_916_: array<array<u32, 2>, 4>;
+    var phi_917_: bool;
+    var phi_921_: array<array<u32, 2>, 4>;
+    var phi_922_: array<array<u32, 2>, 4>;
+    var phi_923_: bool;
+    var phi_927_: array<array<u32, 2>, 4>;
+    var phi_944_: bool;
+    var phi_945_: bool;
+    var phi_949_: u32;
+    var phi_950_: u32;
+    var phi_956_: array<u32, 2>;
+    var phi_957_: array<u32, 2>;
+    var phi_958_: array<u32, 2>;
+    var phi_959_: array<u32, 2>;
+    var phi_960_: array<u32, 2>;
+    var phi_976_: bool;
+    var phi_977_: bool;
+    var phi_981_: u32;
     var phi_982_: u32;
-    var phi_998_: bool;
-    var phi_999_: bool;
-    var phi_1003_: u32;
-    var phi_1004_: u32;
-    var phi_1013_: u32;
+    var phi_991_: u32;
+    var phi_994_: u32;
+    var phi_1010_: bool;
+    var phi_1011_: bool;
+    var phi_1015_: u32;
     var phi_1016_: u32;
-    var phi_1082_: bool;
-    var phi_1083_: bool;
-    var phi_1087_: u32;
-    var phi_1088_: u32;
-    var phi_1151_: type_9;
-    var phi_1156_: type_9;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1194_: u32;
-    var phi_1195_: u32;
-    var phi_1258_: type_9;
-    var phi_1263_: type_9;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1301_: u32;
-    var phi_1302_: u32;
-    var phi_1365_: type_9;
-    var phi_1370_: type_9;
-    var phi_1403_: bool;
-    var phi_1404_: bool;
-    var phi_1408_: u32;
-    var phi_1409_: u32;
-    var phi_1472_: type_9;
-    var phi_1477_: type_9;
+    var phi_1025_: u32;
+    var phi_1028_: u32;
+    var phi_1044_: bool;
+    var phi_1045_: bool;
+    var phi_1049_: u32;
+    var phi_1050_: u32;
+    var phi_1059_: u32;
+    var phi_1062_: u32;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1083_: u32;
+    var phi_1084_: u32;
+    var phi_1093_: u32;
+    var phi_1096_: u32;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
+    var phi_1167_: u32;
+    var phi_1168_: u32;
+    var phi_1231_: type_9;
+    var phi_1236_: type_9;
+    var phi_1269_: bool;
+    var phi_1270_: bool;
+    var phi_1274_: u32;
+    var phi_1275_: u32;
+    var phi_1338_: type_9;
+    var phi_1343_: type_9;
+    var phi_1376_: bool;
+    var phi_1377_: bool;
+    var phi_1381_: u32;
+    var phi_1382_: u32;
+    var phi_1445_: type_9;
+    var phi_1450_: type_9;
+    var phi_1483_: bool;
+    var phi_1484_: bool;
+    var phi_1488_: u32;
+    var phi_1489_: u32;
+    var phi_1552_: type_9;
+    var phi_1557_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -308,634 +318,692 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e209 = phi_367_;
                     if _e209 {
-                        phi_372_ = (_e73 == 1u);
-                    } else {
-                        phi_372_ = false;
-                    }
-                    let _e212 = phi_372_;
-                    if _e212 {
-                        phi_415_ = bool();
-                        phi_416_ = true;
-                    } else {
-                        let _e214 = (_e132.member_3 == 4294967295u);
-                        if _e214 {
-                            phi_414_ = bool();
+                        if (_e73 == 1u) {
+                            phi_375_ = false;
                         } else {
-                            if _e209 {
-                                phi_413_ = ((((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])) > (((_e132.member_2[0] - _e132.member[0]) * (_e132.member_2[1] - _e132.member[1])) * (_e132.member_2[2] - _e132.member[2])));
-                            } else {
-                                phi_413_ = false;
-                            }
-                            let _e243 = phi_413_;
-                            phi_414_ = _e243;
+                            phi_375_ = true;
                         }
-                        let _e245 = phi_414_;
-                        phi_415_ = _e245;
-                        phi_416_ = _e214;
-                    }
-                    let _e247 = phi_415_;
-                    let _e249 = phi_416_;
-                    if _e249 {
-                        phi_420_ = true;
+                        let _e212 = phi_375_;
+                        phi_376_ = _e212;
                     } else {
-                        phi_420_ = _e247;
+                        phi_376_ = true;
                     }
-                    let _e251 = phi_420_;
-                    if _e212 {
-                        phi_425_ = true;
-                    } else {
-                        phi_425_ = !(_e251);
-                    }
-                    let _e254 = phi_425_;
-                    if _e254 {
+                    let _e214 = phi_376_;
+                    if _e214 {
                         if (_e132.member_3 == 4294967295u) {
-                            phi_435_ = false;
+                            phi_388_ = false;
                         } else {
-                            phi_435_ = true;
+                            phi_388_ = !((_e134.member_3 == 4294967295u));
                         }
-                        let _e258 = phi_435_;
-                        phi_436_ = _e258;
+                        let _e221 = phi_388_;
+                        if _e221 {
+                            phi_393_ = (_e73 == 1u);
+                        } else {
+                            phi_393_ = false;
+                        }
+                        let _e224 = phi_393_;
+                        if _e224 {
+                            phi_436_ = bool();
+                            phi_437_ = true;
+                        } else {
+                            let _e226 = (_e132.member_3 == 4294967295u);
+                            if _e226 {
+                                phi_435_ = bool();
+                            } else {
+                                if _e221 {
+                                    phi_434_ = ((((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])) > (((_e132.member_2[0] - _e132.member[0]) * (_e132.member_2[1] - _e132.member[1])) * (_e132.member_2[2] - _e132.member[2])));
+                                } else {
+                                    phi_434_ = false;
+                                }
+                                let _e255 = phi_434_;
+                                phi_435_ = _e255;
+                            }
+                            let _e257 = phi_435_;
+                            phi_436_ = _e257;
+                            phi_437_ = _e226;
+                        }
+                        let _e259 = phi_436_;
+                        let _e261 = phi_437_;
+                        if _e261 {
+                            phi_441_ = true;
+                        } else {
+                            phi_441_ = _e259;
+                        }
+                        let _e263 = phi_441_;
+                        phi_443_ = !(_e263);
                     } else {
-                        phi_436_ = true;
+                        phi_443_ = true;
                     }
-                    let _e260 = phi_436_;
-                    if _e260 {
-                        if _e251 {
+                    let _e266 = phi_443_;
+                    if (_e132.member_3 == 4294967295u) {
+                        phi_452_ = false;
+                    } else {
+                        phi_452_ = !((_e134.member_3 == 4294967295u));
+                    }
+                    let _e273 = phi_452_;
+                    if _e273 {
+                        phi_457_ = (_e73 == 1u);
+                    } else {
+                        phi_457_ = false;
+                    }
+                    let _e276 = phi_457_;
+                    if _e276 {
+                        phi_500_ = bool();
+                        phi_501_ = true;
+                    } else {
+                        let _e278 = (_e132.member_3 == 4294967295u);
+                        if _e278 {
+                            phi_499_ = bool();
+                        } else {
+                            if _e273 {
+                                phi_498_ = ((((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])) > (((_e132.member_2[0] - _e132.member[0]) * (_e132.member_2[1] - _e132.member[1])) * (_e132.member_2[2] - _e132.member[2])));
+                            } else {
+                                phi_498_ = false;
+                            }
+                            let _e307 = phi_498_;
+                            phi_499_ = _e307;
+                        }
+                        let _e309 = phi_499_;
+                        phi_500_ = _e309;
+                        phi_501_ = _e278;
+                    }
+                    let _e311 = phi_500_;
+                    let _e313 = phi_501_;
+                    if _e313 {
+                        phi_505_ = true;
+                    } else {
+                        phi_505_ = _e311;
+                    }
+                    let _e315 = phi_505_;
+                    if _e266 {
+                        if (_e132.member_3 == 4294967295u) {
+                            phi_515_ = false;
+                        } else {
+                            phi_515_ = true;
+                        }
+                        let _e319 = phi_515_;
+                        phi_516_ = _e319;
+                    } else {
+                        phi_516_ = true;
+                    }
+                    let _e321 = phi_516_;
+                    if _e321 {
+                        if _e315 {
                             if (_e134.member_3 == 4294967295u) {
-                                phi_448_ = false;
+                                phi_528_ = false;
                             } else {
-                                phi_448_ = true;
+                                phi_528_ = true;
                             }
-                            let _e264 = phi_448_;
-                            phi_449_ = _e264;
+                            let _e325 = phi_528_;
+                            phi_529_ = _e325;
                         } else {
-                            phi_449_ = true;
+                            phi_529_ = true;
                         }
-                        let _e266 = phi_449_;
-                        if _e266 {
-                            if _e254 {
-                                if _e251 {
-                                    let _e269 = a_nodes.member[_e132.member_1];
-                                    let _e274 = a_nodes.member[_e132.member_3];
-                                    let _e279 = b_nodes.member[_e134.member_1];
-                                    let _e284 = b_nodes.member[_e134.member_3];
-                                    if ((((((_e269.member[0] <= _e279.member_2[0]) && (_e279.member[0] <= _e269.member_2[0])) && (_e269.member[1] <= _e279.member_2[1])) && (_e279.member[1] <= _e269.member_2[1])) && (_e269.member[2] <= _e279.member_2[2])) && (_e279.member[2] <= _e269.member_2[2])) {
-                                        phi_544_ = array<u32, 2>(_e132.member_1, _e134.member_1);
+                        let _e327 = phi_529_;
+                        if _e327 {
+                            if _e266 {
+                                if _e315 {
+                                    let _e330 = a_nodes.member[_e132.member_1];
+                                    let _e335 = a_nodes.member[_e132.member_3];
+                                    let _e340 = b_nodes.member[_e134.member_1];
+                                    let _e345 = b_nodes.member[_e134.member_3];
+                                    if ((((((_e330.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e330.member_2[0])) && (_e330.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e330.member_2[1])) && (_e330.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e330.member_2[2])) {
+                                        phi_624_ = array<u32, 2>(_e132.member_1, _e134.member_1);
                                     } else {
-                                        phi_544_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_624_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e314 = phi_544_;
-                                    if ((((((_e269.member[0] <= _e284.member_2[0]) && (_e284.member[0] <= _e269.member_2[0])) && (_e269.member[1] <= _e284.member_2[1])) && (_e284.member[1] <= _e269.member_2[1])) && (_e269.member[2] <= _e284.member_2[2])) && (_e284.member[2] <= _e269.member_2[2])) {
-                                        phi_574_ = array<u32, 2>(_e132.member_1, _e134.member_3);
+                                    let _e375 = phi_624_;
+                                    if ((((((_e330.member[0] <= _e345.member_2[0]) && (_e345.member[0] <= _e330.member_2[0])) && (_e330.member[1] <= _e345.member_2[1])) && (_e345.member[1] <= _e330.member_2[1])) && (_e330.member[2] <= _e345.member_2[2])) && (_e345.member[2] <= _e330.member_2[2])) {
+                                        phi_654_ = array<u32, 2>(_e132.member_1, _e134.member_3);
                                     } else {
-                                        phi_574_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_654_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e342 = phi_574_;
-                                    if ((((((_e274.member[0] <= _e279.member_2[0]) && (_e279.member[0] <= _e274.member_2[0])) && (_e274.member[1] <= _e279.member_2[1])) && (_e279.member[1] <= _e274.member_2[1])) && (_e274.member[2] <= _e279.member_2[2])) && (_e279.member[2] <= _e274.member_2[2])) {
-                                        phi_604_ = array<u32, 2>(_e132.member_3, _e134.member_1);
+                                    let _e403 = phi_654_;
+                                    if ((((((_e335.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e335.member_2[2])) {
+                                        phi_684_ = array<u32, 2>(_e132.member_3, _e134.member_1);
                                     } else {
-                                        phi_604_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_684_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e370 = phi_604_;
-                                    if ((((((_e274.member[0] <= _e284.member_2[0]) && (_e284.member[0] <= _e274.member_2[0])) && (_e274.member[1] <= _e284.member_2[1])) && (_e284.member[1] <= _e274.member_2[1])) && (_e274.member[2] <= _e284.member_2[2])) && (_e284.member[2] <= _e274.member_2[2])) {
-                                        phi_634_ = array<u32, 2>(_e132.member_3, _e134.member_3);
+                                    let _e431 = phi_684_;
+                                    if ((((((_e335.member[0] <= _e345.member_2[0]) && (_e345.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e345.member_2[1])) && (_e345.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e345.member_2[2])) && (_e345.member[2] <= _e335.member_2[2])) {
+                                        phi_714_ = array<u32, 2>(_e132.member_3, _e134.member_3);
                                     } else {
-                                        phi_634_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_714_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e398 = phi_634_;
-                                    phi_636_ = array<array<u32, 2>, 4>(_e314, _e342, _e370, _e398);
-                                    phi_637_ = false;
+                                    let _e459 = phi_714_;
+                                    phi_716_ = array<array<u32, 2>, 4>(_e375, _e403, _e431, _e459);
+                                    phi_717_ = false;
                                 } else {
-                                    phi_636_ = array<array<u32, 2>, 4>();
-                                    phi_637_ = true;
+                                    phi_716_ = array<array<u32, 2>, 4>();
+                                    phi_717_ = true;
                                 }
-                                let _e401 = phi_636_;
-                                let _e403 = phi_637_;
-                                phi_638_ = _e401;
-                                phi_639_ = _e403;
+                                let _e462 = phi_716_;
+                                let _e464 = phi_717_;
+                                phi_718_ = _e462;
+                                phi_719_ = _e464;
                             } else {
-                                phi_638_ = array<array<u32, 2>, 4>();
-                                phi_639_ = true;
+                                phi_718_ = array<array<u32, 2>, 4>();
+                                phi_719_ = true;
                             }
-                            let _e405 = phi_638_;
-                            let _e407 = phi_639_;
-                            if _e407 {
-                                if _e254 {
-                                    let _e479 = a_nodes.member[_e132.member_1];
-                                    let _e484 = a_nodes.member[_e132.member_3];
-                                    if ((((((_e479.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e479.member_2[0])) && (_e479.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e479.member_2[1])) && (_e479.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e479.member_2[2])) {
-                                        phi_705_ = array<u32, 2>(_e132.member_1, _e129);
+                            let _e466 = phi_718_;
+                            let _e468 = phi_719_;
+                            if _e468 {
+                                if _e266 {
+                                    let _e540 = a_nodes.member[_e132.member_1];
+                                    let _e545 = a_nodes.member[_e132.member_3];
+                                    if ((((((_e540.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e540.member_2[0])) && (_e540.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e540.member_2[1])) && (_e540.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e540.member_2[2])) {
+                                        phi_785_ = array<u32, 2>(_e132.member_1, _e129);
                                     } else {
-                                        phi_705_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_785_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e515 = phi_705_;
-                                    if ((((((_e484.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e484.member_2[0])) && (_e484.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e484.member_2[1])) && (_e484.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e484.member_2[2])) {
-                                        phi_737_ = array<u32, 2>(_e132.member_3, _e129);
+                                    let _e576 = phi_785_;
+                                    if ((((((_e545.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e545.member_2[0])) && (_e545.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e545.member_2[1])) && (_e545.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e545.member_2[2])) {
+                                        phi_817_ = array<u32, 2>(_e132.member_3, _e129);
                                     } else {
-                                        phi_737_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_817_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e544 = phi_737_;
-                                    phi_832_ = array<array<u32, 2>, 4>(_e515, _e544, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                    let _e605 = phi_817_;
+                                    phi_912_ = array<array<u32, 2>, 4>(_e576, _e605, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                 } else {
-                                    let _e410 = b_nodes.member[_e134.member_1];
-                                    let _e415 = b_nodes.member[_e134.member_3];
-                                    if ((((((_e132.member[0] <= _e410.member_2[0]) && (_e410.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e410.member_2[1])) && (_e410.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e410.member_2[2])) && (_e410.member[2] <= _e132.member_2[2])) {
-                                        phi_798_ = array<u32, 2>(_e126, _e134.member_1);
+                                    let _e471 = b_nodes.member[_e134.member_1];
+                                    let _e476 = b_nodes.member[_e134.member_3];
+                                    if ((((((_e132.member[0] <= _e471.member_2[0]) && (_e471.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e471.member_2[1])) && (_e471.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e471.member_2[2])) && (_e471.member[2] <= _e132.member_2[2])) {
+                                        phi_878_ = array<u32, 2>(_e126, _e134.member_1);
                                     } else {
-                                        phi_798_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_878_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e446 = phi_798_;
-                                    if ((((((_e132.member[0] <= _e415.member_2[0]) && (_e415.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e415.member_2[1])) && (_e415.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e415.member_2[2])) && (_e415.member[2] <= _e132.member_2[2])) {
-                                        phi_830_ = array<u32, 2>(_e126, _e134.member_3);
+                                    let _e507 = phi_878_;
+                                    if ((((((_e132.member[0] <= _e476.member_2[0]) && (_e476.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e476.member_2[1])) && (_e476.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e476.member_2[2])) && (_e476.member[2] <= _e132.member_2[2])) {
+                                        phi_910_ = array<u32, 2>(_e126, _e134.member_3);
                                     } else {
-                                        phi_830_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_910_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e475 = phi_830_;
-                                    phi_832_ = array<array<u32, 2>, 4>(_e446, _e475, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                    let _e536 = phi_910_;
+                                    phi_912_ = array<array<u32, 2>, 4>(_e507, _e536, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                 }
-                                let _e547 = phi_832_;
-                                phi_833_ = _e547;
+                                let _e608 = phi_912_;
+                                phi_913_ = _e608;
                             } else {
-                                phi_833_ = _e405;
+                                phi_913_ = _e466;
                             }
-                            let _e549 = phi_833_;
-                            phi_834_ = _e549;
-                            phi_835_ = false;
+                            let _e610 = phi_913_;
+                            phi_914_ = _e610;
+                            phi_915_ = false;
                         } else {
-                            phi_834_ = array<array<u32, 2>, 4>();
-                            phi_835_ = true;
+                            phi_914_ = array<array<u32, 2>, 4>();
+                            phi_915_ = true;
                         }
-                        let _e551 = phi_834_;
-                        let _e553 = phi_835_;
-                        phi_836_ = _e551;
-                        phi_837_ = _e553;
+                        let _e612 = phi_914_;
+                        let _e614 = phi_915_;
+                        phi_916_ = _e612;
+                        phi_917_ = _e614;
                     } else {
-                        phi_836_ = array<array<u32, 2>, 4>();
-                        phi_837_ = true;
+                        phi_916_ = array<array<u32, 2>, 4>();
+                        phi_917_ = true;
                     }
-                    let _e555 = phi_836_;
-                    let _e557 = phi_837_;
-                    phi_841_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
-                    phi_842_ = _e555;
-                    phi_843_ = _e557;
+                    let _e616 = phi_916_;
+                    let _e618 = phi_917_;
+                    phi_921_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                    phi_922_ = _e616;
+                    phi_923_ = _e618;
                 } else {
-                    phi_841_ = _e200;
-                    phi_842_ = array<array<u32, 2>, 4>();
-                    phi_843_ = true;
+                    phi_921_ = _e200;
+                    phi_922_ = array<array<u32, 2>, 4>();
+                    phi_923_ = true;
                 }
-                let _e559 = phi_841_;
-                let _e561 = phi_842_;
-                let _e563 = phi_843_;
-                if _e563 {
-                    phi_847_ = _e559;
+                let _e620 = phi_921_;
+                let _e622 = phi_922_;
+                let _e624 = phi_923_;
+                if _e624 {
+                    phi_927_ = _e620;
                 } else {
-                    phi_847_ = _e561;
+                    phi_927_ = _e622;
                 }
-                let _e565 = phi_847_;
+                let _e626 = phi_927_;
                 if (_e126 == 4294967295u) {
-                    phi_870_ = 0u;
+                    phi_950_ = 0u;
                 } else {
                     if (_e126 >= _e62) {
                         if (_e129 >= _e67) {
-                            phi_864_ = false;
+                            phi_944_ = false;
                         } else {
-                            phi_864_ = true;
+                            phi_944_ = true;
                         }
-                        let _e574 = phi_864_;
-                        phi_865_ = _e574;
+                        let _e635 = phi_944_;
+                        phi_945_ = _e635;
                     } else {
-                        phi_865_ = true;
+                        phi_945_ = true;
                     }
-                    let _e576 = phi_865_;
-                    if _e576 {
-                        phi_869_ = 1u;
+                    let _e637 = phi_945_;
+                    if _e637 {
+                        phi_949_ = 1u;
                     } else {
-                        phi_869_ = 2u;
+                        phi_949_ = 2u;
                     }
-                    let _e578 = phi_869_;
-                    phi_870_ = _e578;
+                    let _e639 = phi_949_;
+                    phi_950_ = _e639;
                 }
-                let _e580 = phi_870_;
-                if (_e580 == 2u) {
-                    phi_876_ = array<u32, 2>(_e126, _e129);
+                let _e641 = phi_950_;
+                if (_e641 == 2u) {
+                    phi_956_ = array<u32, 2>(_e126, _e129);
                 } else {
-                    phi_876_ = _e565[0];
+                    phi_956_ = _e626[0];
                 }
-                let _e584 = phi_876_;
-                phi_877_ = _e565[3];
-                phi_878_ = _e565[2];
-                phi_879_ = _e565[1];
-                phi_880_ = _e584;
+                let _e645 = phi_956_;
+                phi_957_ = _e626[3];
+                phi_958_ = _e626[2];
+                phi_959_ = _e626[1];
+                phi_960_ = _e645;
             } else {
-                phi_877_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_878_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_879_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_880_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_957_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_958_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_959_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_960_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e586 = phi_877_;
-            let _e588 = phi_878_;
-            let _e590 = phi_879_;
-            let _e592 = phi_880_;
-            if (_e592[0] == 4294967295u) {
-                phi_902_ = 0u;
-            } else {
-                if (_e592[0] >= _e62) {
-                    if (_e592[1] >= _e67) {
-                        phi_896_ = false;
-                    } else {
-                        phi_896_ = true;
-                    }
-                    let _e600 = phi_896_;
-                    phi_897_ = _e600;
-                } else {
-                    phi_897_ = true;
-                }
-                let _e602 = phi_897_;
-                if _e602 {
-                    phi_901_ = 1u;
-                } else {
-                    phi_901_ = 2u;
-                }
-                let _e604 = phi_901_;
-                phi_902_ = _e604;
-            }
-            let _e606 = phi_902_;
-            if (_e606 == 0u) {
-                phi_914_ = 0u;
-            } else {
-                if (_e606 == 1u) {
-                    phi_911_ = 0u;
-                } else {
-                    phi_911_ = 1u;
-                }
-                let _e610 = phi_911_;
-                let _e612 = atomicAdd((&counters[_e610]), 1u);
-                phi_914_ = _e612;
-            }
-            let _e614 = phi_914_;
-            if (_e590[0] == 4294967295u) {
-                phi_936_ = 0u;
-            } else {
-                if (_e590[0] >= _e62) {
-                    if (_e590[1] >= _e67) {
-                        phi_930_ = false;
-                    } else {
-                        phi_930_ = true;
-                    }
-                    let _e622 = phi_930_;
-                    phi_931_ = _e622;
-                } else {
-                    phi_931_ = true;
-                }
-                let _e624 = phi_931_;
-                if _e624 {
-                    phi_935_ = 1u;
-                } else {
-                    phi_935_ = 2u;
-                }
-                let _e626 = phi_935_;
-                phi_936_ = _e626;
-            }
-            let _e628 = phi_936_;
-            if (_e628 == 0u) {
-                phi_948_ = 0u;
-            } else {
-                if (_e628 == 1u) {
-                    phi_945_ = 0u;
-                } else {
-                    phi_945_ = 1u;
-                }
-                let _e632 = phi_945_;
-                let _e634 = atomicAdd((&counters[_e632]), 1u);
-                phi_948_ = _e634;
-            }
-            let _e636 = phi_948_;
-            if (_e588[0] == 4294967295u) {
-                phi_970_ = 0u;
-            } else {
-                if (_e588[0] >= _e62) {
-                    if (_e588[1] >= _e67) {
-                        phi_964_ = false;
-                    } else {
-                        phi_964_ = true;
-                    }
-                    let _e644 = phi_964_;
-                    phi_965_ = _e644;
-                } else {
-                    phi_965_ = true;
-                }
-                let _e646 = phi_965_;
-                if _e646 {
-                    phi_969_ = 1u;
-                } else {
-                    phi_969_ = 2u;
-                }
-                let _e648 = phi_969_;
-                phi_970_ = _e648;
-            }
-            let _e650 = phi_970_;
-            if (_e650 == 0u) {
+            let _e647 = phi_957_;
+            let _e649 = phi_958_;
+            let _e651 = phi_959_;
+            let _e653 = phi_960_;
+            if (_e653[0] == 4294967295u) {
                 phi_982_ = 0u;
             } else {
-                if (_e650 == 1u) {
-                    phi_979_ = 0u;
-                } else {
-                    phi_979_ = 1u;
-                }
-                let _e654 = phi_979_;
-                let _e656 = atomicAdd((&counters[_e654]), 1u);
-                phi_982_ = _e656;
-            }
-            let _e658 = phi_982_;
-            if (_e586[0] == 4294967295u) {
-                phi_1004_ = 0u;
-            } else {
-                if (_e586[0] >= _e62) {
-                    if (_e586[1] >= _e67) {
-                        phi_998_ = false;
+                if (_e653[0] >= _e62) {
+                    if (_e653[1] >= _e67) {
+                        phi_976_ = false;
                     } else {
-                        phi_998_ = true;
+                        phi_976_ = true;
                     }
-                    let _e666 = phi_998_;
-                    phi_999_ = _e666;
+                    let _e661 = phi_976_;
+                    phi_977_ = _e661;
                 } else {
-                    phi_999_ = true;
+                    phi_977_ = true;
                 }
-                let _e668 = phi_999_;
-                if _e668 {
-                    phi_1003_ = 1u;
+                let _e663 = phi_977_;
+                if _e663 {
+                    phi_981_ = 1u;
                 } else {
-                    phi_1003_ = 2u;
+                    phi_981_ = 2u;
                 }
-                let _e670 = phi_1003_;
-                phi_1004_ = _e670;
+                let _e665 = phi_981_;
+                phi_982_ = _e665;
             }
-            let _e672 = phi_1004_;
-            if (_e672 == 0u) {
+            let _e667 = phi_982_;
+            if (_e667 == 0u) {
+                phi_994_ = 0u;
+            } else {
+                if (_e667 == 1u) {
+                    phi_991_ = 0u;
+                } else {
+                    phi_991_ = 1u;
+                }
+                let _e671 = phi_991_;
+                let _e673 = atomicAdd((&counters[_e671]), 1u);
+                phi_994_ = _e673;
+            }
+            let _e675 = phi_994_;
+            if (_e651[0] == 4294967295u) {
                 phi_1016_ = 0u;
             } else {
-                if (_e672 == 1u) {
-                    phi_1013_ = 0u;
+                if (_e651[0] >= _e62) {
+                    if (_e651[1] >= _e67) {
+                        phi_1010_ = false;
+                    } else {
+                        phi_1010_ = true;
+                    }
+                    let _e683 = phi_1010_;
+                    phi_1011_ = _e683;
                 } else {
-                    phi_1013_ = 1u;
+                    phi_1011_ = true;
                 }
-                let _e676 = phi_1013_;
-                let _e678 = atomicAdd((&counters[_e676]), 1u);
-                phi_1016_ = _e678;
+                let _e685 = phi_1011_;
+                if _e685 {
+                    phi_1015_ = 1u;
+                } else {
+                    phi_1015_ = 2u;
+                }
+                let _e687 = phi_1015_;
+                phi_1016_ = _e687;
             }
-            let _e680 = phi_1016_;
+            let _e689 = phi_1016_;
+            if (_e689 == 0u) {
+                phi_1028_ = 0u;
+            } else {
+                if (_e689 == 1u) {
+                    phi_1025_ = 0u;
+                } else {
+                    phi_1025_ = 1u;
+                }
+                let _e693 = phi_1025_;
+                let _e695 = atomicAdd((&counters[_e693]), 1u);
+                phi_1028_ = _e695;
+            }
+            let _e697 = phi_1028_;
+            if (_e649[0] == 4294967295u) {
+                phi_1050_ = 0u;
+            } else {
+                if (_e649[0] >= _e62) {
+                    if (_e649[1] >= _e67) {
+                        phi_1044_ = false;
+                    } else {
+                        phi_1044_ = true;
+                    }
+                    let _e705 = phi_1044_;
+                    phi_1045_ = _e705;
+                } else {
+                    phi_1045_ = true;
+                }
+                let _e707 = phi_1045_;
+                if _e707 {
+                    phi_1049_ = 1u;
+                } else {
+                    phi_1049_ = 2u;
+                }
+                let _e709 = phi_1049_;
+                phi_1050_ = _e709;
+            }
+            let _e711 = phi_1050_;
+            if (_e711 == 0u) {
+                phi_1062_ = 0u;
+            } else {
+                if (_e711 == 1u) {
+                    phi_1059_ = 0u;
+                } else {
+                    phi_1059_ = 1u;
+                }
+                let _e715 = phi_1059_;
+                let _e717 = atomicAdd((&counters[_e715]), 1u);
+                phi_1062_ = _e717;
+            }
+            let _e719 = phi_1062_;
+            if (_e647[0] == 4294967295u) {
+                phi_1084_ = 0u;
+            } else {
+                if (_e647[0] >= _e62) {
+                    if (_e647[1] >= _e67) {
+                        phi_1078_ = false;
+                    } else {
+                        phi_1078_ = true;
+                    }
+                    let _e727 = phi_1078_;
+                    phi_1079_ = _e727;
+                } else {
+                    phi_1079_ = true;
+                }
+                let _e729 = phi_1079_;
+                if _e729 {
+                    phi_1083_ = 1u;
+                } else {
+                    phi_1083_ = 2u;
+                }
+                let _e731 = phi_1083_;
+                phi_1084_ = _e731;
+            }
+            let _e733 = phi_1084_;
+            if (_e733 == 0u) {
+                phi_1096_ = 0u;
+            } else {
+                if (_e733 == 1u) {
+                    phi_1093_ = 0u;
+                } else {
+                    phi_1093_ = 1u;
+                }
+                let _e737 = phi_1093_;
+                let _e739 = atomicAdd((&counters[_e737]), 1u);
+                phi_1096_ = _e739;
+            }
+            let _e741 = phi_1096_;
             workgroupBarrier();
             if (_e31 == 0u) {
-                let _e683 = atomicLoad((&counters[0u]));
-                let _e685 = atomicLoad((&counters[1u]));
-                if (_e683 > 0u) {
-                    let _e689 = atomicAdd((&levels.member[(_e52 + 1u)]), _e683);
-                    let _e692 = atomicMax((&output.member[0u]), (_e689 + _e683));
-                    if ((_e689 + _e683) < _e689) {
-                        let _e696 = atomicAdd((&output.member[2u]), 1u);
+                let _e744 = atomicLoad((&counters[0u]));
+                let _e746 = atomicLoad((&counters[1u]));
+                if (_e744 > 0u) {
+                    let _e750 = atomicAdd((&levels.member[(_e52 + 1u)]), _e744);
+                    let _e753 = atomicMax((&output.member[0u]), (_e750 + _e744));
+                    if ((_e750 + _e744) < _e750) {
+                        let _e757 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e689);
+                    atomicStore((&counters[2u]), _e750);
                 }
-                if (_e685 > 0u) {
-                    let _e700 = atomicAdd((&pairs.member[0u]), _e685);
-                    if ((_e700 + _e685) < _e700) {
-                        let _e704 = atomicAdd((&pairs.member[2u]), 1u);
+                if (_e746 > 0u) {
+                    let _e761 = atomicAdd((&pairs.member[0u]), _e746);
+                    if ((_e761 + _e746) < _e761) {
+                        let _e765 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    atomicStore((&counters[3u]), _e700);
+                    atomicStore((&counters[3u]), _e761);
                 }
             }
             workgroupBarrier();
-            let _e707 = atomicLoad((&counters[2u]));
-            let _e709 = atomicLoad((&counters[3u]));
-            if (_e592[0] == 4294967295u) {
-                phi_1088_ = 0u;
+            let _e768 = atomicLoad((&counters[2u]));
+            let _e770 = atomicLoad((&counters[3u]));
+            if (_e653[0] == 4294967295u) {
+                phi_1168_ = 0u;
             } else {
-                if (_e592[0] >= _e62) {
-                    if (_e592[1] >= _e67) {
-                        phi_1082_ = false;
+                if (_e653[0] >= _e62) {
+                    if (_e653[1] >= _e67) {
+                        phi_1162_ = false;
                     } else {
-                        phi_1082_ = true;
+                        phi_1162_ = true;
                     }
-                    let _e717 = phi_1082_;
-                    phi_1083_ = _e717;
+                    let _e778 = phi_1162_;
+                    phi_1163_ = _e778;
                 } else {
-                    phi_1083_ = true;
+                    phi_1163_ = true;
                 }
-                let _e719 = phi_1083_;
-                if _e719 {
-                    phi_1087_ = 1u;
+                let _e780 = phi_1163_;
+                if _e780 {
+                    phi_1167_ = 1u;
                 } else {
-                    phi_1087_ = 2u;
+                    phi_1167_ = 2u;
                 }
-                let _e721 = phi_1087_;
-                phi_1088_ = _e721;
+                let _e782 = phi_1167_;
+                phi_1168_ = _e782;
             }
-            let _e723 = phi_1088_;
-            if (_e723 == 1u) {
-                let _e762 = params.member.member_2.member_3;
-                let _e763 = (_e707 + _e614);
-                if (_e763 < _e762) {
-                    let _e765 = (2u * _e763);
-                    atomicStore((&output.member[(4u + _e765)]), _e592[0]);
-                    atomicStore((&output.member[(_e765 + 5u)]), _e592[1]);
+            let _e784 = phi_1168_;
+            if (_e784 == 1u) {
+                let _e823 = params.member.member_2.member_3;
+                let _e824 = (_e768 + _e675);
+                if (_e824 < _e823) {
+                    let _e826 = (2u * _e824);
+                    atomicStore((&output.member[(4u + _e826)]), _e653[0]);
+                    atomicStore((&output.member[(_e826 + 5u)]), _e653[1]);
                 }
             } else {
-                if (_e723 == 2u) {
-                    let _e728 = a_nodes.member[_e592[0]];
-                    let _e732 = b_nodes.member[_e592[1]];
-                    let _e736 = params.member.member_2.member;
-                    if (_e736 == 1u) {
-                        if (_e728.member_1 < _e732.member_1) {
-                            phi_1151_ = type_9(_e728.member_1, _e732.member_1);
+                if (_e784 == 2u) {
+                    let _e789 = a_nodes.member[_e653[0]];
+                    let _e793 = b_nodes.member[_e653[1]];
+                    let _e797 = params.member.member_2.member;
+                    if (_e797 == 1u) {
+                        if (_e789.member_1 < _e793.member_1) {
+                            phi_1231_ = type_9(_e789.member_1, _e793.member_1);
                         } else {
-                            phi_1151_ = type_9(_e732.member_1, _e728.member_1);
+                            phi_1231_ = type_9(_e793.member_1, _e789.member_1);
                         }
-                        let _e743 = phi_1151_;
-                        phi_1156_ = _e743;
+                        let _e804 = phi_1231_;
+                        phi_1236_ = _e804;
                     } else {
-                        phi_1156_ = type_9(_e728.member_1, _e732.member_1);
+                        phi_1236_ = type_9(_e789.member_1, _e793.member_1);
                     }
-                    let _e745 = phi_1156_;
-                    let _e748 = params.member.member_1.member_3;
-                    let _e749 = (_e709 + _e614);
-                    if (_e749 < _e748) {
-                        let _e753 = (2u * _e749);
-                        atomicStore((&pairs.member[(4u + _e753)]), _e745.member);
-                        atomicStore((&pairs.member[(_e753 + 5u)]), _e745.member_1);
+                    let _e806 = phi_1236_;
+                    let _e809 = params.member.member_1.member_3;
+                    let _e810 = (_e770 + _e675);
+                    if (_e810 < _e809) {
+                        let _e814 = (2u * _e810);
+                        atomicStore((&pairs.member[(4u + _e814)]), _e806.member);
+                        atomicStore((&pairs.member[(_e814 + 5u)]), _e806.member_1);
                     }
                 }
             }
-            if (_e590[0] == 4294967295u) {
-                phi_1195_ = 0u;
+            if (_e651[0] == 4294967295u) {
+                phi_1275_ = 0u;
             } else {
-                if (_e590[0] >= _e62) {
-                    if (_e590[1] >= _e67) {
-                        phi_1189_ = false;
+                if (_e651[0] >= _e62) {
+                    if (_e651[1] >= _e67) {
+                        phi_1269_ = false;
                     } else {
-                        phi_1189_ = true;
+                        phi_1269_ = true;
                     }
-                    let _e777 = phi_1189_;
-                    phi_1190_ = _e777;
+                    let _e838 = phi_1269_;
+                    phi_1270_ = _e838;
                 } else {
-                    phi_1190_ = true;
+                    phi_1270_ = true;
                 }
-                let _e779 = phi_1190_;
-                if _e779 {
-                    phi_1194_ = 1u;
+                let _e840 = phi_1270_;
+                if _e840 {
+                    phi_1274_ = 1u;
                 } else {
-                    phi_1194_ = 2u;
+                    phi_1274_ = 2u;
                 }
-                let _e781 = phi_1194_;
-                phi_1195_ = _e781;
+                let _e842 = phi_1274_;
+                phi_1275_ = _e842;
             }
-            let _e783 = phi_1195_;
-            if (_e783 == 1u) {
-                let _e822 = params.member.member_2.member_3;
-                let _e823 = (_e707 + _e636);
-                if (_e823 < _e822) {
-                    let _e825 = (2u * _e823);
-                    atomicStore((&output.member[(4u + _e825)]), _e590[0]);
-                    atomicStore((&output.member[(_e825 + 5u)]), _e590[1]);
+            let _e844 = phi_1275_;
+            if (_e844 == 1u) {
+                let _e883 = params.member.member_2.member_3;
+                let _e884 = (_e768 + _e697);
+                if (_e884 < _e883) {
+                    let _e886 = (2u * _e884);
+                    atomicStore((&output.member[(4u + _e886)]), _e651[0]);
+                    atomicStore((&output.member[(_e886 + 5u)]), _e651[1]);
                 }
             } else {
-                if (_e783 == 2u) {
-                    let _e788 = a_nodes.member[_e590[0]];
-                    let _e792 = b_nodes.member[_e590[1]];
-                    let _e796 = params.member.member_2.member;
-                    if (_e796 == 1u) {
-                        if (_e788.member_1 < _e792.member_1) {
-                            phi_1258_ = type_9(_e788.member_1, _e792.member_1);
+                if (_e844 == 2u) {
+                    let _e849 = a_nodes.member[_e651[0]];
+                    let _e853 = b_nodes.member[_e651[1]];
+                    let _e857 = params.member.member_2.member;
+                    if (_e857 == 1u) {
+                        if (_e849.member_1 < _e853.member_1) {
+                            phi_1338_ = type_9(_e849.member_1, _e853.member_1);
                         } else {
-                            phi_1258_ = type_9(_e792.member_1, _e788.member_1);
+                            phi_1338_ = type_9(_e853.member_1, _e849.member_1);
                         }
-                        let _e803 = phi_1258_;
-                        phi_1263_ = _e803;
+                        let _e864 = phi_1338_;
+                        phi_1343_ = _e864;
                     } else {
-                        phi_1263_ = type_9(_e788.member_1, _e792.member_1);
+                        phi_1343_ = type_9(_e849.member_1, _e853.member_1);
                     }
-                    let _e805 = phi_1263_;
-                    let _e808 = params.member.member_1.member_3;
-                    let _e809 = (_e709 + _e636);
-                    if (_e809 < _e808) {
-                        let _e813 = (2u * _e809);
-                        atomicStore((&pairs.member[(4u + _e813)]), _e805.member);
-                        atomicStore((&pairs.member[(_e813 + 5u)]), _e805.member_1);
+                    let _e866 = phi_1343_;
+                    let _e869 = params.member.member_1.member_3;
+                    let _e870 = (_e770 + _e697);
+                    if (_e870 < _e869) {
+                        let _e874 = (2u * _e870);
+                        atomicStore((&pairs.member[(4u + _e874)]), _e866.member);
+                        atomicStore((&pairs.member[(_e874 + 5u)]), _e866.member_1);
                     }
                 }
             }
-            if (_e588[0] == 4294967295u) {
-                phi_1302_ = 0u;
+            if (_e649[0] == 4294967295u) {
+                phi_1382_ = 0u;
             } else {
-                if (_e588[0] >= _e62) {
-                    if (_e588[1] >= _e67) {
-                        phi_1296_ = false;
+                if (_e649[0] >= _e62) {
+                    if (_e649[1] >= _e67) {
+                        phi_1376_ = false;
                     } else {
-                        phi_1296_ = true;
+                        phi_1376_ = true;
                     }
-                    let _e837 = phi_1296_;
-                    phi_1297_ = _e837;
+                    let _e898 = phi_1376_;
+                    phi_1377_ = _e898;
                 } else {
-                    phi_1297_ = true;
+                    phi_1377_ = true;
                 }
-                let _e839 = phi_1297_;
-                if _e839 {
-                    phi_1301_ = 1u;
+                let _e900 = phi_1377_;
+                if _e900 {
+                    phi_1381_ = 1u;
                 } else {
-                    phi_1301_ = 2u;
+                    phi_1381_ = 2u;
                 }
-                let _e841 = phi_1301_;
-                phi_1302_ = _e841;
+                let _e902 = phi_1381_;
+                phi_1382_ = _e902;
             }
-            let _e843 = phi_1302_;
-            if (_e843 == 1u) {
-                let _e882 = params.member.member_2.member_3;
-                let _e883 = (_e707 + _e658);
-                if (_e883 < _e882) {
-                    let _e885 = (2u * _e883);
-                    atomicStore((&output.member[(4u + _e885)]), _e588[0]);
-                    atomicStore((&output.member[(_e885 + 5u)]), _e588[1]);
+            let _e904 = phi_1382_;
+            if (_e904 == 1u) {
+                let _e943 = params.member.member_2.member_3;
+                let _e944 = (_e768 + _e719);
+                if (_e944 < _e943) {
+                    let _e946 = (2u * _e944);
+                    atomicStore((&output.member[(4u + _e946)]), _e649[0]);
+                    atomicStore((&output.member[(_e946 + 5u)]), _e649[1]);
                 }
             } else {
-                if (_e843 == 2u) {
-                    let _e848 = a_nodes.member[_e588[0]];
-                    let _e852 = b_nodes.member[_e588[1]];
-                    let _e856 = params.member.member_2.member;
-                    if (_e856 == 1u) {
-                        if (_e848.member_1 < _e852.member_1) {
-                            phi_1365_ = type_9(_e848.member_1, _e852.member_1);
+                if (_e904 == 2u) {
+                    let _e909 = a_nodes.member[_e649[0]];
+                    let _e913 = b_nodes.member[_e649[1]];
+                    let _e917 = params.member.member_2.member;
+                    if (_e917 == 1u) {
+                        if (_e909.member_1 < _e913.member_1) {
+                            phi_1445_ = type_9(_e909.member_1, _e913.member_1);
                         } else {
-                            phi_1365_ = type_9(_e852.member_1, _e848.member_1);
+                            phi_1445_ = type_9(_e913.member_1, _e909.member_1);
                         }
-                        let _e863 = phi_1365_;
-                        phi_1370_ = _e863;
+                        let _e924 = phi_1445_;
+                        phi_1450_ = _e924;
                     } else {
-                        phi_1370_ = type_9(_e848.member_1, _e852.member_1);
+                        phi_1450_ = type_9(_e909.member_1, _e913.member_1);
                     }
-                    let _e865 = phi_1370_;
-                    let _e868 = params.member.member_1.member_3;
-                    let _e869 = (_e709 + _e658);
-                    if (_e869 < _e868) {
-                        let _e873 = (2u * _e869);
-                        atomicStore((&pairs.member[(4u + _e873)]), _e865.member);
-                        atomicStore((&pairs.member[(_e873 + 5u)]), _e865.member_1);
+                    let _e926 = phi_1450_;
+                    let _e929 = params.member.member_1.member_3;
+                    let _e930 = (_e770 + _e719);
+                    if (_e930 < _e929) {
+                        let _e934 = (2u * _e930);
+                        atomicStore((&pairs.member[(4u + _e934)]), _e926.member);
+                        atomicStore((&pairs.member[(_e934 + 5u)]), _e926.member_1);
                     }
                 }
             }
-            if (_e586[0] == 4294967295u) {
-                phi_1409_ = 0u;
+            if (_e647[0] == 4294967295u) {
+                phi_1489_ = 0u;
             } else {
-                if (_e586[0] >= _e62) {
-                    if (_e586[1] >= _e67) {
-                        phi_1403_ = false;
+                if (_e647[0] >= _e62) {
+                    if (_e647[1] >= _e67) {
+                        phi_1483_ = false;
                     } else {
-                        phi_1403_ = true;
+                        phi_1483_ = true;
                     }
-                    let _e897 = phi_1403_;
-                    phi_1404_ = _e897;
+                    let _e958 = phi_1483_;
+                    phi_1484_ = _e958;
                 } else {
-                    phi_1404_ = true;
+                    phi_1484_ = true;
                 }
-                let _e899 = phi_1404_;
-                if _e899 {
-                    phi_1408_ = 1u;
+                let _e960 = phi_1484_;
+                if _e960 {
+                    phi_1488_ = 1u;
                 } else {
-                    phi_1408_ = 2u;
+                    phi_1488_ = 2u;
                 }
-                let _e901 = phi_1408_;
-                phi_1409_ = _e901;
+                let _e962 = phi_1488_;
+                phi_1489_ = _e962;
             }
-            let _e903 = phi_1409_;
-            if (_e903 == 1u) {
-                let _e942 = params.member.member_2.member_3;
-                let _e943 = (_e707 + _e680);
-                if (_e943 < _e942) {
-                    let _e945 = (2u * _e943);
-                    atomicStore((&output.member[(4u + _e945)]), _e586[0]);
-                    atomicStore((&output.member[(_e945 + 5u)]), _e586[1]);
+            let _e964 = phi_1489_;
+            if (_e964 == 1u) {
+                let _e1003 = params.member.member_2.member_3;
+                let _e1004 = (_e768 + _e741);
+                if (_e1004 < _e1003) {
+                    let _e1006 = (2u * _e1004);
+                    atomicStore((&output.member[(4u + _e1006)]), _e647[0]);
+                    atomicStore((&output.member[(_e1006 + 5u)]), _e647[1]);
                 }
             } else {
-                if (_e903 == 2u) {
-                    let _e908 = a_nodes.member[_e586[0]];
-                    let _e912 = b_nodes.member[_e586[1]];
-                    let _e916 = params.member.member_2.member;
-                    if (_e916 == 1u) {
-                        if (_e908.member_1 < _e912.member_1) {
-                            phi_1472_ = type_9(_e908.member_1, _e912.member_1);
+                if (_e964 == 2u) {
+                    let _e969 = a_nodes.member[_e647[0]];
+                    let _e973 = b_nodes.member[_e647[1]];
+                    let _e977 = params.member.member_2.member;
+                    if (_e977 == 1u) {
+                        if (_e969.member_1 < _e973.member_1) {
+                            phi_1552_ = type_9(_e969.member_1, _e973.member_1);
                         } else {
-                            phi_1472_ = type_9(_e912.member_1, _e908.member_1);
+                            phi_1552_ = type_9(_e973.member_1, _e969.member_1);
                         }
-                        let _e923 = phi_1472_;
-                        phi_1477_ = _e923;
+                        let _e984 = phi_1552_;
+                        phi_1557_ = _e984;
                     } else {
-                        phi_1477_ = type_9(_e908.member_1, _e912.member_1);
+                        phi_1557_ = type_9(_e969.member_1, _e973.member_1);
                     }
-                    let _e925 = phi_1477_;
-                    let _e928 = params.member.member_1.member_3;
-                    let _e929 = (_e709 + _e680);
-                    if (_e929 < _e928) {
-                        let _e933 = (2u * _e929);
-                        atomicStore((&pairs.member[(4u + _e933)]), _e925.member);
-                        atomicStore((&pairs.member[(_e933 + 5u)]), _e925.member_1);
+                    let _e986 = phi_1557_;
+                    let _e989 = params.member.member_1.member_3;
+                    let _e990 = (_e770 + _e741);
+                    if (_e990 < _e989) {
+                        let _e994 = (2u * _e990);
+                        atomicStore((&pairs.member[(4u + _e994)]), _e986.member);
+                        atomicStore((&pairs.member[(_e994 + 5u)]), _e986.member_1);
                     }
                 }
             }

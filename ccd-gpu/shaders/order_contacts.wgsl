@@ -47,10 +47,10 @@ struct type_15 {
 var<storage> order: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_15;
-@group(0) @binding(1) 
-var<storage> contacts: type_11;
 @group(0) @binding(3) 
 var<storage, read_write> ordered: type_11;
+@group(0) @binding(1) 
+var<storage> contacts: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_83_: u32;

@@ -16,6 +16,12 @@ pub enum Error {
         /// What was looked for and what was found.
         why: String,
     },
+    /// Normal cones were asked for where an application writes paths on the device itself.
+    #[error(
+        "normal cones are certified from positions on the host, which does not see the paths that \
+         an application writes on the device: turn cones off"
+    )]
+    PathsUnseen,
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {

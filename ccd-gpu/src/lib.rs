@@ -15,7 +15,7 @@
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
-//! | `step/` | buffers, dispatches, a frame, positions in, contacts in order, the CPU's part |
+//! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
 //! | `harness.rs` | one kernel by itself, for tests |
 //!
 //! With `RUST_LOG` and a logger, wgpu says what it does. The environment variable `CCD_ADAPTER`

@@ -12,7 +12,7 @@ use std::collections::HashMap;
 /// Bytes between the parameters of two dispatches.
 const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
 /// Dispatches of one recording, at most.
-const MAX_DISPATCHES: u64 = 1024;
+const MAX_DISPATCHES: u64 = 2048;
 /// Stages of one recording, at most.
 const MAX_STAGES: u32 = 32;
 

@@ -63,6 +63,7 @@ impl Session {
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         method::check(options.broad_phase)?;
+        method::check_scheduling(options.scheduling)?;
         if let Some(name) = options.pipeline.lacking("gpu") {
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
@@ -192,7 +193,8 @@ impl Session {
     /// into an encoder of the caller's; nothing is read back.
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
-    /// next call. With a minimum distance, it is rounded to `f32`.
+    /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
+    /// are certified from positions on the host.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         let b = self.frames.record(&self.device, &self.options, encoder)?;
         Ok(OnDevice {
@@ -211,7 +213,7 @@ impl Session {
         }?;
         let start = Instant::now();
         self.device.check_lost()?;
-        self.frames.upload(&self.device, given, self.options.min_distance)?;
+        self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
         self.report = Report {
             contacts: std::mem::take(&mut self.report.contacts),
             rebuilt: true,
@@ -233,6 +235,7 @@ impl Session {
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
         report.filtered = found.filtered;
+        report.triangles = found.triangles;
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             let (mesh, distance) = (&self.mesh, self.options.min_distance);

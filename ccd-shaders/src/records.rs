@@ -2,8 +2,9 @@
 //! piece. The fields are those of `ccd_core::layout`, in their order.
 
 use ccd_core::Aabb;
-use ccd_core::kernel::memory::{Stored, at};
-use ccd_core::layout::{Branch, Leaf, WideNode};
+use ccd_core::broad_phase::node_numbering;
+use ccd_core::kernel::memory::{Stored, at, put};
+use ccd_core::layout::{Branch, Cluster, Leaf, WideNode};
 use ccd_core::math::obb::Obb;
 use spirv_std::glam::{UVec4, Vec2, Vec4};
 
@@ -108,6 +109,50 @@ fn words(corner: [f32; 3], word: u32) -> UVec4 {
 #[inline(always)]
 fn corner(w: UVec4) -> [f32; 3] {
     [f32::from_bits(w.x), f32::from_bits(w.y), f32::from_bits(w.z)]
+}
+
+/// A [`Cluster`].
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct ClusterWords {
+    low: UVec4,
+    high: UVec4,
+}
+
+impl ClusterWords {
+    /// The words of a cluster.
+    #[inline(always)]
+    pub fn of(cluster: &Cluster) -> Self {
+        Self { low: words(cluster.min, cluster.node), high: words(cluster.max, cluster.leaves) }
+    }
+}
+
+/// Cluster `i`.
+#[inline(always)]
+pub fn cluster_at(clusters: &[ClusterWords], i: u32) -> Cluster {
+    let w = at(clusters, i as usize);
+    Cluster { min: corner(w.low), node: w.low.w, max: corner(w.high), leaves: w.high.w }
+}
+
+/// Writes the words that change when `parent` becomes the parent of two nodes; see
+/// `ccd_core::broad_phase::node_numbering`.
+#[inline(always)]
+pub fn put_join(joins: &mut [u32], parent: u32, children: [u32; 2], leaves: [u32; 2]) {
+    let [a, b, c, d, e, f] = node_numbering::join_words(parent, children, leaves);
+    put(joins, a[0] as usize, a[1]);
+    put(joins, b[0] as usize, b[1]);
+    put(joins, c[0] as usize, c[1]);
+    put(joins, d[0] as usize, d[1]);
+    put(joins, e[0] as usize, e[1]);
+    put(joins, f[0] as usize, f[1]);
+}
+
+/// Likewise, when `node` becomes the root.
+#[inline(always)]
+pub fn put_root(joins: &mut [u32], node: u32) {
+    let [a, b] = node_numbering::root_words(node);
+    put(joins, a[0] as usize, a[1]);
+    put(joins, b[0] as usize, b[1]);
 }
 
 /// An [`Obb`], and a word that is not used.

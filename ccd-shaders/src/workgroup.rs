@@ -51,6 +51,13 @@ pub fn lower(words: &mut [u32], i: usize, value: u32) {
     unsafe { atomic_u_min::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) };
 }
 
+/// Sets bits of a word of a buffer.
+#[inline(always)]
+pub fn or(words: &mut [u32], i: usize, bits: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_or::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), bits) };
+}
+
 /// A word of a buffer to which others may write at the same time, if by atomics.
 #[inline(always)]
 pub fn load(words: &[u32], i: usize) -> u32 {

@@ -1,7 +1,7 @@
 //! A broad phase on either backend, and the pairs that either lists.
 
 use super::{Choice, Either, Error, Place, Turn, gpu};
-use crate::{Aabb, BroadPhaseMethod, Pair};
+use crate::{Aabb, BroadPhaseMethod, Pair, Scheduling};
 
 /// Finds overlapping boxes, on the CPU or on a GPU: the calls of [`crate::BroadPhase`].
 pub struct BroadPhase {
@@ -11,23 +11,40 @@ pub struct BroadPhase {
     /// What the CPU needs to take over.
     threads: usize,
     method: BroadPhaseMethod,
+    scheduling: Scheduling,
 }
 
 impl BroadPhase {
     /// A broad phase where the choice wants it. `threads`: of the CPU.
     pub fn new(choice: &Choice, threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
-        let choice = &choice.for_methods(method, crate::Pipeline::default());
-        let on_cpu = || crate::BroadPhase::new(threads, method);
-        let on_gpu = |device: &_| gpu::BroadPhase::new(device, method);
+        Self::scheduled(choice, threads, method, Scheduling::default())
+    }
+
+    /// The same with work shared out in a way of its own.
+    pub fn scheduled(
+        choice: &Choice,
+        threads: usize,
+        method: BroadPhaseMethod,
+        scheduling: Scheduling,
+    ) -> Result<Self, Error> {
+        let choice = &choice.for_methods(method, crate::Pipeline::default(), scheduling);
+        let on_cpu = || crate::BroadPhase::scheduled(threads, method, scheduling);
+        let on_gpu = |device: &_| {
+            scheduling.check(method)?;
+            match scheduling.lacking("gpu") {
+                Some(name) => Err(crate::Error::Method { name, backend: "gpu" }.into()),
+                None => gpu::BroadPhase::new(device, method),
+            }
+        };
         let on = Either::new(choice, on_cpu, on_gpu)?;
         let adapter = choice.device.as_ref().map(|device| gpu::name(device).into());
-        Ok(Self { on, adapter: adapter.unwrap_or_default(), threads, method })
+        Ok(Self { on, adapter: adapter.unwrap_or_default(), threads, method, scheduling })
     }
 
     /// Pairs within one set, each once, lesser index first.
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
-        let &mut Self { threads, method, .. } = self;
-        let on_cpu = |_: &_| crate::BroadPhase::new(threads, method);
+        let &mut Self { threads, method, scheduling, .. } = self;
+        let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);
         match self.on.run(|on| on.self_pairs(boxes), on_cpu)? {
             Turn::Done(pairs) => Ok(Pairs::owned(pairs)),
             Turn::Cpu(on) => Ok(Pairs::lent(on.self_pairs(boxes)?)),
@@ -36,8 +53,8 @@ impl BroadPhase {
 
     /// Pairs of a box of `a` with a box of `b`.
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
-        let &mut Self { threads, method, .. } = self;
-        let on_cpu = |_: &_| crate::BroadPhase::new(threads, method);
+        let &mut Self { threads, method, scheduling, .. } = self;
+        let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);
         match self.on.run(|on| on.pairs(a, b), on_cpu)? {
             Turn::Done(pairs) => Ok(Pairs::owned(pairs)),
             Turn::Cpu(on) => Ok(Pairs::lent(on.pairs(a, b)?)),

@@ -135,10 +135,16 @@ impl Choice {
         Self { notice: Some(notice), ..self }
     }
 
-    /// The same, but the CPU at once if the choice was free and a GPU lacks this method or this
-    /// pipeline.
-    fn for_methods(&self, method: crate::BroadPhaseMethod, pipeline: crate::Pipeline) -> Self {
+    /// The same, but the CPU at once if the choice was free and a GPU lacks this method, this
+    /// pipeline or this scheduling.
+    fn for_methods(
+        &self,
+        method: crate::BroadPhaseMethod,
+        pipeline: crate::Pipeline,
+        scheduling: crate::Scheduling,
+    ) -> Self {
         let lacking = method.lacking("gpu").or(pipeline.lacking("gpu"));
+        let lacking = lacking.or(scheduling.lacking("gpu"));
         if self.free && lacking.is_some() {
             Self { notice: self.notice, ..Self::default() }
         } else {

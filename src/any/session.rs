@@ -18,7 +18,7 @@ pub struct Candidates<'a> {
 impl Session {
     /// A session for `mesh` where the choice wants it.
     pub fn new(choice: &Choice, mesh: Mesh, options: Options) -> Result<Self, Error> {
-        let choice = &choice.for_methods(options.broad_phase, options.pipeline);
+        let choice = &choice.for_methods(options.broad_phase, options.pipeline, options.scheduling);
         let on_cpu = || crate::Session::new(mesh.clone(), options.clone());
         let on_gpu = |device: &_| gpu::Session::new(device, mesh.clone(), options.clone());
         Either::new(choice, on_cpu, on_gpu).map(Self)

@@ -206,7 +206,8 @@ impl Bench {
 
     fn options(&self) -> Result<Options, Failure> {
         let (broad_phase, pipeline) = (self.method.method()?, self.method.pipeline()?);
-        Ok(Options { threads: self.threads, broad_phase, pipeline, ..Options::default() })
+        let (threads, scheduling) = (self.threads, self.method.scheduling()?);
+        Ok(Options { threads, broad_phase, pipeline, scheduling, ..Options::default() })
     }
 
     fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {
@@ -219,10 +220,10 @@ impl Bench {
                 .len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
-        let chosen = self.method.chosen()?;
+        let (chosen, scheduling) = (self.method.chosen()?, self.method.scheduling()?);
         for method in chosen.map_or(DEFAULT.to_vec(), |method| vec![method]) {
             let what = method.row().name;
-            let mut broad = BroadPhase::new(choice, self.threads, method)?;
+            let mut broad = BroadPhase::scheduled(choice, self.threads, method, scheduling)?;
             if method == BroadPhaseMethod::Blocks && broad.gpu().is_some() {
                 let megabytes = size_of_val(&boxes[..]) as f64 / 1e6;
                 let timed = self.by_clock(&mut broad, |broad| {

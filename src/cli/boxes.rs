@@ -4,7 +4,7 @@ use super::backend::BackendOptions;
 use super::method::MethodOptions;
 use super::{Failure, Outcome, in_file, output};
 use ccd::Aabb;
-use ccd::any::{BroadPhase, Error, Pairs};
+use ccd::any::{BroadPhase, Choice, Error, Pairs};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -61,7 +61,7 @@ impl Boxes {
         let b = self.b.as_deref().map(read).transpose()?;
         let load = start.elapsed().as_secs_f64() * 1e3;
         let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
-        let mut broad = BroadPhase::new(&choice, self.threads, self.method.method()?)?;
+        let mut broad = self.broad_phase(&choice)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         for _ in 0..self.runs {
@@ -107,6 +107,13 @@ impl Boxes {
         }
         output::flush();
         Ok(n_pairs > 0)
+    }
+}
+
+impl Boxes {
+    fn broad_phase(&self, choice: &Choice) -> Result<BroadPhase, Failure> {
+        let (method, scheduling) = (self.method.method()?, self.method.scheduling()?);
+        Ok(BroadPhase::scheduled(choice, self.threads, method, scheduling)?)
     }
 }
 

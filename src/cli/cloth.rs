@@ -78,12 +78,20 @@ impl Cloth {
         let bodies = Bodies::new(&body, &[false, true], true);
         let choice = backend.choose(mesh.edges().len())?;
         let (broad_phase, pipeline) = (method.method()?, method.pipeline()?);
+        let scheduling = method.scheduling()?;
         let session = |min_distance| {
             let bodies = Some(bodies.clone());
             Session::new(
                 &choice,
                 mesh.clone(),
-                Options { min_distance, bodies, broad_phase, pipeline, ..Options::default() },
+                Options {
+                    min_distance,
+                    bodies,
+                    broad_phase,
+                    pipeline,
+                    scheduling,
+                    ..Options::default()
+                },
             )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);

@@ -3,7 +3,8 @@
 
 use super::{Failure, Outcome, output};
 use ccd::{
-    BroadPhaseMethod, Builder, Catalogued, Descent, Pipeline, Row, Traversal, TreeOptions, Volume,
+    BroadPhaseMethod, Builder, Catalogued, Descent, Front, Pipeline, Row, Scheduler, Scheduling,
+    Traversal, TreeOptions, Volume,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -51,6 +52,17 @@ pub struct MethodOptions {
     /// Which of two nodes --traversal simultaneous and cut expand
     #[arg(long, value_enum)]
     descent: Option<DescentName>,
+    /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
+    /// simultaneous and cut
+    #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
+    #[arg(hide_possible_values = true)]
+    scheduler: Option<Scheduler>,
+    /// Whether a step begins at the pairs of nodes where the one before ended, by the same
+    #[arg(long, value_name = "NAME", value_parser = named::<Front>())]
+    front: Option<Front>,
+    /// Percentage of workers that must be idle for --scheduler balanced to deal out again
+    #[arg(long, value_name = "N")]
+    idle: Option<u32>,
 }
 
 /// Which of two nodes is expanded.
@@ -112,6 +124,20 @@ impl MethodOptions {
             }
             other => Ok(other),
         }
+    }
+
+    /// How work is shared out, and where a step begins.
+    pub fn scheduling(&self) -> Result<Scheduling, Failure> {
+        let scheduler = match (self.scheduler, self.idle) {
+            (Some(Scheduler::Balanced { .. }), Some(idle)) => Some(Scheduler::Balanced { idle }),
+            (other, Some(_)) => {
+                let name = other.map_or("the default", |other| other.row().name);
+                return Err(Failure(format!("--idle is for --scheduler balanced, not {name}")));
+            }
+            (scheduler, None) => scheduler,
+        };
+        let scheduling = Scheduling::default().front(self.front.unwrap_or_default());
+        Ok(scheduler.map_or(scheduling, |scheduler| scheduling.scheduler(scheduler)))
     }
 
     /// Nothing, or why a command that pairs boxes alone has no pipeline.
@@ -201,6 +227,8 @@ struct Json {
     builders: Vec<Entry>,
     volumes: Vec<Entry>,
     pipelines: Vec<Entry>,
+    schedulers: Vec<Entry>,
+    fronts: Vec<Entry>,
 }
 
 fn entries<T: Catalogued>() -> Vec<Entry> {
@@ -219,6 +247,8 @@ impl List {
             builders: entries::<Builder>(),
             volumes: entries::<Volume>(),
             pipelines: entries::<Pipeline>(),
+            schedulers: entries::<Scheduler>(),
+            fronts: entries::<Front>(),
         };
         if self.json {
             output::json(&all)?;
@@ -228,6 +258,9 @@ impl List {
             print::<Traversal>("Traversals of trees, --traversal NAME", &all.traversals);
             print::<Volume>("Volumes of trees, --volume NAME", &all.volumes);
             print::<Pipeline>("Pipelines, --pipeline NAME", &all.pipelines);
+            let of = "of blocks, and of trees by pairs of nodes";
+            print::<Scheduler>(&format!("Schedulers {of}, --scheduler NAME"), &all.schedulers);
+            print::<Front>(&format!("Fronts {of}, --front NAME"), &all.fronts);
             println!("* what is used without the option");
         }
         output::flush();

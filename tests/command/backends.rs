@@ -15,7 +15,9 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
         (value, std::fs::read_to_string(csv).unwrap())
     };
     for precision in ["f32", "f64"] {
-        for command in [&["check", &a, &b][..], &["sequence", &a, &b, &a]] {
+        let check = ["check", a.as_str(), &b];
+        let by_triangles = [&check[..], &["--pipeline", "triangles", "--cones", "on"]].concat();
+        for command in [&check[..], &["sequence", &a, &b, &a], &by_triangles] {
             let args = [command, &["--precision", precision]].concat();
             let (cpu, want) = rows(&[&args[..], &["--backend", "cpu"]].concat());
             assert!(want.lines().count() > 20, "{want}");

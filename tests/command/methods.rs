@@ -1,7 +1,7 @@
 //! What there is to choose from, each of it chosen, and combinations that mean nothing.
 
 use crate::{ccd, check_refused, json, obj, text};
-use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Pipeline, Traversal, Volume};
+use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Scheduler, Traversal, Volume};
 use serde_json::Value;
 
 pub fn the_list_names_every_choice() {
@@ -13,6 +13,8 @@ pub fn the_list_names_every_choice() {
         ("traversals", names::<Traversal>()),
         ("volumes", names::<Volume>()),
         ("pipelines", names::<Pipeline>()),
+        ("schedulers", names::<Scheduler>()),
+        ("fronts", names::<Front>()),
     ] {
         let listed: Vec<&str> =
             all[key].as_array().unwrap().iter().map(|e| e["name"].as_str().unwrap()).collect();
@@ -41,6 +43,8 @@ pub fn every_choice_finds_the_same() {
         ("traversals", "--traversal"),
         ("volumes", "--volume"),
         ("pipelines", "--pipeline"),
+        ("schedulers", "--scheduler"),
+        ("fronts", "--front"),
     ];
     let mut n_choices = 0;
     for (key, option) in options {
@@ -63,6 +67,8 @@ pub fn every_choice_finds_the_same() {
         &["--traversal", "cut", "--cut", "3", "--descent", "both"][..],
         &["--builder", "ploc", "--radius", "2", "--broad-phase", "tree"],
         &["--pipeline", "triangles", "--orphans", "off", "--cones", "on"],
+        &["--scheduler", "balanced", "--idle", "100", "--front", "on"],
+        &["--scheduler", "stealing", "--traversal", "cut"],
     ] {
         let known = settings.iter().all(|s| s.starts_with('-') || known(&all, s));
         if known {
@@ -77,7 +83,9 @@ fn known(all: &Value, word: &str) -> bool {
     let here = |key: &str| all[key].as_array().unwrap().iter().any(|e| e["name"] == word);
     word.parse::<u32>().is_ok()
         || ["both", "larger", "on", "off"].contains(&word)
-        || ["broad_phases", "builders", "traversals", "pipelines"].into_iter().any(here)
+        || ["broad_phases", "builders", "traversals", "pipelines", "schedulers"]
+            .into_iter()
+            .any(here)
 }
 
 pub fn combinations_that_mean_nothing_are_refused() {
@@ -96,6 +104,10 @@ pub fn combinations_that_mean_nothing_are_refused() {
     refused(&["--traversal", "cut", "--cut", "0"], "it must be from 1 to 1024");
     refused(&["--broad-phase", "by hand"], "by hand");
     refused(&["--cones", "on"], "--cones is for --pipeline triangles, not features");
+    refused(&["--scheduler", "stealing", "--traversal", "half"], "`half` has none");
+    refused(&["--front", "on", "--broad-phase", "uniform-grid"], "that descend pairs of nodes");
+    refused(&["--scheduler", "static", "--idle", "9"], "--idle is for --scheduler balanced");
+    refused(&["--scheduler", "balanced", "--idle", "0"], "it must be from 1 to 100");
     let boxes = dir.path().join("boxes.bin");
     std::fs::write(&boxes, [0u8; 24]).unwrap();
     let boxes = boxes.to_str().unwrap();

@@ -6,6 +6,8 @@
 //! with the recorded contacts, which `truth.rs` compares with published answers. Each comparison
 //! is made again with answers that are wrong on purpose, and must fail.
 //!
+//! Schedulers and fronts have rows `.../METHOD/SCHEDULER/BACKEND`.
+//!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
 //! they take minutes and `tests/gpu` makes them: reported with the reason, and counted. So are
@@ -18,7 +20,7 @@ use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{
     Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
-    State,
+    Scheduling, State, Traversal, TreeOptions, Volume,
 };
 use ccd_testkit::compare::{agree, step_text};
 use ccd_testkit::data;
@@ -50,7 +52,7 @@ fn main() {
             for &method in &methods {
                 let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{method}/{place}"));
                 trials.push(row_of(name, source, choice, move |choice| {
-                    check_pairs(&loaded, source, choice, method)
+                    check_pairs(&loaded, source, choice, method, Scheduling::default())
                 }));
             }
             let moves = !matches!(source, Source::Boxes(_));
@@ -62,8 +64,28 @@ fn main() {
                     check_contacts(&loaded, source, choice, options)
                 }));
             }
+            for (method, scheduling) in schedulings(source, backend) {
+                let (loaded, name) = (loaded.clone(), format!("{scene}/{method}/{scheduling}"));
+                let again = loaded.clone();
+                trials.push(row_of(
+                    format!("pairs/{name}/{place}"),
+                    source,
+                    choice,
+                    move |choice| check_pairs(&loaded, source, choice, method, scheduling),
+                ));
+                let options = Options { threads: 2, broad_phase: method, ..Options::default() };
+                let options = Options { scheduling, ..options };
+                let name = format!("contacts/{name}/{place}");
+                trials.extend(moves.then(|| {
+                    row_of(name, source, choice, move |choice| {
+                        check_contacts(&again, source, choice, options)
+                    })
+                }));
+            }
             for pipeline in pipelines(source, backend) {
-                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{pipeline:?}"));
+                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
+                let row = pipeline.row().name;
+                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{row}/{place}"));
                 let options = Options { threads: 2, pipeline, ..Options::default() };
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_contacts(&loaded, source, choice, options)
@@ -89,6 +111,25 @@ fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
         Source::Boxes(_) => Vec::new(),
         _ => Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value).collect(),
     }
+}
+
+/// Ways to share out pairs of nodes, of generated scenes, with the methods that have some.
+fn schedulings(
+    source: Source,
+    backend: &'static str,
+) -> impl Iterator<Item = (BroadPhaseMethod, Scheduling)> {
+    let tree = |traversal, volume| {
+        let tree = TreeOptions::default().traversal(traversal).volume(volume);
+        BroadPhaseMethod::Tree(tree)
+    };
+    let methods = [
+        BroadPhaseMethod::Blocks,
+        tree(Traversal::CUT, Volume::Aabb),
+        tree(Traversal::SIMULTANEOUS, Volume::Obb),
+    ];
+    let here = methods.into_iter().filter(|method| method.lacking(backend).is_none());
+    here.filter(move |_| !matches!(source, Source::Real(_)))
+        .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
 }
 
 /// What a row lacks.
@@ -160,9 +201,11 @@ fn check_pairs(
     source: Source,
     choice: &Choice,
     method: BroadPhaseMethod,
+    scheduling: Scheduling,
 ) -> Result<Completion, String> {
     let boxes = loaded.boxes.get_or_init(|| load_boxes(source));
-    let mut broad = BroadPhase::new(choice, 2, method).map_err(|e| e.to_string())?;
+    let mut broad =
+        BroadPhase::scheduled(choice, 2, method, scheduling).map_err(|e| e.to_string())?;
     let answer = broad.self_pairs(&boxes.within).map(|pairs| pairs.into_vec());
     let within = taken(source, method, boxes.within.len(), answer)?;
     if let Ok(within) = &within {

@@ -4,6 +4,8 @@
 //! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
 
+mod builder_twin;
+mod builders;
 mod descent;
 mod failures;
 mod grazing;
@@ -20,6 +22,7 @@ mod sorts;
 mod support;
 mod tangential;
 mod trees;
+mod triangles;
 mod twin;
 mod units;
 
@@ -86,7 +89,9 @@ fn main() {
             sorts::TESTS,
             pairs::TESTS,
             trees::TESTS,
+            builders::TESTS,
             listed::TESTS,
+            triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
             oriented::TESTS,

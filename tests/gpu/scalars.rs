@@ -227,7 +227,8 @@ pub fn check_decorations() {
             "Blocks" => &[0, 128, 132, 136, 140],
             "SortPass" | "Queries" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
-            "NodeDescent" => &[0, 4, 8, 12],
+            "NodeDescent" | "Expansion" => &[0, 4, 8, 12],
+            "Building" => &[0, 4, 8, 12, 16],
             "Plain" | "Decision" | "ContactSort" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };

@@ -26,10 +26,13 @@ pub fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
 /// A distance and where in the array the node is that has it.
 pub type Found = (f32, u32);
 
+/// More than any distance in cells of a Morton grid.
+pub const FAR: f32 = 3.0e38;
+
 /// What a search begins with: the first node that is free, as if it were farther than any.
 #[inline(always)]
 pub fn beginning(first: u32) -> Found {
-    (f32::MAX, first)
+    (FAR, first)
 }
 
 /// The nearer of two nodes; of equally near ones that which comes first in the array. So the order

@@ -24,87 +24,124 @@
 //! place is also the first leaf of the node above, and it writes the branch of that. The cost is
 //! the depth of each leaf; there is no order between threads.
 
-use crate::kernel::Words;
+use crate::kernel::{ReadWords, Words};
 use crate::layout::Branch;
 
-/// In an [`ancestry`](join): of the root.
+/// In place of a parent: of the root.
 pub const NO_PARENT: u32 = u32::MAX;
 
-/// Words per node of an ancestry: its parent, and how many leaves are below its left sibling (0 if
-/// it is a left child).
-pub const ANCESTRY: usize = 2;
+/// Words per node of the joins: its parent; how many leaves are below its left sibling (0 if it is
+/// a left child); and, of an internal node, how many are below its left child, and below it.
+pub const JOIN: usize = 4;
 
-/// Words per internal node of the splits: leaves below its left child, and below it.
-pub const SPLIT: usize = 2;
-
-/// Makes `parent`, of any number below `n - 1`, the parent of two nodes, with so many leaves below
-/// each; leaves are numbered from `n - 1` on in any order.
+/// The words that change, with where they are, when `parent`, of any number below `n - 1`, becomes
+/// the parent of two nodes with so many leaves below each; leaves are numbered from `n - 1` on in
+/// any order.
 ///
 /// Thread of `parent`: no other writes these words.
 #[inline(always)]
-pub fn join(
-    parent: u32,
-    children: [u32; 2],
-    leaves: [u32; 2],
-    ancestry: &impl Words,
-    splits: &impl Words,
-) {
-    let (left, right) = (children[0] as usize * ANCESTRY, children[1] as usize * ANCESTRY);
-    ancestry.store(left, parent);
-    ancestry.store(left + 1, 0);
-    ancestry.store(right, parent);
-    ancestry.store(right + 1, leaves[0]);
-    splits.store(parent as usize * SPLIT, leaves[0]);
-    splits.store(parent as usize * SPLIT + 1, leaves[0] + leaves[1]);
+pub fn join_words(parent: u32, children: [u32; 2], leaves: [u32; 2]) -> [[u32; 2]; 6] {
+    let (at, join) = (parent * JOIN as u32, JOIN as u32);
+    let (left, right) = (children[0] * join, children[1] * join);
+    [
+        [left, parent],
+        [left + 1, 0],
+        [right, parent],
+        [right + 1, leaves[0]],
+        [at + 2, leaves[0]],
+        [at + 3, leaves[0] + leaves[1]],
+    ]
 }
 
-/// Makes `node` the root.
+/// Likewise, when `node` becomes the root.
 #[inline(always)]
-pub fn make_root(node: u32, ancestry: &impl Words) {
-    ancestry.store(node as usize * ANCESTRY, NO_PARENT);
-    ancestry.store(node as usize * ANCESTRY + 1, 0);
+pub fn root_words(node: u32) -> [[u32; 2]; 2] {
+    let at = node * JOIN as u32;
+    [[at, NO_PARENT], [at + 1, 0]]
 }
 
-/// Thread of leaf `i`, in the builder's order: returns its place, and writes the branches of the
-/// nodes of which it is the first leaf, which no other thread does.
+/// Stores words where they are to be.
+#[inline(always)]
+pub fn store_words<const N: usize>(words: [[u32; 2]; N], joins: &impl Words) {
+    for [at, word] in words {
+        joins.store(at as usize, word);
+    }
+}
+
+/// Of leaf `i`, in the builder's order: its place. A thread each.
 ///
-/// Both ways up pass every internal node at most once, so `n_internal` bounds the loops; all second
-/// ways together are as long as there are nodes.
+/// The way up passes every internal node at most once, so `n_internal` bounds the loop.
 #[inline(always)]
-pub fn number(
-    i: u32,
-    n_internal: u32,
-    ancestry: &impl Words,
-    splits: &impl Words,
-    branches: &impl Words,
-) -> u32 {
-    let leaf = (n_internal + i) as usize;
-    let (mut node, mut place) = (leaf, 0);
+pub fn place<W: ReadWords + ?Sized>(i: u32, n_internal: u32, joins: &W) -> u32 {
+    let (mut node, mut place) = ((n_internal + i) as usize, 0);
     for _ in 0..n_internal {
-        let parent = ancestry.load(node * ANCESTRY);
+        let parent = joins.word(node * JOIN);
         if parent == NO_PARENT {
             break;
         }
-        place += ancestry.load(node * ANCESTRY + 1);
+        place += joins.word(node * JOIN + 1);
         node = parent as usize;
     }
-    node = leaf;
+    place
+}
+
+/// An internal node of which a leaf is the first.
+#[derive(Clone, Copy, Debug)]
+pub struct Above {
+    /// Whether there is one; if not, nothing else counts.
+    pub there: bool,
+    /// As its builder numbers it.
+    pub node: u32,
+    /// Its number.
+    pub number: u32,
+    /// What it is.
+    pub branch: Branch,
+}
+
+/// The node above `node`, if that is a left child; `place`: the place of the first leaf of both.
+///
+/// The thread of a leaf goes on with this from the leaf itself to the first node that is no left
+/// child, and writes the branches: no other does. All these ways together are as long as there are
+/// nodes.
+#[inline(always)]
+pub fn above<W: ReadWords + ?Sized>(node: u32, place: u32, n_internal: u32, joins: &W) -> Above {
+    let from = node as usize * JOIN;
+    let parent = joins.word(from);
+    let there = parent != NO_PARENT && joins.word(from + 1) == 0;
+    // Without a parent it looks at itself, whose words are there.
+    let node = if there { parent } else { node };
+    let at = node as usize * JOIN;
+    let is_root = joins.word(at) == NO_PARENT;
+    let is_left = joins.word(at + 1) == 0;
+    let (left, all) = (joins.word(at + 2), joins.word(at + 3));
+    let number = if is_root {
+        0
+    } else if is_left {
+        place + all - 1
+    } else {
+        place
+    };
+    Above {
+        there,
+        node,
+        number: if there { number } else { 0 },
+        branch: branch_over(place, place + left, place + all, n_internal),
+    }
+}
+
+/// Thread of leaf `i`, in the builder's order: returns its place, and writes the branches of the
+/// nodes of which it is the first leaf.
+#[inline(always)]
+pub fn number(i: u32, n_internal: u32, joins: &impl Words, branches: &impl Words) -> u32 {
+    let place = place(i, n_internal, joins);
+    let mut node = n_internal + i;
     for _ in 0..n_internal {
-        let parent = ancestry.load(node * ANCESTRY);
-        if parent == NO_PARENT || ancestry.load(node * ANCESTRY + 1) != 0 {
+        let above = above(node, place, n_internal, joins);
+        if !above.there {
             break;
         }
-        node = parent as usize;
-        let (left, all) = (splits.load(node * SPLIT), splits.load(node * SPLIT + 1));
-        let number = if ancestry.load(node * ANCESTRY) == NO_PARENT {
-            0
-        } else if ancestry.load(node * ANCESTRY + 1) == 0 {
-            place + all - 1
-        } else {
-            place
-        };
-        let branch = branch_over(place, place + left, place + all, n_internal);
-        store_branch(number, &branch, branches);
+        store_branch(above.number, &above.branch, branches);
+        node = above.node;
     }
     place
 }
@@ -159,6 +196,14 @@ mod tests {
         fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
             self.0[i].replace(self.0[i].get() + value)
         }
+        fn load_acquire(&self, i: usize) -> u32 {
+            self.0[i].get()
+        }
+        fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+            let seen = self.0[i].get();
+            self.0[i].set(if seen == old { new } else { seen });
+            seen
+        }
     }
 
     /// Children of internal nodes, the last of which is the root; `n_internal + k` is leaf `k`.
@@ -205,19 +250,16 @@ mod tests {
     /// What the threads find, each by itself.
     fn by_threads(children: &Children) -> (Vec<u32>, Vec<Branch>) {
         let n_internal = children.len() as u32;
-        let (ancestry, splits, branches) = (
-            Plain::new((2 * children.len() + 1) * ANCESTRY),
-            Plain::new(children.len() * SPLIT),
-            Plain::new(children.len() * BRANCH),
-        );
+        let joins = Plain::new((2 * children.len() + 1) * JOIN);
+        let branches = Plain::new(children.len() * BRANCH);
         let mut leaves = vec![1u32; 2 * children.len() + 1];
         for (node, &[left, right]) in children.iter().enumerate() {
             let below = [leaves[left as usize], leaves[right as usize]];
             leaves[node] = below[0] + below[1];
-            join(node as u32, [left, right], below, &ancestry, &splits);
+            store_words(join_words(node as u32, [left, right], below), &joins);
         }
-        make_root(n_internal - 1, &ancestry);
-        let places = (0..=n_internal).map(|i| number(i, n_internal, &ancestry, &splits, &branches));
+        store_words(root_words(n_internal - 1), &joins);
+        let places = (0..=n_internal).map(|i| number(i, n_internal, &joins, &branches));
         let places = places.collect();
         let word = |i: usize, k: usize| branches.load(i * BRANCH + k);
         let branch = |i: usize| Branch {

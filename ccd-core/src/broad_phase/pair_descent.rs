@@ -48,10 +48,7 @@ pub fn expand(
     if within && i == j {
         return of_one(a, &x);
     }
-    let either = !x.is_leaf() && !y.is_leaf();
-    let both = either && matches!(rule, Descent::Both);
-    let splits_y = both || x.is_leaf() || (either && volume(&y.aabb()) > volume(&x.aabb()));
-    let splits_x = both || !splits_y;
+    let (splits_x, splits_y) = (splits_first(rule, &x, &y), splits_second(rule, &x, &y));
     let mut out = [NO_PAIR; 4];
     if (splits_x && x.is_leaf()) || (splits_y && y.is_leaf()) {
         return out;
@@ -73,6 +70,54 @@ pub fn expand(
         out[1] = pair_if(x.aabb().overlaps(&y1), i, y.right);
     }
     out
+}
+
+/// All pairs that [`expand`] looks at, whether they overlap or not: what a front needs, which has
+/// a pair for each that is apart.
+#[inline(always)]
+pub fn children(
+    rule: Descent,
+    within: bool,
+    a: &[Node],
+    b: &[Node],
+    [i, j]: NodePair,
+) -> [NodePair; 4] {
+    let (x, y) = (at(a, i as usize), at(b, j as usize));
+    if within && i == j {
+        if x.is_leaf() {
+            return [NO_PAIR; 4];
+        }
+        let own = |i: u32| pair_if(!at(a, i as usize).is_leaf(), i, i);
+        return [own(x.left), [x.left, x.right], own(x.right), NO_PAIR];
+    }
+    let (splits_x, splits_y) = (splits_first(rule, &x, &y), splits_second(rule, &x, &y));
+    let mut out = [NO_PAIR; 4];
+    if (splits_x && x.is_leaf()) || (splits_y && y.is_leaf()) {
+        return out;
+    }
+    if splits_x && splits_y {
+        out = [[x.left, y.left], [x.left, y.right], [x.right, y.left], [x.right, y.right]];
+    } else if splits_x {
+        [out[0], out[1]] = [[x.left, j], [x.right, j]];
+    } else {
+        [out[0], out[1]] = [[i, y.left], [i, y.right]];
+    }
+    out
+}
+
+/// Whether the second of two different nodes is split.
+#[inline(always)]
+fn splits_second(rule: Descent, x: &Node, y: &Node) -> bool {
+    let either = !x.is_leaf() && !y.is_leaf();
+    let both = either && matches!(rule, Descent::Both);
+    both || x.is_leaf() || (either && volume(&y.aabb()) > volume(&x.aabb()))
+}
+
+/// Whether the first is.
+#[inline(always)]
+fn splits_first(rule: Descent, x: &Node, y: &Node) -> bool {
+    let either = !x.is_leaf() && !y.is_leaf();
+    (either && matches!(rule, Descent::Both)) || !splits_second(rule, x, y)
 }
 
 /// The pairs of a node with itself.
@@ -115,8 +160,16 @@ mod tests {
         stack.retain(|_| b.is_none() || a.nodes[0].aabb().overlaps(&other.nodes[0].aabb()));
         while let Some([i, j]) = stack.pop() {
             let (x, y) = (a.nodes[i as usize], other.nodes[j as usize]);
+            let all = children(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
+            let is_one = |[i, j]: NodePair| b.is_none() && i == j;
+            let overlaps = |&[i, j]: &NodePair| {
+                let [x, y] = [a.nodes[i as usize], other.nodes[j as usize]];
+                is_one([i, j]) || x.aabb().overlaps(&y.aabb())
+            };
+            let all = all.into_iter().filter(|&pair| pair != NO_PAIR).filter(overlaps);
             let children = expand(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
             let children = children.into_iter().filter(|&pair| pair != NO_PAIR);
+            assert!(all.eq(children.clone()), "{rule:?}: children of {i}, {j}");
             if x.is_leaf() && y.is_leaf() {
                 assert_eq!(children.count(), 0, "children of leaves");
                 if b.is_some() || i != j {

@@ -27,43 +27,64 @@ use crate::layout::Branch;
 /// Levels that there may be: bits of a code of two words, and of an index.
 pub const MAX_LEVELS: usize = 96;
 
-/// The level at which leaf `i` and the next part; `i < n - 1`. Equal codes part by their indices,
-/// as in [`radix_tree`](super::radix_tree).
+/// The level at which leaf `i` and the next part, whose codes are from number `from` on; `i < n -
+/// 1`. Equal codes part by their indices, as in [`radix_tree`](super::radix_tree).
 #[inline(always)]
-pub fn level<C: Code>(i: usize, codes: &[C]) -> u32 {
-    let common = at(codes, i).common(at(codes, i + 1));
+pub fn level<C: Code>(i: usize, from: usize, codes: &[C]) -> u32 {
+    let common = at(codes, from + i).common(at(codes, from + i + 1));
     if common < C::BITS { common } else { C::BITS + (i as u32 ^ (i as u32 + 1)).leading_zeros() }
 }
 
-/// The last level on whose list place `i` is, from the levels of all places: after that there is
-/// one leaf to either side of it.
+/// The last level on whose list place `i` is, from the levels of all places, which are one for each
+/// of `n_internal` nodes: after that there is one leaf to either side of it.
 #[inline(always)]
-pub fn last_level(i: usize, levels: &[u32]) -> u32 {
+pub fn last_level(i: usize, n_internal: usize, levels: &[u32]) -> u32 {
     let mut last = at(levels, i);
     if i > 0 {
         last = last.max(at(levels, i - 1));
     }
-    if i + 1 < levels.len() {
+    if i + 1 < n_internal {
         last = last.max(at(levels, i + 1));
     }
     last
 }
 
+/// Words in which every level has a bit.
+pub const PRESENT: usize = MAX_LEVELS / 32;
+
+/// The number of a level among those that occur, which have a bit each.
+#[inline(always)]
+pub fn rank(level: u32, present: [u32; PRESENT]) -> u32 {
+    let mut rank = 0;
+    for k in 0..PRESENT as u32 {
+        let from = 32 * k;
+        let below = if level >= from + 32 {
+            u32::MAX
+        } else if level > from {
+            (1 << (level - from)) - 1
+        } else {
+            0
+        };
+        rank += (present[k as usize] & below).count_ones();
+    }
+    rank
+}
+
 /// The node that entry `k` of the list of a level makes, with its number; the number of an entry
 /// that makes none there is [`NONE`].
 ///
-/// `list`: places in order, of which those from `begin` to before `end` are on the level; `levels`:
-/// of all places.
+/// `list`: places in order, of which those from `begin_end[0]` to before `begin_end[1]` are on the
+/// level; `levels`: of all places.
 #[inline(always)]
 pub fn branch(
     k: usize,
     level: u32,
-    begin: usize,
-    end: usize,
+    begin_end: [usize; 2],
+    n_internal: u32,
     list: &[u32],
     levels: &[u32],
 ) -> (u32, Branch) {
-    let n_internal = levels.len() as u32;
+    let [begin, end] = begin_end;
     let place = at(list, k);
     let first = if k > begin { at(list, k - 1) + 1 } else { 0 };
     let last = if k + 1 < end { at(list, k + 1) } else { n_internal };
@@ -90,3 +111,18 @@ pub fn branch(
 
 /// In place of a number: no node.
 pub const NONE: u32 = u32::MAX;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_that_occur_have_numbers_without_gaps() {
+        let levels = [0u32, 3, 31, 32, 33, 63, 64, 95];
+        let mut present = [0; PRESENT];
+        levels.iter().for_each(|&l| present[l as usize / 32] |= 1 << (l % 32));
+        let ranks = levels.map(|level| rank(level, present));
+        assert_eq!(ranks, [0, 1, 2, 3, 4, 5, 6, 7]);
+        assert_eq!((rank(2, present), rank(95, [0; PRESENT])), (1, 0));
+    }
+}

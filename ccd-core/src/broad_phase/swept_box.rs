@@ -61,6 +61,11 @@ pub fn edge<B: Copy + Real>(i: usize, edges: &[[u32; 2]], vertices: &[Aabb<B>]) 
 /// Box of face `i` from the boxes of all vertices.
 #[inline]
 pub fn face<B: Copy + Real>(i: usize, faces: &[[u32; 3]], vertices: &[Aabb<B>]) -> Aabb<B> {
-    let [a, b, c] = at(faces, i);
+    triangle(at(faces, i), vertices)
+}
+
+/// Box of the triangle of three vertices from the boxes of all.
+#[inline]
+pub fn triangle<B: Copy + Real>([a, b, c]: [u32; 3], vertices: &[Aabb<B>]) -> Aabb<B> {
     at(vertices, a as usize).union(&at(vertices, b as usize)).union(&at(vertices, c as usize))
 }

@@ -230,6 +230,26 @@ mod tests {
     }
 
     #[test]
+    fn rounding_moves_no_centre_by_more_than_the_margin() {
+        // Two boxes of one size that touch, anywhere in scenes of hundreds of their sizes.
+        let mut next = random(5);
+        let mut unit = || next() as f32 / (1 << 24) as f32;
+        for _ in 0..3000 {
+            let (width, origin) = (0.5 + unit(), 100.0 * unit() - 50.0);
+            let scene = Aabb { min: [origin; 3], max: [origin + 900.0 * width; 3] };
+            for _ in 0..100 {
+                let at = origin + (1.0 + 898.0 * unit()) * width;
+                let a = Aabb { min: [at - width; 3], max: [at; 3] };
+                let b = Aabb { min: [at; 3], max: [at + width; 3] };
+                let sizes = Sizes::of(&a).merged(&Sizes::of(&b));
+                let grid = UniformGrid::new(&Sizes { scene, ..sizes });
+                let (p, q) = (grid.cell(&a)[0], grid.cell(&b)[0]);
+                assert!(p.abs_diff(q) <= 1, "{a:?} {b:?}: {p} {q}");
+            }
+        }
+    }
+
+    #[test]
     fn touching_neighbours_far_from_the_origin() {
         // Sides of one and two spacings of `f32`, a chain along an axis from end to end.
         let spacing = 1.0 / 16.0;

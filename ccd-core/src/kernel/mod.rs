@@ -11,6 +11,7 @@
 
 pub mod contact_order;
 pub mod memory;
+pub mod prefix;
 pub mod probe;
 pub mod sort;
 
@@ -23,6 +24,31 @@ pub trait Words {
     /// Adds and returns the old value; acquires what others released by this call on the same word,
     /// releases what this thread stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;
+    /// Load of word `i` that acquires what others released before they changed it.
+    fn load_acquire(&self, i: usize) -> u32;
+    /// Stores `new` if the word is `old`, and returns what it was; acquires and releases if it
+    /// stores. Never fails for another reason.
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32;
+}
+
+/// The same to be read only: also a buffer that no thread writes in the same dispatch.
+pub trait ReadWords {
+    /// Word `i`.
+    fn word(&self, i: usize) -> u32;
+}
+
+impl<W: Words> ReadWords for W {
+    #[inline(always)]
+    fn word(&self, i: usize) -> u32 {
+        self.load(i)
+    }
+}
+
+impl ReadWords for [u32] {
+    #[inline(always)]
+    fn word(&self, i: usize) -> u32 {
+        memory::at(self, i)
+    }
 }
 
 /// What a kernel does with a buffer.
@@ -105,6 +131,50 @@ macro_rules! kernels {
             /// Internal nodes of a binary tree.
             Branches = branches(256 threads, 0 barriers, f32, Params<Blocks>)
                 { keys: Read, branches: Write }
+            /// Where neighbours of sorted codes part, and at which levels any do.
+            SplitLevels = split_levels(256 threads, 2 barriers, f32, Params<Building>)
+                { keys: Read, levels: Write, present: Write }
+            /// Entries of each tile on the list of each level.
+            SplitCount = split_count(256 threads, 2 barriers, f32, Params<Building>)
+                { levels: Read, present: Read, table: Write }
+            /// The lists of all levels, one after the other.
+            SplitEmit = split_emit(256 threads, 2 barriers, f32, Params<Building>)
+                { levels: Read, present: Read, table: Read, entries: Write, list: Write }
+            /// Internal nodes of a binary tree from those lists.
+            SplitBranches = split_branches(256 threads, 1 barriers, f32, Params<Building>)
+                { keys: Read, levels: Read, present: Read, table: Read, entries: Read, list: Read,
+                  branches: Write }
+            /// Boxes along the Morton curve as clusters.
+            PlocLeaves = ploc_leaves(256 threads, 0 barriers, f32, Params<Building>)
+                { boxes: Read, bounds: Read, order: Read,
+                  clusters: Write, names: Write, counts: Write }
+            /// The nearest neighbour of each cluster.
+            PlocNearest = ploc_nearest(256 threads, 1 barriers, f32, Params<Building>)
+                { clusters: Read, neighbours: Write, counts: Write }
+            /// How many clusters of each tile are left.
+            PlocCount = ploc_count(256 threads, 2 barriers, f32, Params<Building>)
+                { neighbours: Read, counts: Write }
+            /// Clusters joined and moved together.
+            PlocJoin = ploc_join(256 threads, 2 barriers, f32, Params<Building>)
+                { neighbours: Read, clusters: Read, names: Read,
+                  clusters_out: Write, names_out: Write, counts: Write, joins: Write }
+            /// The rounds of the last clusters.
+            PlocFinish = ploc_finish(256 threads, 4 barriers, f32, Params<Building>)
+                { counts: Read, even_clusters: Read, even_names: Read,
+                  odd_clusters: Read, odd_names: Read, joins: Write }
+            /// Boxes in the order of input as nodes to be paired.
+            PairLeaves = pair_leaves(256 threads, 0 barriers, f32, Params<Building>)
+                { boxes: Read, bounds: Read, clusters: Write, items: Write }
+            /// Nodes of a level in pairs, each with its nearest free neighbour.
+            PairNearest = pair_nearest(256 threads, 4 barriers, f32, Params<Building>)
+                { items: Write }
+            /// The level above.
+            PairJoin = pair_join(256 threads, 0 barriers, f32, Params<Building>)
+                { clusters: Read, items: Read,
+                  clusters_out: Write, items_out: Write, joins: Write }
+            /// Numbers of nodes that were joined bottom up, and the order of their leaves.
+            NumberLeaves = number_leaves(256 threads, 0 barriers, f32, Params<Building>)
+                { joins: Read, order: Read, ordered: Write, branches: Write }
             /// The same with their boxes, and leaves: for pairs of nodes.
             BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
                 { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
@@ -191,6 +261,17 @@ macro_rules! kernels {
             FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
                   input: Read, output: Write }
+            /// Boxes of triangles.
+            SweepTriangles = sweep_triangles(256 threads, 0 barriers, f32, Params<Plain>)
+                { triangles: Read, boxes: Read, swept: Write }
+            /// Pairs of triangles to pairs of the features that they represent.
+            ExpandTriangles = expand_triangles(128 threads, 5 barriers, f32, Params<Expansion>)
+                { triangles: Read, regions: Read, boxes: Read, input: Read,
+                  vf: Write, ee: Write, counts: Write }
+            /// Pairs of features whose representatives share a vertex.
+            NearTests = near_tests(128 threads, 5 barriers, f32, Params<Expansion>)
+                { tests: Read, regions: Read, swept: Read, boxes: Read,
+                  vf: Write, ee: Write, counts: Write }
             /// Listed pairs to vertex-face candidates.
             ListListedVertexFace
                 = list_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)
@@ -295,6 +376,10 @@ const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
 const _: () = assert!(Id::IntervalPairs.threads() == crate::broad_phase::key_intervals::GROUP);
 const _: () = assert!(Id::NearNodes.threads() == crate::broad_phase::wide_nodes::TILE);
+const _: () = assert!(Id::PlocFinish.threads() == crate::broad_phase::ploc::FEW);
+const _: () = assert!(Id::PlocFinish.threads() == prefix::TILE);
+const _: () = assert!(Id::PlocJoin.threads() == prefix::TILE);
+const _: () = assert!(Id::PlocCount.threads() == prefix::TILE);
 const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes::TILE);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);

@@ -4,8 +4,8 @@
 mod params;
 
 pub use params::{
-    Blocks, ContactSort, Decision, Dispatch, Frame, Intervals, NodeDescent, Params, Plain, Queries,
-    SortPass,
+    Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
+    Params, Plain, Queries, SortPass,
 };
 
 use crate::math::aabb::Aabb;
@@ -81,6 +81,41 @@ pub struct Branch {
     pub first: u32,
     /// Last leaf below (leaf number, inclusive).
     pub last: u32,
+}
+
+/// A node of a binary tree that is being built bottom up.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `min` | 0..12 |
+/// | `node` | 12..16 |
+/// | `max` | 16..28 |
+/// | `leaves` | 28..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Cluster {
+    /// Smallest corner of its box.
+    pub min: [f32; 3],
+    /// Its number as its builder counts: of `n - 1` internal nodes in any order, then of leaves.
+    pub node: u32,
+    /// Greatest corner of its box.
+    pub max: [f32; 3],
+    /// Leaves below it.
+    pub leaves: u32,
+}
+
+impl Cluster {
+    /// A node with this box.
+    #[inline(always)]
+    pub fn new(b: &Aabb<f32>, node: u32, leaves: u32) -> Self {
+        Self { min: b.min, node, max: b.max, leaves }
+    }
+
+    /// The box of the node.
+    #[inline(always)]
+    pub fn aabb(&self) -> Aabb<f32> {
+        Aabb { min: self.min, max: self.max }
+    }
 }
 
 /// An internal node of a binary tree with the boxes of both children: see
@@ -166,6 +201,44 @@ impl Leaf {
     pub const NONE: u32 = u32::MAX;
 }
 
+/// A triangle from which pairs of features are expanded: a face by its id, or one that stands for
+/// what no face has, see [`triangle_pairs`](crate::triangle_pairs).
+///
+/// | field | bytes |
+/// |---|---|
+/// | `corners` | 0..12 |
+/// | `represents` | 12..16 |
+/// | `sides` | 16..28 |
+/// | `body` | 28..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Triangle {
+    /// Its vertices.
+    pub corners: [u32; 3],
+    /// Bits 0 to 2: whether it represents that corner; bits 3 to 5: that side.
+    pub represents: u32,
+    /// Its edges, from corner 0 to 1, 1 to 2, 2 to 0; whatever from a vertex to itself.
+    pub sides: [u32; 3],
+    /// The word of its body; 0 without bodies.
+    pub body: u32,
+}
+
+/// A test of two features whose representatives have a vertex in common: of an orphan, or of two
+/// triangles that stand in.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `pair` | 0..8 |
+/// | `triangles` | 8..16 |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct NearTest {
+    /// The features.
+    pub pair: Pair,
+    /// Those that stand in; of an orphan the representatives.
+    pub triangles: Pair,
+}
+
 /// A contact as a device writes it.
 ///
 /// | field | bytes |
@@ -218,7 +291,8 @@ pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
 /// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
 pub const MAX_LEVELS: usize = 8;
 
-const _: () = assert!(size_of::<WideNode>() == 64);
+const _: () = assert!(size_of::<WideNode>() == 64 && size_of::<Cluster>() == 32);
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
+const _: () = assert!(size_of::<Triangle>() == 32 && size_of::<NearTest>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);
 const _: () = assert!(size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -179,6 +179,22 @@ pub struct NodeDescent {
     pub room_nodes: u32,
 }
 
+/// What the builders of binary trees are told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Building {
+    /// The set that the tree is over.
+    pub set: u32,
+    /// How many neighbours to either side a cluster looks at.
+    pub radius: u32,
+    /// Rounds, or targets that are paired one after the other.
+    pub rounds: u32,
+    /// 1: leaves in the order of codes, 0: in that of input.
+    pub sorted: u32,
+    /// Internal nodes that were made before.
+    pub made: u32,
+}
+
 /// What one pass of the radix sort is told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -197,6 +213,34 @@ pub struct Decision {
     pub room_open: u32,
 }
 
+/// What the kernels that expand pairs of triangles are told; see
+/// [`expansion`](crate::triangle_pairs::expansion).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Expansion {
+    /// The `FLAG_` constants of this type.
+    pub flags: u32,
+    /// Entries that the list of pairs of edges has room for.
+    pub room_ee: u32,
+    /// Which of the tests of neighbours are of a vertex and a face: those before this one.
+    pub n_vf: u32,
+    /// Which are orphans: from the first of these on, up to the second.
+    pub orphans: [u32; 2],
+}
+
+impl Expansion {
+    /// Triangles that share a vertex are skipped.
+    pub const FLAG_ORPHANS: u32 = 1;
+    /// Triangles in one free region are skipped.
+    pub const FLAG_REGIONS: u32 = 2;
+
+    /// Whether a flag is set.
+    #[inline(always)]
+    pub fn has(&self, flag: u32) -> bool {
+        self.flags & flag != 0
+    }
+}
+
 /// What the keys of contacts depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -209,7 +253,8 @@ const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
-const _: () = assert!(size_of::<NodeDescent>() == 16);
+const _: () = assert!(size_of::<NodeDescent>() == 16 && size_of::<Building>() == 20);
+const _: () = assert!(size_of::<Expansion>() == 20);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);

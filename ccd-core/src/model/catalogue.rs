@@ -1,4 +1,5 @@
-//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline.
+//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline;
+//! those of schedulers and fronts stand beside them, in [`scheduling`](super::scheduling).
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
 use super::pipeline::Pipeline;
@@ -101,21 +102,21 @@ impl Catalogued for Builder {
             name: "split-lists",
             about: "From sorted Morton codes, by lists of where neighbours split",
             source: Some("Lauterbach 2009"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::NEAREST_PAIR,
             name: "nearest-pair",
             about: "Bottom up, every node with its nearest free neighbour; slow",
             source: Some("Tian and Wan"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::PLOC,
             name: "ploc",
             about: "Bottom up, every cluster with its nearest neighbour along the Morton curve",
             source: Some("Meister 2018"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }
@@ -200,7 +201,7 @@ impl Catalogued for Pipeline {
             name: "triangles",
             about: "Triangles against triangles, expanded to features that each one represents",
             source: Some("Curtis 2008"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }
@@ -254,6 +255,7 @@ impl core::fmt::Display for BroadPhaseMethod {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::scheduling::{Front, Scheduler};
 
     fn check_rows<T: Catalogued + core::fmt::Debug + Default>() {
         for row in T::ROWS {
@@ -273,6 +275,8 @@ mod tests {
         check_rows::<Traversal>();
         check_rows::<Volume>();
         check_rows::<Pipeline>();
+        check_rows::<Scheduler>();
+        check_rows::<Front>();
     }
 
     #[test]

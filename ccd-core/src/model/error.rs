@@ -83,6 +83,11 @@ pub enum Error {
         /// The backend.
         backend: &'static str,
     },
+    /// A scheduler or a front for a method that has no pairs of nodes to schedule or to keep.
+    NoPairsOfNodes {
+        /// Its name, or that of its traversal.
+        method: &'static str,
+    },
     /// A setting of a method that is out of its range.
     Setting {
         /// Which.
@@ -164,6 +169,14 @@ impl core::fmt::Display for Error {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
+            Error::NoPairsOfNodes { method } => {
+                write!(
+                    f,
+                    "schedulers and fronts are for methods that descend pairs of nodes, which are \
+                     `blocks`, and `tree` with the traversals `simultaneous` and `cut`; \
+                     `{method}` has none"
+                )
+            }
             Error::Setting { name, value, least, greatest } => {
                 write!(f, "{name}: {value}; it must be from {least} to {greatest}")
             }
@@ -224,5 +237,20 @@ pub fn check_min_distance(value: f64) -> Result<(), Error> {
         Ok(())
     } else {
         Err(Error::MinDistance { value })
+    }
+}
+
+/// Checks a setting that must be from `least` to `greatest`.
+pub fn check_setting(
+    name: &'static str,
+    value: u32,
+    least: u32,
+    greatest: u32,
+) -> Result<(), Error> {
+    if (least..=greatest).contains(&value) {
+        Ok(())
+    } else {
+        let [value, least, greatest] = [value, least, greatest].map(u64::from);
+        Err(Error::Setting { name, value, least, greatest })
     }
 }

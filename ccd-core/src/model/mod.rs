@@ -16,3 +16,4 @@ pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
+pub mod scheduling;

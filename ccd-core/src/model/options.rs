@@ -5,6 +5,7 @@ use super::error::{Error, check_min_distance};
 use super::mesh::Mesh;
 use super::method::BroadPhaseMethod;
 use super::pipeline::Pipeline;
+use super::scheduling::Scheduling;
 
 /// What a step looks for and how.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,6 +24,9 @@ pub struct Options {
     /// What is looked for in boxes: pairs of features, or of triangles; results do not depend on
     /// it. A session of a backend that does not have the pipeline is refused.
     pub pipeline: Pipeline,
+    /// How the work of the broad phase is shared out, and where it begins; results do not depend on
+    /// it. A session of a backend that does not have it is refused.
+    pub scheduling: Scheduling,
 }
 
 impl Options {
@@ -30,6 +34,7 @@ impl Options {
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
         self.broad_phase.check()?;
+        self.scheduling.check(self.broad_phase)?;
         self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))
     }
 }

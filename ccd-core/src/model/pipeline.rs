@@ -30,7 +30,8 @@ pub struct TriangleOptions {
     pub orphans: bool,
     /// Skip pairs within regions of the mesh that certainly do not touch themselves during the step
     /// [Volino 1994], see [`normal_cone`](crate::triangle_pairs::normal_cone). Their pairs of
-    /// features are no candidates. Without effect where a minimum distance is asked for.
+    /// features are no candidates. Without effect where a minimum distance is asked for; refused
+    /// where positions never were on the host, which certifies regions.
     ///
     /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
     /// is certified to be free in this way, is no contact.

@@ -20,7 +20,9 @@ pub struct Times {
 
 /// Tests of features that pairs of triangles are, before and after each step that takes some away.
 /// What is left then are [`Report::candidates`], whose own boxes overlap, and of these
-/// [`Report::filtered`].
+/// [`Report::filtered`]. The numbers are the same on every backend and by every method; where only
+/// the earliest time was asked for, a CPU counts its last pass, over a shorter time, a GPU all of
+/// the step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TriangleCounts {
     /// Pairs of triangles whose swept boxes overlap, of bodies that are looked at.
@@ -59,6 +61,17 @@ impl TriangleCounts {
     }
 }
 
+/// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrontCounts {
+    /// Pairs of nodes that are kept; 0: the next step begins at the roots.
+    pub pairs: u64,
+    /// Pairs of nodes with which the step itself began; 0: it began at the roots.
+    pub begun: u64,
+    /// Memory that fronts take.
+    pub bytes: u64,
+}
+
 /// What a step found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
@@ -75,6 +88,8 @@ pub struct Report {
     pub undecided: u64,
     /// Pairs of triangles and what they were expanded to; `None` if features were paired at once.
     pub triangles: Option<TriangleCounts>,
+    /// The fronts that are kept; `None` if none are.
+    pub front: Option<FrontCounts>,
     /// Whether trees were built anew rather than refitted.
     pub rebuilt: bool,
     /// Where the time went.

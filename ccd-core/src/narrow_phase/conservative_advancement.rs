@@ -47,6 +47,8 @@ pub enum Advance<R> {
 const MAX_DIRECTIONS: usize = 96;
 /// Steps in time below which advancing ends: 2^-28, a part of the tolerance of a time of impact.
 const MIN_STEP: f32 = 3.725_290_3e-9;
+/// How long after a certified time, a hundredth of the tolerance, a contact ends the search.
+pub const SHORTLY: f32 = 1e-8;
 
 /// Advances from `from` towards `until` while the features certainly stay further than
 /// `min_distance >= 0` apart.
@@ -68,6 +70,8 @@ pub fn advance<R: Real>(
     // How many axes were tried instead of the direction at the time that is certified.
     let mut axes = 0;
     let mut started = false;
+    // By how much the last direction reached beyond its time.
+    let mut gain = until - from;
     for _ in 0..MAX_DIRECTIONS {
         let w = nearest(m, patch, goal);
         let then = field.towards(if axes == 0 { w } else { along_axis(w, axes) });
@@ -85,7 +89,21 @@ pub fn advance<R: Real>(
             if reach > until {
                 return Advance::Clear;
             }
-            next = if started { step + step } else { until - t };
+            let gained = reach - t;
+            let stops = gained <= R::splat(MIN_STEP);
+            let shortly = (reach + R::splat(SHORTLY)).min(until);
+            if stops && min_distance > R::splat(0.0) && within(m, patch, shortly, min_distance) {
+                break;
+            }
+            next = if !started {
+                until - t
+            } else if !stops && gained <= gain * R::splat(0.25) {
+                // Near a contact each direction reaches close to where the next one ends.
+                R::splat(0.0)
+            } else {
+                step + step
+            };
+            gain = gained;
             started = true;
         } else if goal <= reach {
             // Certified until here, and no direction here. That of features that are very near is

@@ -5,7 +5,7 @@
 //! `d > 0`, contact means a distance of at most `d`.
 
 use crate::math::real::Real;
-use crate::narrow_phase::conservative_advancement::{Advance, advance, within};
+use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, within};
 use crate::narrow_phase::containment::{Inside, inside};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::cubic_roots::Cubic;
@@ -165,7 +165,7 @@ fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict
     };
     // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small
     // enough.
-    let later = [0.0, 0.02 * HALF_TOLERANCE, 1.8 * HALF_TOLERANCE];
+    let later = [SHORTLY, 0.0, 1.8 * HALF_TOLERANCE];
     for i in 0..3 {
         let t = (toi + R::splat(later[i])).min(one);
         if within(m, patch, t, min_distance) {

@@ -4,6 +4,7 @@
 //! Changed: the first triangle instead of a choice that evens out their number, because all tests
 //! of a pair of triangles are made at once; and features without a face have triangles too.
 
+use crate::layout::Triangle;
 use crate::model::mesh::Mesh;
 use alloc::vec::Vec;
 
@@ -87,6 +88,12 @@ impl Triangles {
     /// Bits 0 to 2: whether it represents that corner; bits 3 to 5: that side.
     pub fn represents(&self, t: u32) -> u8 {
         self.own[t as usize]
+    }
+
+    /// What a device is told of a triangle; `body`: the word of its body.
+    pub fn record(&self, t: u32, body: u32) -> Triangle {
+        let (corners, sides) = (self.corners(t), self.sides(t));
+        Triangle { corners, represents: self.represents(t) as u32, sides, body }
     }
 
     /// The triangles of a vertex, ascending: the first represents it.

@@ -22,9 +22,15 @@ pub struct BlockBvh {
     any_fixed: bool,
     looseness_at_build: Option<f64>,
     sums: Vec<f64>,
+    build: u64,
 }
 
 impl BlockBvh {
+    /// The number of its build: each has another.
+    pub fn build(&self) -> u64 {
+        self.build
+    }
+
     /// Number of levels, the leaves included.
     pub fn height(&self) -> usize {
         self.height
@@ -54,6 +60,7 @@ impl BlockBvh {
     /// Forgets the boxes of before; marks those of the new order that are fixed.
     pub fn begin(&mut self, order: &[u32], fixed: Option<Fixed>) {
         self.looseness_at_build = None;
+        self.build += 1;
         self.any_fixed = fixed.is_some();
         // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
         self.fixed.iter_mut().for_each(Vec::clear);

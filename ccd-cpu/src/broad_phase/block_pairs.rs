@@ -2,30 +2,50 @@
 //! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::front::Writer;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, get_lane};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{Fixed, Order, PairSink, PairSource, Sides};
-use crate::broad_phase::pair_tree::PairTree;
-use crate::broad_phase::scheduler::Scheduler;
+use crate::broad_phase::pair_source::{
+    Fixed, Order, PairSink, PairSource, Pairs, PairsOfNodes, Sides,
+};
+use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
+use crate::broad_phase::tasks::Tasks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
+use ccd_core::broad_phase::pair_descent::NodePair;
+use std::cmp::Ordering;
 
 /// A block bvh per set.
 #[derive(Debug, Default)]
 pub struct BlockSource {
     trees: Vec<BlockBvh>,
     morton: MortonOrder,
-    scheduler: Scheduler<BlockPair>,
+    tasks: Tasks,
 }
 
 /// Two blocks of the same level whose boxes are to be tested against each other; level 0 holds the
 /// leaves.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct BlockPair {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct BlockPair {
     level: u32,
     a: u32,
     b: u32,
+}
+
+/// Bits of the number of a block: of 2^31 leaves there are 2^28 blocks of eight, on 11 levels.
+const BITS: u32 = 28;
+
+impl BlockPair {
+    #[inline(always)]
+    fn packed(self) -> NodePair {
+        [self.level << BITS | self.a, self.b]
+    }
+
+    #[inline(always)]
+    fn unpacked([a, b]: NodePair) -> Self {
+        Self { level: a >> BITS, a: a & ((1 << BITS) - 1), b }
+    }
 }
 
 #[cfg(test)]
@@ -74,23 +94,17 @@ impl PairSource for BlockSource {
         if a.is_empty() || b.is_some_and(LeafBoxes::is_empty) {
             return;
         }
-        let Self { trees, scheduler, .. } = self;
-        if let Some(b) = b {
-            let height = trees[a.set().index].height().max(trees[b.set().index].height());
-            trees[a.set().index].raise(height, a.blocks());
-            trees[b.set().index].raise(height, b.blocks());
-        }
-        let side = |of: &'_ LeafBoxes| &trees[of.set().index];
-        let (tree_a, tree_b) = (side(a), side(b.unwrap_or(a)));
-        let leaves = (a.blocks(), b.unwrap_or(a).blocks());
-        let pairs = BlockPairs {
-            a: tree_a,
-            b: tree_b,
-            leaves_a: leaves.0,
-            leaves_b: leaves.1,
-            within: b.is_none(),
-        };
-        scheduler.run(threads, pairs, part, sink, workers);
+        let Self { trees, tasks, .. } = self;
+        let pairs = BlockPairs::new(trees, (a, b));
+        tasks.run(threads, pairs, part, sink, workers);
+    }
+}
+
+impl PairsOfNodes for BlockSource {
+    fn descend(&mut self, _threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
+        let pairs = BlockPairs::new(&mut self.trees, sides);
+        let builds = [pairs.a.build(), pairs.b.build()];
+        run(Pairs { tree: &pairs, roots: &[pairs.root().packed()], builds });
     }
 }
 
@@ -105,31 +119,23 @@ struct BlockPairs<'a> {
 }
 
 impl PairTree for BlockPairs<'_> {
-    type Pair = BlockPair;
-
-    fn roots(self, out: &mut Vec<BlockPair>) {
-        assert_eq!(self.a.height(), self.b.height(), "trees of different height");
-        out.push(BlockPair { level: self.a.height() as u32 - 1, a: 0, b: 0 });
+    fn roots(self, out: &mut Vec<NodePair>) {
+        out.push(self.root().packed());
     }
 
     #[inline(always)]
-    fn is_leaf(self, pair: BlockPair) -> bool {
-        pair.level == 0
+    fn is_leaf(self, pair: NodePair) -> bool {
+        BlockPair::unpacked(pair).level == 0
     }
 
     #[inline(always)]
-    fn expand<S: RowSimd>(self, simd: S, pair: BlockPair, out: &mut Vec<BlockPair>) {
-        let level = pair.level as usize;
-        let (a, b) = (&self.a.level(level)[pair.a as usize], &self.b.level(level)[pair.b as usize]);
-        let mut masks = overlaps(simd, a, b) & !self.both_fixed(pair);
-        if self.within && pair.a == pair.b {
-            masks &= UPPER_OR_DIAGONAL;
-        }
+    fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
+        let pair = BlockPair::unpacked(pair);
+        let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
         while masks != 0 {
             let bit = masks.trailing_zeros();
             masks &= masks - 1;
-            let (a, b) = (pair.a * WIDTH as u32 + bit / 8, pair.b * WIDTH as u32 + bit % 8);
-            out.push(BlockPair { level: pair.level - 1, a, b });
+            out.push(child(pair, bit).packed());
         }
     }
 
@@ -137,10 +143,11 @@ impl PairTree for BlockPairs<'_> {
     fn rows<S: RowSimd, K: PairSink>(
         self,
         simd: S,
-        pair: BlockPair,
+        pair: NodePair,
         sink: &K,
         worker: &mut K::Worker,
     ) {
+        let pair = BlockPair::unpacked(pair);
         let (a, b) = (pair.a as usize, pair.b as usize);
         let mut masks =
             overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
@@ -156,7 +163,103 @@ impl PairTree for BlockPairs<'_> {
     }
 }
 
-impl BlockPairs<'_> {
+/// A front keeps pairs of blocks of blocks, and what is below them is found anew in each step:
+/// where 64 pairs are tested in eight instructions each, reading them one by one from a front costs
+/// more.
+impl FrontTree for BlockPairs<'_> {
+    const WHOLE_ROWS: bool = true;
+
+    #[inline(always)]
+    fn place(self, pair: NodePair) -> Place {
+        let deepest = (self.a.height() as u32 - 1).min(1);
+        match BlockPair::unpacked(pair).level.cmp(&deepest) {
+            Ordering::Greater => Place::Above,
+            Ordering::Equal => Place::At,
+            Ordering::Less => Place::Below,
+        }
+    }
+
+    #[inline(always)]
+    fn meets(self, pair: NodePair) -> bool {
+        let BlockPair { level, a, b } = BlockPair::unpacked(pair);
+        let (level, a, b) = (level as usize + 1, a as usize, b as usize);
+        if level >= self.a.height() {
+            return true;
+        }
+        let lane = |tree: &BlockBvh, i: usize| get_lane(&tree.level(level)[i / WIDTH], i % WIDTH);
+        lane(self.a, a).overlaps(&lane(self.b, b))
+    }
+
+    #[inline(always)]
+    fn expand_all<S: RowSimd>(
+        self,
+        simd: S,
+        pair: NodePair,
+        out: &mut Vec<NodePair>,
+        front: &mut Writer,
+    ) {
+        let pair = BlockPair::unpacked(pair);
+        let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
+        let below = pair.level as usize - 1;
+        let (n_a, n_b) = (self.a.level(below).len() as u32, self.b.level(below).len() as u32);
+        while masks != 0 {
+            let bit = masks.trailing_zeros();
+            masks &= masks - 1;
+            let child = child(pair, bit);
+            if met >> bit & 1 == 1 {
+                out.push(child.packed());
+            } else if child.a < n_a && child.b < n_b {
+                front.push(child.packed());
+            }
+        }
+    }
+}
+
+/// The pair of children that a bit stands for.
+#[inline(always)]
+fn child(pair: BlockPair, bit: u32) -> BlockPair {
+    let (a, b) = (pair.a * WIDTH as u32 + bit / 8, pair.b * WIDTH as u32 + bit % 8);
+    BlockPair { level: pair.level - 1, a, b }
+}
+
+impl<'a> BlockPairs<'a> {
+    /// The trees of both sides, neither empty, of the same height.
+    fn new(trees: &'a mut [BlockBvh], (a, b): Sides<'a>) -> Self {
+        if let Some(b) = b {
+            let height = trees[a.set().index].height().max(trees[b.set().index].height());
+            trees[a.set().index].raise(height, a.blocks());
+            trees[b.set().index].raise(height, b.blocks());
+        }
+        let (trees, second) = (&*trees, b.unwrap_or(a));
+        Self {
+            a: &trees[a.set().index],
+            b: &trees[second.set().index],
+            leaves_a: a.blocks(),
+            leaves_b: second.blocks(),
+            within: b.is_none(),
+        }
+    }
+
+    fn root(self) -> BlockPair {
+        assert_eq!(self.a.height(), self.b.height(), "trees of different height");
+        BlockPair { level: self.a.height() as u32 - 1, a: 0, b: 0 }
+    }
+
+    /// Of a pair above the leaves, byte `i`, bit `j`: whether box `i` overlaps box `j`.
+    #[inline(always)]
+    fn overlaps<S: RowSimd>(self, simd: S, BlockPair { level, a, b }: BlockPair) -> u64 {
+        let level = level as usize;
+        overlaps(simd, &self.a.level(level)[a as usize], &self.b.level(level)[b as usize])
+    }
+
+    /// Of a pair above the leaves, byte `i`, bit `j`: whether there may be a pair of leaves below
+    /// child `i` and child `j`, whatever their boxes are.
+    #[inline(always)]
+    fn wanted(self, pair: BlockPair) -> u64 {
+        let once = if self.within && pair.a == pair.b { UPPER_OR_DIAGONAL } else { u64::MAX };
+        once & !self.both_fixed(pair)
+    }
+
     /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is
     /// fixed.
     #[inline(always)]

@@ -4,11 +4,12 @@ use crate::broad_phase::block_pairs::BlockSource;
 use crate::broad_phase::brute_force::BruteForce;
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::pair_source::{
-    Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
+    Order, PairSink, PairSource, PairsOfNodes, Row, RowSource, Rows, Scratch, Sides,
 };
-use crate::broad_phase::scheduler::share;
+use crate::broad_phase::scheduled::Scheduled;
 use crate::broad_phase::sweep_and_prune::SweepAndPrune;
 use crate::broad_phase::sweep_in_strips::SweepInStrips;
+use crate::broad_phase::tasks::share;
 use crate::broad_phase::tree::{TreeSource, TreeStatistics};
 use crate::broad_phase::uniform_grid::UniformGrid;
 use crate::simd::{RowSimd, WIDTH, Work};
@@ -16,22 +17,34 @@ use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::{Scheduler, Scheduling};
 
 /// One of the sources of pairs that this backend has.
 #[derive(Debug)]
 pub enum Method {
     /// The default, which is compiled into every sink.
     Blocks(BlockSource),
+    /// Pairs of nodes by a scheduler that was chosen.
+    Scheduled(Scheduled),
     /// Any other.
     Listed(Listed),
 }
 
 impl Method {
     /// The source of a choice, if there is one here.
-    pub fn new(choice: BroadPhaseMethod) -> Result<Self, Error> {
+    pub fn new(choice: BroadPhaseMethod, scheduling: Scheduling) -> Result<Self, Error> {
         choice.check()?;
-        if let Some(name) = choice.lacking("cpu") {
+        scheduling.check(choice)?;
+        if let Some(name) = choice.lacking("cpu").or(scheduling.lacking("cpu")) {
             return Err(Error::Method { name, backend: "cpu" });
+        }
+        if is_chosen(scheduling, choice) {
+            let source: Box<dyn PairsOfNodes> = match choice {
+                BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
+                _ => Box::new(BlockSource::default()),
+            };
+            return Ok(Self::Scheduled(Scheduled::new(source, scheduling)?));
         }
         let source: Box<dyn RowSource> = match choice {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
@@ -49,14 +62,24 @@ impl Method {
     pub fn visits(&self) -> u64 {
         match self {
             Self::Blocks(_) => 0,
+            Self::Scheduled(source) => source.visits(),
             Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.visits).sum(),
         }
     }
 
-    /// See [`RowSource::tree_statistics`].
+    /// What fronts the last step left; `None` if none are kept.
+    pub fn front(&self) -> Option<FrontCounts> {
+        match self {
+            Self::Scheduled(source) => source.front(),
+            _ => None,
+        }
+    }
+
+    /// See [`Order::tree_statistics`].
     pub fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
         match self {
             Self::Blocks(_) => None,
+            Self::Scheduled(source) => source.source().tree_statistics(threads, leaves),
             Self::Listed(Listed { source, .. }) => source.tree_statistics(threads, leaves),
         }
     }
@@ -66,6 +89,7 @@ impl PairSource for Method {
     fn order(&mut self) -> &mut dyn Order {
         match self {
             Self::Blocks(source) => source.order(),
+            Self::Scheduled(source) => source.order(),
             Self::Listed(source) => source.order(),
         }
     }
@@ -80,9 +104,18 @@ impl PairSource for Method {
     ) {
         match self {
             Self::Blocks(source) => source.find(threads, sides, part, sink, workers),
+            Self::Scheduled(source) => source.find(threads, sides, part, sink, workers),
             Self::Listed(source) => source.find(threads, sides, part, sink, workers),
         }
     }
+}
+
+/// Whether pairs of nodes are shared out otherwise than the method does it by itself: blocks by
+/// self-scheduling, without a front, compiled into what takes the pairs.
+fn is_chosen(scheduling: Scheduling, method: BroadPhaseMethod) -> bool {
+    let by_itself = method == BroadPhaseMethod::Blocks
+        && scheduling == Scheduling::default().scheduler(Scheduler::SelfScheduling);
+    scheduling != Scheduling::default() && !by_itself
 }
 
 /// A source that lists rows, and what its threads keep between calls.
@@ -127,10 +160,13 @@ impl PairSource for Listed {
 }
 
 /// Listed rows on their way to the sink.
-struct HandOn<'a, K: PairSink> {
-    rows: &'a [Row],
-    sink: &'a K,
-    worker: &'a mut K::Worker,
+pub struct HandOn<'a, K: PairSink> {
+    /// The rows.
+    pub rows: &'a [Row],
+    /// What takes them.
+    pub sink: &'a K,
+    /// Its part for this thread.
+    pub worker: &'a mut K::Worker,
 }
 
 impl<S: RowSimd, K: PairSink> Work<S> for HandOn<'_, K> {

@@ -7,8 +7,8 @@
 //!
 //! One more method takes
 //! - a file here with its source of pairs. One that descends two hierarchies at once implements
-//!   [`pair_tree::PairTree`] and leaves the rest to a [`scheduler::Scheduler`]; one that makes
-//!   queries hands them out by [`scheduler::share`];
+//!   [`pair_tree::FrontTree`] and leaves the rest to [`scheduled::Scheduled`], which runs it by any
+//!   [`scheduler`]; one that makes queries hands them out by [`tasks::share`];
 //! - an arm of [`method::Method::new`];
 //! - a variant in `ccd-core/src/model/method.rs` and a row in `catalogue.rs` beside it.
 //!
@@ -17,17 +17,21 @@
 mod block_bvh;
 mod block_pairs;
 mod brute_force;
+mod descend;
+mod front;
 pub mod leaf_boxes;
 pub mod method;
 mod morton_order;
 pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
+mod scheduled;
 mod scheduler;
 #[cfg(test)]
 mod sorted_tests;
 mod sweep_and_prune;
 mod sweep_in_strips;
+mod tasks;
 #[cfg(test)]
 mod tests;
 pub mod tree;
@@ -40,6 +44,8 @@ use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::Scheduling;
 use ccd_core::{Aabb, Coordinate, Error, Real};
 use leaf_boxes::{LeafBoxes, Set};
 use method::Method;
@@ -85,9 +91,19 @@ struct Side {
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
     pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
+        Self::scheduled(threads, method, Scheduling::default())
+    }
+
+    /// The same with work shared out in a way of its own. Boxes are new in every call, so that a
+    /// front is made, and none is ever begun with.
+    pub fn scheduled(
+        threads: usize,
+        method: BroadPhaseMethod,
+        scheduling: Scheduling,
+    ) -> Result<Self, Error> {
         Ok(Self {
             threads: Threads::new(threads)?,
-            method: Method::new(method)?,
+            method: Method::new(method, scheduling)?,
             a: Side::new(Set { index: 0, searched: false }),
             b: Side::new(Set { index: 1, searched: true }),
             workers: Vec::new(),
@@ -128,6 +144,11 @@ impl BroadPhase {
     /// tree.
     pub fn visits(&self) -> u64 {
         self.method.visits()
+    }
+
+    /// Fronts of the last call, if they are kept.
+    pub fn front(&self) -> Option<FrontCounts> {
+        self.method.front()
     }
 
     /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`],
@@ -216,6 +237,7 @@ struct Listing<'a, const WITHIN: bool> {
 
 impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
     type Worker = Lister;
+    const ORDERED: bool = true;
 
     #[inline(always)]
     fn row<S: RowSimd>(

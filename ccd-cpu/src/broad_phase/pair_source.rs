@@ -7,10 +7,12 @@
 //! every sink: for the default method. A [`RowSource`] lists rows, some thousand at a time, and is
 //! compiled once: for all others.
 
+use crate::broad_phase::descend::Descend;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::tree::TreeStatistics;
 use crate::simd::RowSimd;
 use crate::threads::Threads;
+use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -53,6 +55,11 @@ pub trait Order: Debug + Send + Sync {
     fn fit(&mut self, _threads: &Threads, _leaves: &LeafBoxes) -> f64 {
         1.0
     }
+
+    /// Figures of the binary tree over a set that is searched, if the source has one.
+    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        None
+    }
 }
 
 /// Finds overlapping boxes, and hands rows of them to a sink.
@@ -79,6 +86,8 @@ pub trait PairSource {
 pub trait PairSink: Sync {
     /// What each thread has of its own.
     type Worker: Send;
+    /// Whether what is made of rows depends on their order, which then must not depend on threads.
+    const ORDERED: bool = false;
     /// Lane `lane` of block `a` overlaps the lanes `mask` of block `b`; `mask` is not 0. Must be
     /// `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(
@@ -90,7 +99,7 @@ pub trait PairSink: Sync {
         b: usize,
         mask: u32,
     );
-    /// A task begins.
+    /// A task begins; rows that come in no order belong to none.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.
     fn end(&self, _worker: &mut Self::Worker) {}
@@ -108,11 +117,6 @@ pub trait RowSource: Order {
     fn max_threads(&self) -> usize {
         usize::MAX
     }
-
-    /// Figures of the binary tree over a set that is searched, if the source has one.
-    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
-        None
-    }
 }
 
 /// Buffers that a thread keeps between tasks, for whatever a source needs.
@@ -124,6 +128,22 @@ pub struct Scratch {
     pub pairs: Vec<[u32; 2]>,
     /// Nodes, or pairs of nodes, that were visited since the search began.
     pub visits: u64,
+}
+
+/// A source of pairs of nodes, which any scheduler shares out among workers.
+pub trait PairsOfNodes: Order {
+    /// Calls `run` with the pairs of nodes of these sides.
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs));
+}
+
+/// Pairs of nodes of two trees, or of one with itself.
+pub struct Pairs<'a> {
+    /// What descends them.
+    pub tree: &'a dyn Descend,
+    /// Where a descent begins: every pair of leaves is below exactly one.
+    pub roots: &'a [NodePair],
+    /// Which builds of the trees these are: of later ones the numbers are others.
+    pub builds: [u64; 2],
 }
 
 /// A leaf that overlaps the lanes `mask` of block `b`.
@@ -207,6 +227,12 @@ impl<'r, 'a> Gathered<'r, 'a> {
         Self { rows, pending: [Row { a: 0, b: 0, mask: 0 }; PENDING] }
     }
 
+    /// Adds a row that is whole: nothing of it comes again.
+    #[inline(always)]
+    pub fn push_whole(&mut self, a: usize, b: usize, mask: u32) {
+        self.rows.push(a, b, mask);
+    }
+
     /// Adds lanes of a block to the row of a leaf.
     #[inline(always)]
     pub fn push(&mut self, a: usize, b: usize, mask: u32) {
@@ -227,10 +253,11 @@ impl<'r, 'a> Gathered<'r, 'a> {
 }
 
 /// Has a tree of pairs list its rows: the sink by which what descends one is a [`RowSource`].
+/// `WHOLE`: they come whole.
 #[derive(Debug, Default)]
-pub struct IntoRows<'r, 'a>(PhantomData<&'r mut &'a ()>);
+pub struct IntoRows<'r, 'a, const WHOLE: bool>(PhantomData<&'r mut &'a ()>);
 
-impl<'r, 'a> PairSink for IntoRows<'r, 'a> {
+impl<'r, 'a, const WHOLE: bool> PairSink for IntoRows<'r, 'a, WHOLE> {
     type Worker = Gathered<'r, 'a>;
 
     #[inline(always)]
@@ -243,6 +270,11 @@ impl<'r, 'a> PairSink for IntoRows<'r, 'a> {
         b: usize,
         mask: u32,
     ) {
-        rows.push(a * crate::simd::WIDTH + lane, b, mask);
+        let leaf = a * crate::simd::WIDTH + lane;
+        if WHOLE {
+            rows.push_whole(leaf, b, mask);
+        } else {
+            rows.push(leaf, b, mask);
+        }
     }
 }

@@ -69,7 +69,8 @@ fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[
 
 /// Takes candidates.
 pub trait Take: Send {
-    /// Whether pairs that an axis separates throughout may be left out after they were counted.
+    /// Whether pairs that an axis separates throughout may be left out after they were counted: if
+    /// so, contacts are sorted, else candidates are listed in the order in which they come.
     const FILTERED: bool;
     /// Counts candidates.
     fn count(&mut self, kind: Kind, n: u64);
@@ -147,6 +148,7 @@ pub struct FacePairs<'a, W> {
 
 impl<W: Take> PairSink for EdgePairs<'_, W> {
     type Worker = W;
+    const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
     fn row<S: RowSimd>(
@@ -207,6 +209,7 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
 
 impl<W: Take> PairSink for FacePairs<'_, W> {
     type Worker = W;
+    const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
     fn row<S: RowSimd>(

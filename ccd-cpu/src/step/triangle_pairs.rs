@@ -42,6 +42,7 @@ struct Side<'a, const N: usize> {
 
 impl<W: Take> PairSink for TrianglePairs<'_, W> {
     type Worker = W;
+    const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
     fn row<S: RowSimd>(

@@ -156,7 +156,17 @@ impl Tree {
         self.sort.half(0)
     }
 
-    /// Boxes of all nodes, in the order of the last sort.
+    /// Room for another order of the boxes, until the next sort.
+    pub fn spare_order(&self) -> &wgpu::Buffer {
+        self.sort.half(1)[1]
+    }
+
+    /// The bounds of all boxes, as [`morton_key::merged`] reads them.
+    pub fn bounds(&self) -> &wgpu::Buffer {
+        &self.bounds
+    }
+
+    /// Boxes of all nodes, in the order of the last sort, or of a builder after it.
     pub fn fit(
         &self,
         recorder: &mut Recorder,

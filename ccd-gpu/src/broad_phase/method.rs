@@ -9,10 +9,19 @@ use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::scheduling::Scheduling;
 
 /// Refuses a choice that this backend does not have.
 pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     choice.check()?;
+    match choice.lacking("gpu") {
+        Some(name) => Err(ccd_core::Error::Method { name, backend: "gpu" }.into()),
+        None => Ok(()),
+    }
+}
+
+/// Refuses a way to share out work that this backend does not have.
+pub fn check_scheduling(choice: Scheduling) -> Result<(), Error> {
     match choice.lacking("gpu") {
         Some(name) => Err(ccd_core::Error::Method { name, backend: "gpu" }.into()),
         None => Ok(()),

@@ -1,14 +1,15 @@
 //! Boxes in, overlapping pairs out, on a device.
 
+mod binary_tree;
 pub mod block_bvh;
 mod block_levels;
 mod block_pairs;
+mod builder;
 mod key_intervals;
 pub mod method;
 mod oriented;
 mod pair_descent;
 pub mod pair_source;
-mod radix_tree;
 mod tree;
 mod upload;
 

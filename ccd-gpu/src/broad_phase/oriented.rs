@@ -1,8 +1,8 @@
 //! Oriented boxes of binary trees on a device: fitted a tile of leaves a workgroup, then a level a
 //! dispatch, and looked at by traversals; see [`ccd_core::broad_phase::oriented_nodes`].
 
+use super::binary_tree::{BinaryTree, parts};
 use super::block_bvh::Tree;
-use super::radix_tree::{RadixTree, parts};
 use crate::bind::{OrientFar, OrientNear, TraverseFullOriented, TraverseHalfOriented};
 use crate::device::Device;
 use crate::error::Error;
@@ -47,7 +47,7 @@ impl OrientedBoxes {
     }
 
     /// Boxes of all internal nodes of a tree, from those of the leaves of a block tree.
-    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree, tree: &RadixTree) {
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree, tree: &BinaryTree) {
         let Some(far) = &self.far[tree.set] else { return };
         let (branches, block_nodes) = (&tree.branches, &blocks.nodes);
         let (oriented, stamps) = (&self.boxes, &self.stamps);
@@ -56,19 +56,19 @@ impl OrientedBoxes {
         recorder.each(&kernel, &p, tree.n);
         let groups = blocks.groups.min(tree.n.div_ceil(Id::OrientFar.threads()));
         let kernel = OrientFar { branches, block_nodes, far, oriented, stamps };
-        for first in (FIRST_ROUND..).take(n_rounds(tree.n) as usize) {
+        for first in (FIRST_ROUND..).take(n_rounds(tree.n, tree.height()) as usize) {
             let dispatch = Dispatch { first, ..p.dispatch };
             recorder.dispatch(&kernel, &Params { dispatch, ..p }, groups);
         }
     }
 
-    /// As [`RadixTree::traverse_half`], and leaves out what an oriented box tells apart.
+    /// As [`BinaryTree::traverse_half`], and leaves out what an oriented box tells apart.
     pub fn traverse_half(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        tree: &RadixTree,
+        tree: &BinaryTree,
         pairs: &List,
     ) {
         let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &tree.nodes);
@@ -80,13 +80,13 @@ impl OrientedBoxes {
         }
     }
 
-    /// As [`RadixTree::traverse_full`], and leaves out what an oriented box tells apart.
+    /// As [`BinaryTree::traverse_full`], and leaves out what an oriented box tells apart.
     pub fn traverse_full(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        tree: &RadixTree,
+        tree: &BinaryTree,
         own: Queries,
         pairs: &List,
     ) {

@@ -12,9 +12,9 @@
 //! shared evenly and no thread keeps a stack, but every pair of nodes is written and read once, and
 //! so many dispatches take their time: choose it to see what it costs.
 
+use super::binary_tree::BinaryTree;
 use super::block_bvh::groups;
 use super::pair_source::kinds_of;
-use super::radix_tree::RadixTree;
 use crate::bind::{CutNodes, CutPairs, CutPairsOriented, ExpandPairs, ExpandPairsOriented};
 use crate::device::Device;
 use crate::error::Error;
@@ -26,11 +26,9 @@ use ccd_core::layout::{Dispatch, Frame, LIST_HEADER, NodeDescent, Params};
 use ccd_core::model::method::{Descent, Traversal};
 use wgpu::BufferUsages as U;
 
-/// Bits of a Morton code: levels that it decides.
-const CODE_BITS: u32 = 30;
 /// Words that count the pairs of each level: more than levels there can be, twice those of a tree
-/// of 2^31 boxes.
-const MAX_LEVELS: u64 = 256;
+/// of 2^31 boxes, by any builder.
+const MAX_LEVELS: u64 = 512;
 
 /// The cuts, and the pairs of nodes of two levels.
 pub struct PairDescent {
@@ -75,7 +73,7 @@ impl PairDescent {
         recorder: &mut Recorder,
         frame: &Frame,
         kind: u32,
-        trees: [&RadixTree; 2],
+        trees: [&BinaryTree; 2],
         oriented: Option<&wgpu::Buffer>,
         pairs: &List,
     ) {
@@ -111,7 +109,7 @@ impl PairDescent {
                 recorder.each(&kernel, &p, n);
             }
         }
-        for level in 0..self.n_levels(frame, kind) {
+        for level in 0..self.n_levels(trees) {
             let [input, output] = if level % 2 == 0 { [even, odd] } else { [odd, even] };
             let p = params(kind, level, input, output);
             let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
@@ -137,11 +135,9 @@ impl PairDescent {
         }
     }
 
-    /// Levels that there can be: a node on a path decides a bit of the code or of the number of a
-    /// leaf; with every step either both sides go down, or the larger one.
-    fn n_levels(&self, frame: &Frame, kind: u32) -> u32 {
-        let height = |set: usize| CODE_BITS + 32 - frame.count[set].leading_zeros();
-        let [a, b] = sets(kind).map(height);
+    /// Levels that there can be: with every step either both sides go down, or the larger one.
+    fn n_levels(&self, trees: [&BinaryTree; 2]) -> u32 {
+        let [a, b] = trees.map(BinaryTree::height);
         1 + if self.rule == Descent::Larger { a + b } else { a.max(b) }
     }
 }

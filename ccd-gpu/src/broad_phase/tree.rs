@@ -1,15 +1,16 @@
-//! A binary tree as a source of pairs: the boxes of a block tree, binary trees over those, and a
-//! traversal: queries with a stack, a thread each, or pairs of nodes from a cut on, a level a
-//! dispatch.
+//! A binary tree as a source of pairs: sorted boxes, binary trees over those by any builder, a
+//! block tree over their leaves, from which they have their boxes, and a traversal: queries with a
+//! stack, a thread each, or pairs of nodes from a cut on, a level a dispatch.
 //!
 //! Recursion does not exist on a device, and one thread of it is slow, so the other two traversals
 //! are a CPU's.
 
+use super::binary_tree::BinaryTree;
 use super::block_bvh::Tree;
+use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
 use super::pair_source::{PairSource, Search, kinds_of};
-use super::radix_tree::RadixTree;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -22,7 +23,7 @@ use wgpu::BufferUsages as U;
 /// Binary trees over those sets that a traversal descends.
 pub struct TreeSource {
     blocks: Tree,
-    trees: [Option<RadixTree>; 3],
+    trees: [Option<BinaryTree>; 3],
     traversal: Traversal,
     descent: Option<PairDescent>,
     oriented: Option<OrientedBoxes>,
@@ -38,10 +39,14 @@ impl TreeSource {
             }
             _ => None,
         };
+        for n in count {
+            builder::check(options.builder, n)?;
+        }
         let mut trees = [None, None, None];
         for kind in kinds_of(count) {
             for set in descended(kind, descent.is_some()) {
-                trees[set] = Some(RadixTree::new(device, set, count[set], descent.is_some())?);
+                let (n, for_pairs) = (count[set], descent.is_some());
+                trees[set] = Some(BinaryTree::new(device, options.builder, set, n, for_pairs)?);
             }
         }
         let has_tree = trees.each_ref().map(Option::is_some);
@@ -112,10 +117,10 @@ impl PairSource for TreeSource {
         let frame = &Frame { flags: 0, ..*search.frame };
         recorder.stage("codes");
         blocks.sort(recorder, frame, search.n_bounding);
-        recorder.stage("build");
-        blocks.fit(recorder, frame, none, none);
         recorder.stage("branches");
         trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
+        recorder.stage("build");
+        blocks.fit(recorder, frame, none, none);
         recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         if let Some(oriented) = &self.oriented {
@@ -129,11 +134,13 @@ impl PairSource for TreeSource {
     }
 
     fn lists(&self) -> Vec<&List> {
-        self.descent.as_ref().map_or(Vec::new(), |descent| descent.lists.iter().flatten().collect())
+        let of_descent = self.descent.iter().flat_map(|descent| descent.lists.iter().flatten());
+        self.trees.iter().flatten().filter_map(BinaryTree::list).chain(of_descent).collect()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
-        let Some(descent) = &mut self.descent else { return Vec::new() };
-        descent.lists.iter_mut().flatten().collect()
+        let Self { trees, descent, .. } = self;
+        let of_descent = descent.iter_mut().flat_map(|descent| descent.lists.iter_mut().flatten());
+        trees.iter_mut().flatten().filter_map(BinaryTree::list_mut).chain(of_descent).collect()
     }
 }

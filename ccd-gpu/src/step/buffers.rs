@@ -66,7 +66,7 @@ impl Buffers {
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
-            source: Source::new(device, options.broad_phase, count)?,
+            source: Source::new(device, mesh, options, count)?,
             count,
             groups: groups(device),
             positions: Positions::new(device, mesh.n_vertices())?,

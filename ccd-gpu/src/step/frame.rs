@@ -3,6 +3,7 @@
 
 use super::buffers::Buffers;
 use super::contact_order::{self, ContactOrder};
+use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
 use super::{Goal, SAMPLE, cpu_fallback};
 use crate::device::Device;
 use crate::error::Error;
@@ -14,6 +15,7 @@ use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Given;
+use ccd_core::model::report::TriangleCounts;
 
 /// What frames run on, and what one learns from the frame before.
 pub struct Frames {
@@ -40,6 +42,8 @@ pub struct Found {
     pub sampled: u64,
     pub candidates: PerKind,
     pub filtered: PerKind,
+    /// If pairs of triangles were looked for.
+    pub triangles: Option<TriangleCounts>,
     pub open: [Vec<Pair>; 2],
     /// Whether contacts are in their order already.
     pub in_order: bool,
@@ -89,10 +93,19 @@ impl Frames {
     }
 
     /// Positions of the next frame.
-    pub fn upload(&mut self, device: &Device, given: Given, distance: f64) -> Result<(), Error> {
+    pub fn upload(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        given: Given,
+        distance: f64,
+    ) -> Result<(), Error> {
         let Buffers { positions, source, .. } = &mut self.buffers;
         if positions.upload(device, given, distance, source.boxes())? {
             self.bench.forget();
+        }
+        if let Some(triangles) = source.triangles_mut() {
+            triangles.certify(device, mesh, given);
         }
         Ok(())
     }
@@ -104,6 +117,9 @@ impl Frames {
         options: &Options,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<&Buffers, Error> {
+        if self.buffers.source.triangles().is_some_and(TrianglePairs::certifies) {
+            return Err(Error::PathsUnseen);
+        }
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
@@ -194,6 +210,7 @@ impl Frames {
         let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
+        let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let wide = device.info().wide;
         let stages = submit(device, bench, |recorder| {
@@ -207,6 +224,9 @@ impl Frames {
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
             if let Some((words, _)) = buffers.source.survey() {
                 recorder.read(&reading, of_survey, words, 0);
+            }
+            if let Some(triangles) = buffers.source.triangles() {
+                recorder.read(&reading, of_counts, triangles.counts(), 0);
             }
             match &buffers.order {
                 Some(order) if buffers.to_order > 0 => {
@@ -225,6 +245,8 @@ impl Frames {
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
             let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
+            let triangles = buffers.source.triangles();
+            found.triangles = triangles.map(|_| read_counts(of_counts.of(bytes)));
             Ok::<_, Error>((headers, survey))
         })??;
         buffers.source.check(&frame, &survey)?;

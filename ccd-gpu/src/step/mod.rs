@@ -8,6 +8,7 @@ pub mod frame;
 pub mod lists;
 mod passes;
 pub mod source;
+pub mod triangle_pairs;
 mod upload;
 
 /// What a frame is for.

@@ -1,7 +1,8 @@
 //! Where the candidates of a step come from: blocks, whose pairs are filtered as they are found, or
-//! any other source, which lists pairs first.
+//! any other source, which lists pairs first, of features or of triangles.
 
 use super::buffers::Buffers;
+use super::triangle_pairs::TrianglePairs;
 use crate::bind::{
     FilterEdgeEdge, FilterListedEdgeEdge, FilterListedVertexFace, FilterVertexFace, ListCandidates,
     ListListedEdgeEdge, ListListedVertexFace,
@@ -15,7 +16,10 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Dispatch, Frame, Params, Plain};
+use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::Pipeline;
 
 /// The source of a session.
 pub enum Source {
@@ -25,12 +29,18 @@ pub enum Source {
     Listed(Listed),
 }
 
-/// A source with the pairs that it lists.
+/// A source with the pairs of features that it lists.
 pub struct Listed {
-    source: Box<dyn PairSource>,
+    finder: Finder,
     /// Pairs of boxes that overlap, by kind.
     pairs: [List; 2],
     groups: u32,
+}
+
+/// What lists pairs of features.
+enum Finder {
+    Features(Box<dyn PairSource>),
+    Triangles(Box<TrianglePairs>),
 }
 
 /// Listed pairs that one dispatch takes at most: some milliseconds of a small device, so that no
@@ -38,15 +48,27 @@ pub struct Listed {
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
 impl Source {
-    /// Room for sets of so many boxes.
-    pub fn new(device: &Device, choice: BroadPhaseMethod, count: [u32; 3]) -> Result<Self, Error> {
-        if choice == BroadPhaseMethod::Blocks {
-            return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
-        }
+    /// Room for a mesh with these numbers of vertices, edges and faces.
+    pub fn new(
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        count: [u32; 3],
+    ) -> Result<Self, Error> {
+        let choice = options.broad_phase;
+        let finder = match options.pipeline {
+            Pipeline::Triangles(own) => {
+                Finder::Triangles(Box::new(TrianglePairs::new(device, mesh, options, own, count)?))
+            }
+            _ if choice == BroadPhaseMethod::Blocks => {
+                return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
+            }
+            _ => Finder::Features(method::source(device, choice, count)?),
+        };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
         let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
         Ok(Self::Listed(Listed {
-            source: method::source(device, choice, count)?,
+            finder,
             pairs: [
                 list("overlapping vertices and faces", count[2])?,
                 list("overlapping edges", count[1])?,
@@ -59,7 +81,23 @@ impl Source {
     pub fn boxes(&self) -> &wgpu::Buffer {
         match self {
             Self::Blocks(tree) => &tree.boxes,
-            Self::Listed(listed) => listed.source.boxes(),
+            Self::Listed(listed) => listed.source().boxes(),
+        }
+    }
+
+    /// What pairs of triangles are expanded by, if they are what is looked for.
+    pub fn triangles(&self) -> Option<&TrianglePairs> {
+        match self {
+            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => Some(triangles),
+            _ => None,
+        }
+    }
+
+    /// The same, to be told of positions.
+    pub fn triangles_mut(&mut self) -> Option<&mut TrianglePairs> {
+        match self {
+            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => Some(triangles),
+            _ => None,
         }
     }
 
@@ -73,7 +111,7 @@ impl Source {
         match self {
             Self::Blocks(tree) => tree.lists().collect(),
             Self::Listed(listed) => {
-                listed.source.lists().into_iter().chain(&listed.pairs).collect()
+                listed.source().lists().into_iter().chain(&listed.pairs).collect()
             }
         }
     }
@@ -83,7 +121,12 @@ impl Source {
         match self {
             Self::Blocks(tree) => tree.pairs.iter_mut().flatten().collect(),
             Self::Listed(listed) => {
-                listed.source.lists_mut().into_iter().chain(&mut listed.pairs).collect()
+                let Listed { finder, pairs, .. } = listed;
+                let lists = match finder {
+                    Finder::Features(source) => source.lists_mut(),
+                    Finder::Triangles(source) => source.lists_mut(),
+                };
+                lists.into_iter().chain(pairs).collect()
             }
         }
     }
@@ -92,7 +135,7 @@ impl Source {
     pub fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
         match self {
             Self::Blocks(_) => None,
-            Self::Listed(listed) => listed.source.survey(),
+            Self::Listed(listed) => listed.source().survey(),
         }
     }
 
@@ -100,7 +143,7 @@ impl Source {
     pub fn check(&self, frame: &Frame, words: &[u32]) -> Result<(), Error> {
         match self {
             Self::Blocks(_) => Ok(()),
-            Self::Listed(listed) => listed.source.check(frame, words),
+            Self::Listed(listed) => listed.source().check(frame, words),
         }
     }
 
@@ -108,7 +151,7 @@ impl Source {
     pub fn clear(&self, recorder: &mut Recorder) {
         match self {
             Self::Blocks(tree) => tree.clear_bounds(recorder),
-            Self::Listed(listed) => listed.source.clear(recorder),
+            Self::Listed(listed) => listed.source().clear(recorder),
         }
     }
 
@@ -140,16 +183,24 @@ impl Source {
                 recorder.stage("block pairs");
                 tree.descend(recorder, frame, &[0, 1]);
             }
-            Self::Listed(Listed { source, pairs, .. }) => {
+            Self::Listed(listed) => {
+                let pairs = &listed.pairs;
                 let n_bounding = frame.count[0];
                 let search = Search { frame, kinds: &[0, 1], n_bounding, pairs: pairs.each_ref() };
-                source.find(recorder, &search);
+                listed.source().find(recorder, &search);
             }
         }
     }
 }
 
 impl Listed {
+    fn source(&self) -> &dyn PairSource {
+        match &self.finder {
+            Finder::Features(source) => &**source,
+            Finder::Triangles(source) => &**source,
+        }
+    }
+
     /// Calls `run` with the parameters of each dispatch over listed pairs, and its workgroups.
     fn each_part(
         &self,
@@ -184,7 +235,7 @@ impl Buffers {
                 });
             }
             Source::Listed(listed) => {
-                let (boxes, input) = (listed.source.boxes(), listed.pairs[kind].buffer());
+                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
                 let (faces, edges) = (&self.faces, &self.edges);
                 listed.each_part(frame, kind, list, |p, groups| match kind {
                     0 => recorder.dispatch(
@@ -232,7 +283,7 @@ impl Buffers {
                 });
             }
             Source::Listed(listed) => {
-                let (boxes, input) = (listed.source.boxes(), listed.pairs[kind].buffer());
+                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
                 let (faces, edges) = (&self.faces, &self.edges);
                 listed.each_part(frame, kind, list, |p, groups| match kind {
                     0 => recorder.dispatch(

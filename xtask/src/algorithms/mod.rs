@@ -33,7 +33,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
         ("builders", report.builders(&cases)?),
         ("cloth-and-sphere", report.cloth_and_sphere()?),
         ("volumes", report.volumes(&cases)?),
-        ("pipelines", pipelines::table(runs)?),
+        ("pipelines", pipelines::table(&report.places, runs)?),
     ];
     for (name, table) in tables {
         text = replaced(&text, name, &table)?;
@@ -142,8 +142,8 @@ impl Report {
             ("half", Traversal::Half),
             ("simultaneous, larger", Traversal::Simultaneous(Descent::Larger)),
             ("simultaneous, both", Traversal::Simultaneous(Descent::Both)),
-            ("cut of 256, larger", Traversal::CUT),
-            ("cut of 256, both", Traversal::Cut { nodes: 256, descent: Descent::Both }),
+            ("cut of 256, larger", Traversal::Cut { nodes: 256, descent: Descent::Larger }),
+            ("cut of 256, both", Traversal::CUT),
         ];
         let mut text = String::new();
         for case in cases {
@@ -224,7 +224,8 @@ impl Report {
                 ("collision, ms", |m: &Measured| m.search),
             ] {
                 text += &self.head(&[what]);
-                let builders = [Builder::NearestPair { limit: u32::MAX }, Builder::Lbvh];
+                let pairs = Builder::NearestPair { limit: u32::MAX };
+                let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
                 for builder in builders {
                     let (cells, _) = self.row(tree(builder, Traversal::Half), &case, of)?;
                     let _ = writeln!(text, "| {} |{cells}", builder.row().name);

@@ -1,11 +1,19 @@
 //! Features against triangles: how many tests of features each step of either pipeline leaves.
 
-use ccd::{Options, Pipeline, Report, Session, TriangleOptions};
-use ccd_testkit::data::{Scene, data_dir};
+use super::measure::{Place, median};
+use ccd::gpu::{self, Timing};
+use ccd::{Mesh, Options, Pipeline, Report, Session, TriangleOptions};
+use ccd_testkit::data::{Frame, Scene, data_dir};
 use std::fmt::Write;
+use std::time::{Duration, Instant};
 
-/// One table a scene, by one thread; every pipeline must find the contacts of the first.
-pub fn table(runs: usize) -> Result<String, String> {
+/// One table a scene, by one thread and by the GPU if there is one; every pipeline must find the
+/// contacts of the first.
+pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
+    let device = places.iter().find_map(|place| match place {
+        Place::Gpu { device, name } => Some((device, name)),
+        Place::Cpu { .. } => None,
+    });
     let dir = data_dir()?;
     let triangles = |orphans, cones| {
         Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(cones))
@@ -18,7 +26,8 @@ pub fn table(runs: usize) -> Result<String, String> {
     ];
     let mut text = String::new();
     for name in ["cloth-funnel", "cloth-ball", "rod-twist"] {
-        let [t0, t1] = Scene::named(name).load(&dir);
+        let frames = Scene::named(name).load(&dir);
+        let [t0, t1] = &frames;
         let mesh = t0.mesh().map_err(|e| e.to_string())?;
         let mut lines = String::new();
         let mut contacts = None;
@@ -31,20 +40,26 @@ pub fn table(runs: usize) -> Result<String, String> {
                 times.push(report.map_err(|e| e.to_string())?.times.total);
             }
             times.remove(0);
-            times.sort_unstable_by(f64::total_cmp);
             let report = session.report();
             let found = report.contacts.len();
             if *contacts.get_or_insert(found) != found {
                 return Err(format!("{name}: {found} contacts, features have {contacts:?}"));
             }
-            row(&mut lines, row_name, report, times[times.len() / 2]);
+            row(&mut lines, row_name, report, median(times.into_iter()));
+            if let Some((device, _)) = device {
+                let [total, own] = on_gpu(device, &mesh, &frames, pipeline, report, runs)?;
+                let _ = write!(lines, " {total:.2} ({own:.2}) |");
+            }
+            lines.push('\n');
         }
         let (n_faces, n_contacts) = (mesh.faces().len(), contacts.unwrap_or(0));
+        let (of_device, line) =
+            device.map_or(("".into(), ""), |(_, name)| (format!(" {name} |"), "---|"));
         let _ = writeln!(
             text,
             "**{name}**: {n_faces} faces, {n_contacts} contacts by each\n\n\
              | pipeline | pairs of triangles | skipped | tests | own boxes overlap | filtered | \
-             ms |\n|---|---|---|---|---|---|---|\n{lines}"
+             ms |{of_device}\n|---|---|---|---|---|---|---|{line}\n{lines}"
         );
     }
     Ok(text)
@@ -56,5 +71,36 @@ fn row(text: &mut String, name: &str, report: &Report, ms: f64) {
         format!("{} | {} + {} | {} + {}", t.pairs, skipped.0, skipped.1, tests.0, tests.1)
     });
     let (boxes, filtered) = (report.candidates.total(), report.filtered.total());
-    let _ = writeln!(text, "| {name} | {before} | {boxes} | {filtered} | {ms:.1} |");
+    let _ = write!(text, "| {name} | {before} | {boxes} | {filtered} | {ms:.1} |");
+}
+
+/// Milliseconds of a step on a GPU, by the clock on the wall and by timestamps; candidates and what
+/// pairs of triangles are expanded to must be those of the CPU.
+fn on_gpu(
+    device: &gpu::Device,
+    mesh: &Mesh,
+    [t0, t1]: &[Frame; 2],
+    pipeline: Pipeline,
+    want: &Report,
+    runs: usize,
+) -> Result<[f64; 2], String> {
+    let options = Options { pipeline, ..Options::default() };
+    let failed = |e: gpu::Error| e.to_string();
+    let mut session = gpu::Session::new(device, mesh.clone(), options).map_err(failed)?;
+    session.set_timing(Timing::Whole).map_err(failed)?;
+    let (mut totals, mut own) = (Vec::new(), Vec::new());
+    let start = Instant::now();
+    // As long as a device needs to reach its clock, and then so many.
+    while totals.len() < runs {
+        let report = session.step(&t0.positions, &t1.positions).map_err(failed)?;
+        let (total, same) = (report.times.total, report.candidates == want.candidates);
+        if !same || report.triangles != want.triangles {
+            return Err(format!("{pipeline:?}: {report:?} on the GPU, {want:?} on the CPU"));
+        }
+        if start.elapsed() > Duration::from_millis(300) {
+            totals.push(total);
+            own.push(session.stages().iter().map(|stage| stage.1).sum());
+        }
+    }
+    Ok([median(totals.into_iter()), median(own.into_iter())])
 }

@@ -38,12 +38,18 @@ pub struct BinaryTree {
     oriented: Vec<Obb>,
     extents: Vec<f64>,
     looseness_at_build: Option<f64>,
+    build: u64,
 }
 
 impl BinaryTree {
     /// No tree yet; what will bound its nodes.
     pub fn new(volume: Volume) -> Self {
         Self { volume, ..Self::default() }
+    }
+
+    /// The number of its build: each has another.
+    pub fn build(&self) -> u64 {
+        self.build
     }
 
     /// All nodes, with the boxes of the last fit.
@@ -100,6 +106,7 @@ impl BinaryTree {
         let n_internal = n.saturating_sub(1);
         assert_eq!(self.branches.len(), n_internal, "branches over {n} leaves");
         self.looseness_at_build = None;
+        self.build += 1;
         for (words, len) in [
             (&mut self.parents, 2 * n),
             (&mut self.visits, n_internal),

@@ -6,14 +6,16 @@
 
 mod binary_tree;
 mod builder;
-mod shared_words;
+pub mod shared_words;
 mod statistics;
 #[cfg(test)]
 mod tests;
 mod traversal;
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{
+    Fixed, Order, Pairs, PairsOfNodes, RowSource, Rows, Scratch, Sides,
+};
 use crate::threads::Threads;
 pub use statistics::TreeStatistics;
 
@@ -83,6 +85,11 @@ impl Order for TreeSource {
         let set = leaves.set();
         if self.has_tree(set) { self.trees[set.index].fit(threads, leaves) } else { 1.0 }
     }
+
+    fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        let tree = self.trees.get(leaves.set().index)?;
+        Some(TreeStatistics::of(tree, threads, leaves))
+    }
 }
 
 impl RowSource for TreeSource {
@@ -101,9 +108,15 @@ impl RowSource for TreeSource {
     fn max_threads(&self) -> usize {
         self.traversal.max_threads()
     }
-    fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
-        let tree = self.trees.get(leaves.set().index)?;
-        Some(TreeStatistics::of(tree, threads, leaves))
+}
+
+impl PairsOfNodes for TreeSource {
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
+        let Self { traversal, trees, .. } = self;
+        let trees = trees_of(trees, traversal.descends_both(), sides);
+        traversal.begin(threads, trees, sides);
+        let builds = [trees.a.unwrap_or(trees.b), trees.b].map(BinaryTree::build);
+        traversal.descend(trees, sides, &mut |tree, roots| run(Pairs { tree, roots, builds }));
     }
 }
 

@@ -20,6 +20,13 @@ impl Words for Shared<'_> {
     fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
         self.0[i].fetch_add(value, Ordering::AcqRel)
     }
+    fn load_acquire(&self, i: usize) -> u32 {
+        self.0[i].load(Ordering::Acquire)
+    }
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+        let (taken, lost) = (Ordering::AcqRel, Ordering::Relaxed);
+        self.0[i].compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen)
+    }
 }
 
 /// Copies words to `out`.

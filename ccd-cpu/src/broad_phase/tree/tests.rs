@@ -6,6 +6,7 @@ use super::builder::bottom_up::{Joins, Subtree};
 use super::statistics::TreeStatistics;
 use super::*;
 use crate::broad_phase::leaf_boxes::Set;
+use ccd_core::broad_phase::ploc;
 use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::math::obb::Obb;
@@ -139,7 +140,7 @@ fn oriented_boxes_hold_all_leaves_below() {
 fn max_depth(builder: Builder, n: usize) -> usize {
     match builder {
         Builder::NearestPair { .. } => n.next_power_of_two().ilog2() as usize + 1,
-        Builder::Ploc { .. } => 350,
+        Builder::Ploc { .. } => ploc::rounds(n as u32, 1) as usize + 1,
         _ => MAX_DEPTH,
     }
 }
@@ -203,7 +204,7 @@ fn a_check_sees_what_is_wrong() {
     let change = |change: &dyn Fn(&mut BinaryTree)| {
         let (mut source, leaves) = built(Builder::PLOC, 1, boxes);
         change(&mut source.trees[0]);
-        check_well_formed(&source.trees[0], leaves.order(), boxes, 350)
+        check_well_formed(&source.trees[0], leaves.order(), boxes, 100)
     };
     assert_eq!(change(&|_| ()), Ok(()));
     assert!(change(&|tree| tree.branches[0].left = tree.branches[0].right).is_err());
@@ -212,7 +213,7 @@ fn a_check_sees_what_is_wrong() {
     let (source, leaves) = built(Builder::PLOC, 1, boxes);
     let mut order = leaves.order().to_vec();
     order[3] = order[4];
-    assert!(check_well_formed(source.tree(0), &order, boxes, 350).is_err());
+    assert!(check_well_formed(source.tree(0), &order, boxes, 100).is_err());
     assert!(check_well_formed(source.tree(0), leaves.order(), boxes, 5).is_err());
 }
 

@@ -3,7 +3,9 @@
 
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
-use ccd_core::broad_phase::node_numbering::{ANCESTRY, BRANCH, SPLIT, join, make_root, number};
+use ccd_core::broad_phase::node_numbering::{
+    BRANCH, JOIN, join_words, number, root_words, store_words,
+};
 use ccd_core::kernel::Words;
 use ccd_core::layout::Branch;
 use std::sync::atomic::AtomicU32;
@@ -21,8 +23,7 @@ pub struct Subtree {
 /// The tree that is being built; buffers are kept.
 #[derive(Debug, Default)]
 pub struct Joins {
-    ancestry: Vec<AtomicU32>,
-    splits: Vec<AtomicU32>,
+    joins: Vec<AtomicU32>,
     places: Vec<AtomicU32>,
     branches: Vec<AtomicU32>,
     n_internal: u32,
@@ -34,8 +35,7 @@ impl Joins {
         let n_internal = n.saturating_sub(1);
         self.n_internal = n_internal as u32;
         for (words, len) in [
-            (&mut self.ancestry, (n + n_internal) * ANCESTRY),
-            (&mut self.splits, n_internal * SPLIT),
+            (&mut self.joins, (n + n_internal) * JOIN),
             (&mut self.places, n),
             (&mut self.branches, n_internal * BRANCH),
         ] {
@@ -50,9 +50,8 @@ impl Joins {
 
     /// Makes internal node `node` the parent of two nodes; every node is made once.
     pub fn join(&self, node: u32, left: Subtree, right: Subtree) -> Subtree {
-        let (ancestry, splits) = (Shared(&self.ancestry), Shared(&self.splits));
         let leaves = [left.leaves, right.leaves];
-        join(node, [left.node, right.node], leaves, &ancestry, &splits);
+        store_words(join_words(node, [left.node, right.node], leaves), &Shared(&self.joins));
         Subtree { node, leaves: leaves[0] + leaves[1] }
     }
 
@@ -66,12 +65,12 @@ impl Joins {
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     ) {
-        let (ancestry, splits) = (Shared(&self.ancestry), Shared(&self.splits));
-        let (places, n_internal) = (Shared(&self.places), self.n_internal);
-        make_root(root, &ancestry);
+        let (joins, places, n_internal) =
+            (Shared(&self.joins), Shared(&self.places), self.n_internal);
+        store_words(root_words(root), &joins);
         let branch_words = Shared(&self.branches);
         threads.fill(&mut vec![(); self.places.len()], |i| {
-            let place = number(i as u32, n_internal, &ancestry, &splits, &branch_words);
+            let place = number(i as u32, n_internal, &joins, &branch_words);
             places.store(place as usize, id(i));
         });
         copy(threads, &self.places, order);

@@ -16,8 +16,6 @@
 //! gives the better tree in a hundredth of the time; figures are in benches/NOTES.md.
 //!
 //! Whoever wants more boxes than [`Builder::NEAREST_PAIR`] allows says so by its limit.
-//!
-//! [`Builder::NEAREST_PAIR`]: ccd_core::model::method::Builder::NEAREST_PAIR
 
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
@@ -25,6 +23,7 @@ use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::{Own, Threads};
 use ccd_core::broad_phase::nearest_pair::{Found, beginning, centre, distance, nearer, parents};
 use ccd_core::layout::Branch;
+use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Error};
 
 /// Nodes that a thread must have to look at before it pays.
@@ -102,12 +101,7 @@ fn nearest(
 
 impl TreeBuilder for NearestPair {
     fn check(&self, n: usize) -> Result<(), Error> {
-        let (count, limit) = (n as u64, self.limit as u64);
-        if count > limit {
-            let element = "boxes in the quadratic builder `nearest-pair` (`ploc` has no limit)";
-            return Err(Error::TooMany { element, count, limit });
-        }
-        Ok(())
+        Builder::NearestPair { limit: self.limit }.check(n as u64)
     }
 
     fn build(

@@ -8,8 +8,8 @@
 //! next round        ab  c  de  fg        place of the first; the others wait
 //! ```
 //!
-//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some three
-//! to four times as many clusters in all rounds together as boxes. What is joined in a round, and
+//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some five
+//! to seven times as many clusters in all rounds together as boxes. What is joined in a round, and
 //! how many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where
 //! one tree serves so many queries or refits that fewer visited nodes pay for the build, which
 //! takes several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
@@ -23,7 +23,7 @@ use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::ploc::{Fate, SLOW, fate, neighbour};
+use ccd_core::broad_phase::ploc::{Fate, fate, is_late, neighbour};
 use ccd_core::kernel::Words;
 use ccd_core::layout::Branch;
 use std::sync::atomic::AtomicU32;
@@ -42,9 +42,8 @@ pub struct Ploc {
     clusters: Clusters,
     next: Clusters,
     neighbours: Vec<u32>,
-    /// Of every chunk: how many clusters are left of it and how many of those join another; then
-    /// where those that are left go.
-    counts: Vec<[usize; 2]>,
+    /// Of every chunk: how many clusters are left of it; then where those go.
+    counts: Vec<usize>,
     /// From the clusters of the next round to those of this one.
     sources: Vec<AtomicU32>,
 }
@@ -79,36 +78,32 @@ impl Ploc {
         }
     }
 
-    /// Decides who is joined with whom; returns how many clusters are left.
-    fn choose(&mut self, threads: &Threads) -> usize {
+    /// Decides who is joined with whom in a round over `n_leaves`; returns how many clusters are
+    /// left.
+    fn choose(&mut self, threads: &Threads, round: u32, n_leaves: usize) -> usize {
         let (boxes, radius) = (&self.clusters.boxes, self.radius);
         let n = self.clusters.named.len();
         self.neighbours.resize(n, 0);
-        threads.chunks(&mut self.neighbours, &|first, nearest| {
-            crate::simd::run_rows!(Search { boxes, n, radius, first, nearest })
-        });
-        let [left, joined] = self.count(threads);
-        if joined * SLOW as usize >= n {
-            return left;
+        if is_late(round, n as u32, n_leaves as u32) {
+            threads.fill(&mut self.neighbours, |i| neighbour(i as u32, n as u32));
+        } else {
+            threads.chunks(&mut self.neighbours, &|first, nearest| {
+                crate::simd::run_rows!(Search { boxes, n, radius, first, nearest })
+            });
         }
-        threads.fill(&mut self.neighbours, |i| neighbour(i as u32, n as u32));
-        self.count(threads)[0]
+        self.count(threads)
     }
 
-    /// How many clusters are left, and how many of those join another.
-    fn count(&mut self, threads: &Threads) -> [usize; 2] {
+    /// How many clusters are left.
+    fn count(&mut self, threads: &Threads) -> usize {
         let Self { neighbours, counts, .. } = self;
         let n = neighbours.len();
-        counts.resize(n.div_ceil(CHUNK), [0; 2]);
+        counts.resize(n.div_ceil(CHUNK), 0);
         threads.each(counts, &|k, count| {
-            *count = [0; 2];
-            for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
-                let fate = fate(i as u32, neighbours);
-                count[0] += (fate != Fate::Ends) as usize;
-                count[1] += (fate == Fate::Joins) as usize;
-            }
+            let chunk = k * CHUNK..((k + 1) * CHUNK).min(n);
+            *count = chunk.filter(|&i| fate(i as u32, neighbours) != Fate::Ends).count();
         });
-        counts.iter().fold([0; 2], |sum, count| [sum[0] + count[0], sum[1] + count[1]])
+        counts.iter().sum()
     }
 
     /// Joins, and moves those that are left together.
@@ -117,12 +112,12 @@ impl Ploc {
         let n = neighbours.len();
         let mut begin = 0;
         for count in counts.iter_mut() {
-            begin += std::mem::replace(&mut count[0], begin);
+            begin += std::mem::replace(count, begin);
         }
         sources.resize_with(left.max(sources.len()), AtomicU32::default);
         let sources = Shared(sources);
         threads.each(counts, &|k, count| {
-            let mut to = count[0];
+            let mut to = *count;
             for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
                 if fate(i as u32, neighbours) != Fate::Ends {
                     sources.store(to, i as u32);
@@ -173,9 +168,11 @@ impl TreeBuilder for Ploc {
         fill_boxes(threads, n, &mut clusters.boxes, &boxed);
         clusters.named.resize(n, Named::default());
         threads.fill(&mut clusters.named, |i| Named { subtree: joins.leaf(i), name: i as u32 });
+        let mut round = 0;
         while self.clusters.named.len() > 1 {
-            let left = self.choose(threads);
+            let left = self.choose(threads, round, n);
             self.advance(threads, left);
+            round += 1;
         }
         let Self { clusters, joins, along, .. } = self;
         let root = clusters.named[0].subtree.node;

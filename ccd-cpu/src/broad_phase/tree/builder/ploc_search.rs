@@ -3,7 +3,7 @@
 use crate::broad_phase::leaf_boxes::set_lane;
 use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
-use ccd_core::broad_phase::ploc::{distance, prefers};
+use ccd_core::broad_phase::ploc::{self, distance, prefers};
 use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Num};
 
@@ -28,7 +28,7 @@ pub fn fill_boxes(
 const MAX_BLOCKS: usize = 2 * Builder::MAX_RADIUS as usize / WIDTH + 2;
 
 /// Eight distances that are none.
-const FAR: F32x8 = F32x8([f32::MAX; WIDTH]);
+const FAR: F32x8 = F32x8([ploc::FAR; WIDTH]);
 
 /// The nearest neighbours of some clusters, eight distances at a time; the same clusters as by
 /// [`ccd_core::broad_phase::ploc::nearest`].
@@ -75,17 +75,17 @@ fn nearest_of<S: RowSimd>(
     }
     // Neither itself nor who is too far along the curve.
     for lane in first * WIDTH..begin {
-        distances[0].0[lane % WIDTH] = f32::MAX;
+        distances[0].0[lane % WIDTH] = ploc::FAR;
     }
     for lane in end..(last + 1) * WIDTH {
-        distances[last - first].0[lane % WIDTH] = f32::MAX;
+        distances[last - first].0[lane % WIDTH] = ploc::FAR;
     }
-    distances[i / WIDTH - first].0[i % WIDTH] = f32::MAX;
+    distances[i / WIDTH - first].0[i % WIDTH] = ploc::FAR;
     let mut least = simd.load(&FAR);
     for of_block in &distances[..last - first + 1] {
         least = least.min(simd.load(of_block));
     }
-    let mut least_of_all = f32::MAX;
+    let mut least_of_all = ploc::FAR;
     for lane in simd.store(least).0 {
         least_of_all = Num::min(least_of_all, lane);
     }
@@ -93,7 +93,7 @@ fn nearest_of<S: RowSimd>(
     for (b, of_block) in distances[..last - first + 1].iter().enumerate() {
         let farther = simd.load(of_block).gt(S::Lanes::splat(least_of_all)).bits();
         let mut nearest = !farther & 0xff;
-        while nearest != 0 && least_of_all < f32::MAX {
+        while nearest != 0 && least_of_all < ploc::FAR {
             let j = ((first + b) * WIDTH) as u32 + nearest.trailing_zeros();
             nearest &= nearest - 1;
             if prefers(i as u32, j, best) {

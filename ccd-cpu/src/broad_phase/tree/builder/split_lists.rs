@@ -58,7 +58,7 @@ impl TreeBuilder for SplitLists {
         codes.resize(n, [0; 2]);
         threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
         self.levels.resize(n.saturating_sub(1), 0);
-        threads.fill(&mut self.levels, |i| level(i, codes));
+        threads.fill(&mut self.levels, |i| level(i, 0, codes));
         let begins = self.write_lists(threads);
         let Self { levels, list, branches: words, .. } = self;
         words.resize_with(levels.len() * BRANCH, AtomicU32::default);
@@ -66,7 +66,9 @@ impl TreeBuilder for SplitLists {
         for (level, begin_end) in begins.windows(2).enumerate() {
             let (begin, end) = (begin_end[0], begin_end[1]);
             threads.fill(&mut vec![(); end - begin], |k| {
-                let (number, branch) = branch(begin + k, level as u32, begin, end, list, levels);
+                let n_internal = levels.len() as u32;
+                let (number, branch) =
+                    branch(begin + k, level as u32, [begin, end], n_internal, list, levels);
                 if number != NONE {
                     store_branch(number, &branch, &words);
                 }
@@ -97,7 +99,7 @@ impl SplitLists {
         threads.each(chunks, &|k, chunk| {
             chunk.entries.fill(0);
             for i in range(k) {
-                for level in levels[i]..=last_level(i, levels) {
+                for level in levels[i]..=last_level(i, n, levels) {
                     chunk.entries[level as usize] += 1;
                 }
             }
@@ -117,7 +119,7 @@ impl SplitLists {
         let out = Shared(written);
         threads.each(chunks, &|k, chunk| {
             for i in range(k) {
-                for level in levels[i]..=last_level(i, levels) {
+                for level in levels[i]..=last_level(i, n, levels) {
                     let entry = &mut chunk.entries[level as usize];
                     out.store(*entry, i as u32);
                     *entry += 1;

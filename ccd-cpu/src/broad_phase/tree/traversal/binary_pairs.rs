@@ -2,12 +2,13 @@
 //! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
 
 use super::Trees;
+use crate::broad_phase::front::Writer;
 use crate::broad_phase::pair_source::{Gathered, IntoRows, PairSink, Scratch};
-use crate::broad_phase::pair_tree::PairTree;
-use crate::broad_phase::scheduler::DepthFirst;
+use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
+use crate::broad_phase::tasks::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, children, expand};
 use ccd_core::model::method::Descent;
 
 /// The pair at which a traversal begins.
@@ -46,14 +47,12 @@ impl<'a> BinaryPairs<'a> {
         // As in a scheduler: so that which tasks a thread gets decides nothing about allocations.
         stack.reserve(1024);
         stack.push(from);
-        let (tree, sink, worker) = (self, &IntoRows::default(), rows);
+        let (tree, sink, worker) = (self, &IntoRows::<false>::default(), rows);
         *visits += crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
     }
 }
 
 impl PairTree for BinaryPairs<'_> {
-    type Pair = NodePair;
-
     fn roots(self, out: &mut Vec<NodePair>) {
         out.extend(Some(ROOTS).filter(|&pair| self.is_wanted(pair)));
     }
@@ -85,5 +84,40 @@ impl PairTree for BinaryPairs<'_> {
     ) {
         let (i, j) = (i as usize - self.a.branches.len(), j as usize - self.b.branches.len());
         sink.row(worker, simd, i / WIDTH, i % WIDTH, j / WIDTH, 1 << (j % WIDTH));
+    }
+}
+
+/// A front reaches down to pairs of leaves.
+impl FrontTree for BinaryPairs<'_> {
+    const WHOLE_ROWS: bool = false;
+
+    #[inline(always)]
+    fn place(self, pair: NodePair) -> Place {
+        if self.is_leaf(pair) { Place::At } else { Place::Above }
+    }
+
+    #[inline(always)]
+    fn meets(self, pair: NodePair) -> bool {
+        self.is_wanted(pair)
+    }
+
+    #[inline(always)]
+    fn expand_all<S: RowSimd>(
+        self,
+        _simd: S,
+        pair: NodePair,
+        out: &mut Vec<NodePair>,
+        front: &mut Writer,
+    ) {
+        let (a, b) = (self.a.nodes(), self.b.nodes());
+        for child in children(self.descent, self.within, a, b, pair) {
+            if child != NO_PAIR {
+                if self.is_wanted(child) {
+                    out.push(child);
+                } else {
+                    front.push(child);
+                }
+            }
+        }
     }
 }

@@ -21,9 +21,11 @@
 
 use super::binary_pairs::BinaryPairs;
 use super::{Traverse, Trees};
+use crate::broad_phase::descend::Descend;
 use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
+use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
 use std::collections::BinaryHeap;
 
@@ -36,12 +38,20 @@ pub struct Cut {
     cuts: [Vec<u32>; 2],
     /// Nodes that may be split further, with the numbers of their leaves.
     heap: BinaryHeap<(usize, u32)>,
+    /// All pairs of the cuts, for a scheduler.
+    pairs: Vec<NodePair>,
 }
 
 impl Cut {
     /// By this rule of expansion, from a cut of so many nodes on, if there are so many leaves.
     pub fn new(n_nodes: usize, descent: Descent) -> Self {
-        Self { n_nodes, descent, cuts: Default::default(), heap: BinaryHeap::new() }
+        Self {
+            n_nodes,
+            descent,
+            cuts: Default::default(),
+            heap: BinaryHeap::new(),
+            pairs: Vec::new(),
+        }
     }
 
     /// Fills one of the cuts.
@@ -77,6 +87,26 @@ impl Traverse for Cut {
             }
             _ => self.cuts[1].len(),
         }
+    }
+
+    fn descend(
+        &mut self,
+        trees: Trees,
+        (_, b): Sides,
+        run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
+    ) {
+        let Self { cuts: [first, second], pairs, .. } = self;
+        pairs.clear();
+        match b {
+            Some(_) => {
+                pairs.extend(first.iter().flat_map(|&i| second.iter().map(move |&j| [i, j])))
+            }
+            None => {
+                let from = |(k, &i): (usize, &u32)| second[k..].iter().map(move |&j| [i, j]);
+                pairs.extend(second.iter().enumerate().flat_map(from));
+            }
+        }
+        run(&BinaryPairs::new(trees, b.is_none(), self.descent), pairs);
     }
 
     fn task(&self, k: usize, trees: Trees, (_, b): Sides, scratch: &mut Scratch, rows: &mut Rows) {

@@ -20,9 +20,11 @@ mod recursive;
 mod simultaneous;
 
 use super::binary_tree::BinaryTree;
+use crate::broad_phase::descend::Descend;
 use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
 use crate::threads::Threads;
 use ccd_core::Error;
+use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::Traversal;
 use cut::Cut;
@@ -55,6 +57,16 @@ pub trait Traverse: Debug + Send + Sync {
 
     /// Does one task.
     fn task(&self, k: usize, trees: Trees, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
+
+    /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent begins,
+    /// if it descends pairs; after [`Traverse::begin`].
+    fn descend(
+        &mut self,
+        _trees: Trees,
+        _sides: Sides,
+        _run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
+    ) {
+    }
 
     /// Most threads that take tasks.
     fn max_threads(&self) -> usize {

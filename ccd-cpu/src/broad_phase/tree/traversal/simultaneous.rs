@@ -17,8 +17,10 @@
 
 use super::binary_pairs::{BinaryPairs, ROOTS};
 use super::{Traverse, Trees};
+use crate::broad_phase::descend::Descend;
 use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
 use crate::threads::Threads;
+use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
 
 /// From the roots, in one task.
@@ -50,6 +52,15 @@ impl Traverse for Simultaneous {
             pairs.descend(ROOTS, scratch, &mut rows);
             rows.finish();
         }
+    }
+
+    fn descend(
+        &mut self,
+        trees: Trees,
+        (_, b): Sides,
+        run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
+    ) {
+        run(&BinaryPairs::new(trees, b.is_none(), self.descent), &[ROOTS]);
     }
 
     fn max_threads(&self) -> usize {

@@ -1,29 +1,31 @@
-//! Runs a tree of pairs on threads: cut into tasks breadth first, which workers take from a shared
-//! counter and finish depth first, each with a stack of its own.
+//! Runs a tree of pairs on threads, compiled into every sink: cut into tasks breadth first, which
+//! workers take from a shared counter and finish depth first, each with a stack of its own.
 //!
-//! It knows nothing of boxes, so that a scheduler is written once for all trees.
+//! That is self-scheduling, which [`crate::broad_phase::scheduler`] has too, beside others, for
+//! trees that list rows.
 
 use crate::broad_phase::pair_source::PairSink;
 use crate::broad_phase::pair_tree::PairTree;
 use crate::simd::{RowSimd, Work};
 use crate::threads::{Own, Threads};
+use ccd_core::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks wanted: enough that the largest is a small part of the whole.
-const MIN_TASKS: usize = 1024;
+pub const MIN_TASKS: usize = 1024;
 
 /// The tasks of a traversal and the stack of each worker, kept between calls.
 #[derive(Debug, Default)]
-pub struct Scheduler<P> {
-    tasks: Vec<P>,
-    next: Vec<P>,
-    stacks: Vec<Own<Vec<P>>>,
+pub struct Tasks {
+    tasks: Vec<NodePair>,
+    next: Vec<NodePair>,
+    stacks: Vec<Own<Vec<NodePair>>>,
 }
 
-impl<P: Copy + Send + Sync> Scheduler<P> {
+impl Tasks {
     /// Hands the rows of all leaf pairs of `tree` to the sink. `part`: only every so many-th task
     /// (1: all).
-    pub fn run<T: PairTree<Pair = P>, K: PairSink>(
+    pub fn run<T: PairTree, K: PairSink>(
         &mut self,
         threads: &Threads,
         tree: T,
@@ -34,7 +36,7 @@ impl<P: Copy + Send + Sync> Scheduler<P> {
         self.split(tree);
         self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
         let tasks = &self.tasks;
-        let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<P>>| {
+        let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<NodePair>>| {
             stack.clear();
             stack.push(tasks[k]);
             crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
@@ -43,7 +45,7 @@ impl<P: Copy + Send + Sync> Scheduler<P> {
     }
 
     /// Cuts the traversal into tasks.
-    fn split<T: PairTree<Pair = P>>(&mut self, tree: T) {
+    fn split<T: PairTree>(&mut self, tree: T) {
         self.tasks.clear();
         tree.roots(&mut self.tasks);
         while self.tasks.len() < MIN_TASKS && self.tasks.iter().any(|&task| !tree.is_leaf(task)) {
@@ -83,8 +85,8 @@ pub fn share<K: PairSink, X: Send>(
 /// The children of all `tasks`, and the leaf pairs among them, appended to `out`.
 struct Split<'a, T: PairTree> {
     tree: T,
-    tasks: &'a [T::Pair],
-    out: &'a mut Vec<T::Pair>,
+    tasks: &'a [NodePair],
+    out: &'a mut Vec<NodePair>,
 }
 
 impl<S: RowSimd, T: PairTree> Work<S> for Split<'_, T> {
@@ -107,7 +109,7 @@ pub struct DepthFirst<'a, T: PairTree, K: PairSink> {
     /// What is descended.
     pub tree: T,
     /// Pairs that wait; empty afterwards.
-    pub stack: &'a mut Vec<T::Pair>,
+    pub stack: &'a mut Vec<NodePair>,
     /// Where rows go.
     pub sink: &'a K,
     /// What it gathers.

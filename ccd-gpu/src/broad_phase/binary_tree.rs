@@ -1,8 +1,9 @@
-//! The binary radix tree on a device: built from the sorted keys and the boxes of a block tree,
-//! traversed by one thread a query.
+//! A binary tree on a device: branches by any builder, boxes from those of a block tree over its
+//! leaves, traversed by one thread a query.
 
 use super::block_bvh::Tree;
-use crate::bind::{BranchBoxes, Branches, FarNodes, NearNodes, TraverseFull, TraverseHalf};
+use super::builder::{self, TreeBuilder};
+use crate::bind::{BranchBoxes, FarNodes, NearNodes, TraverseFull, TraverseHalf};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, List};
@@ -10,6 +11,7 @@ use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Queries, WideNode};
+use ccd_core::model::method::Builder;
 use wgpu::BufferUsages as U;
 
 /// Queries of one dispatch: some milliseconds of a small device, so that no driver thinks that it
@@ -17,8 +19,9 @@ use wgpu::BufferUsages as U;
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
 /// A tree over one set.
-pub struct RadixTree {
+pub struct BinaryTree {
     pub set: usize,
+    builder: Box<dyn TreeBuilder>,
     pub branches: wgpu::Buffer,
     /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
     /// nodes with the boxes of both children.
@@ -30,9 +33,15 @@ pub struct RadixTree {
     pub n: u32,
 }
 
-impl RadixTree {
+impl BinaryTree {
     /// Room for a tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
-    pub fn new(device: &Device, set: usize, n: u32, for_pairs: bool) -> Result<Self, Error> {
+    pub fn new(
+        device: &Device,
+        choice: Builder,
+        set: usize,
+        n: u32,
+        for_pairs: bool,
+    ) -> Result<Self, Error> {
         let (storage, n_boxes) = (U::STORAGE, n as u64);
         let buffer = |what, bytes: usize| device.buffer(what, n_boxes * bytes as u64, storage);
         let far = || {
@@ -42,6 +51,7 @@ impl RadixTree {
         let node = if for_pairs { 2 * size_of::<Node>() } else { size_of::<WideNode>() };
         Ok(Self {
             set,
+            builder: builder::new(device, choice, set, n)?,
             branches: buffer("branches of the tree", size_of::<Branch>())?,
             nodes: buffer("nodes of the binary tree", node)?,
             far: if for_pairs { None } else { Some(far()?) },
@@ -49,17 +59,33 @@ impl RadixTree {
         })
     }
 
-    /// What must be zero before [`RadixTree::fit`].
+    /// Levels of internal nodes that there may be.
+    pub fn height(&self) -> u32 {
+        self.builder.height()
+    }
+
+    /// A list of the builder.
+    pub fn list(&self) -> Option<&List> {
+        self.builder.list()
+    }
+
+    /// The same, to be replaced by a larger one.
+    pub fn list_mut(&mut self) -> Option<&mut List> {
+        self.builder.list_mut()
+    }
+
+    /// What must be zero before [`BinaryTree::branch`].
     pub fn clear(&self, recorder: &mut Recorder) {
+        self.builder.clear(recorder);
         if let Some(far) = &self.far {
             recorder.clear(far, HEADER_BYTES);
         }
     }
 
-    /// Children and ranges of all nodes, from the keys of a block tree that is sorted.
+    /// Children and ranges of all nodes, from a block tree that is sorted and not fitted yet,
+    /// because leaves may change places.
     pub fn branch(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
-        let (keys, branches) = (blocks.sorted()[0], &self.branches);
-        recorder.each(&Branches { keys, branches }, &self.params(frame, blocks), self.n);
+        self.builder.build(recorder, frame, blocks, &self.branches);
     }
 
     /// Boxes of all nodes, from those of a block tree that is fitted.

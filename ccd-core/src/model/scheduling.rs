@@ -1,0 +1,335 @@
+//! Who descends which pairs of nodes, and where a step begins to: choices for methods that descend
+//! pairs of nodes, the third beside method and pipeline. What each is is said in
+//! [`catalogue`](super::catalogue).
+
+use super::catalogue::{Catalogued, Row};
+use super::error::{Error, check_setting};
+use super::method::{BroadPhaseMethod, Traversal, TreeOptions};
+
+/// How pairs of nodes are shared out among workers, and whether the pairs at which a step ended
+/// begin the next one; results do not depend on it.
+///
+/// It is for methods that descend pairs of nodes: blocks, and trees with the traversals
+/// `simultaneous` and `cut`. Others make a query per box, or sort; they are refused with anything
+/// but the default.
+///
+/// ```
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
+///
+/// let stealing = Scheduling::default().scheduler(Scheduler::Stealing).front(Front::ON);
+/// assert!(stealing.check(BroadPhaseMethod::Blocks).is_ok());
+/// assert!(stealing.check(BroadPhaseMethod::SweepAndPrune).is_err());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Scheduling {
+    /// `None`: as the method does it by itself. That is [`Scheduler::SelfScheduling`] on a CPU, but
+    /// for `simultaneous`, which one thread does; and [`Scheduler::Frontier`] on a GPU.
+    pub scheduler: Option<Scheduler>,
+    /// Where a step begins.
+    pub front: Front,
+}
+
+/// How pairs of nodes that are to be expanded, of which nobody knows beforehand how many are below
+/// them, are shared out among workers: threads of a CPU, workgroups of a GPU.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Scheduler {
+    /// The upper levels are expanded into some thousand tasks; workers take the next one from a
+    /// shared counter, and finish it [Tang 1986].
+    #[default]
+    SelfScheduling,
+    /// All pairs of a level, then all of the next: no worker needs to know of another within a
+    /// level, and all wait between two.
+    Frontier,
+    /// The tasks are dealt out evenly at the beginning, and nobody takes another's.
+    Static,
+    /// The same, until too many workers are idle; then all stop, and what is left is dealt out
+    /// again [Lauterbach 2010].
+    Balanced {
+        /// Of all workers, in percent, so many must be idle: 1 to 100.
+        idle: u32,
+    },
+    /// Every worker has a deque: its owner pushes and pops at one end, and whose own is empty takes
+    /// from the other end of another's [Arora 1998], [Cederman 2009].
+    Stealing,
+    /// Every worker has a stack of its own, and a deque for what is too much for it: pairs move in
+    /// batches, and of batches that were stolen at once, one after the other is fetched when it is
+    /// needed [da Silva 2013].
+    LazyStealing,
+}
+
+impl Scheduler {
+    /// [`Scheduler::Balanced`] when half of the workers are idle.
+    pub const BALANCED: Self = Self::Balanced { idle: 50 };
+}
+
+/// Where the descent of a step begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Front {
+    /// At the pair of roots.
+    #[default]
+    Off,
+    /// At the pairs of nodes where the descent of the step before ended, its front [Tang 2010a], if
+    /// the trees are still those: refitted, not built anew.
+    On(FrontOptions),
+}
+
+impl Front {
+    /// [`Front::On`] as it is by default.
+    pub const ON: Self = Self::On(FrontOptions::DEFAULT);
+}
+
+/// When a front is given up, so that a step begins at the roots, and leaves a new one.
+///
+/// Pairs that meet are replaced by those below them; pairs that separate stay where they are, so
+/// that a front only gets deeper. One that is too deep is more work than it saves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct FrontOptions {
+    /// Steps `p` after which the number of pairs is compared with that of `p` steps before, at
+    /// least 1 [da Silva 2013].
+    pub period: u32,
+    /// The front is given up if it has then become less than this many times as large, in percent:
+    /// it did not change much, so that it is taken to be deeper than the scene asks for, `rt`
+    /// there. 0: never.
+    pub threshold: u32,
+    /// The front is given up once it is this many times as large, in percent, as the last one that
+    /// began at the roots: 100 or more.
+    pub growth: u32,
+    /// Most memory for all fronts of a session, in MiB, 1 to [`FrontOptions::MAX_MEMORY`]. A front
+    /// that would take more is dropped: the next step begins at the roots.
+    pub memory: u32,
+}
+
+impl FrontOptions {
+    const DEFAULT: Self = Self { period: 16, threshold: 0, growth: 150, memory: 512 };
+    /// Most MiB of a front: 64 GiB.
+    pub const MAX_MEMORY: u32 = 1 << 16;
+
+    /// The same with this period and this threshold in percent.
+    pub const fn rebuild(self, period: u32, threshold: u32) -> Self {
+        Self { period, threshold, ..self }
+    }
+
+    /// The same with this bound of its growth in percent.
+    pub const fn growth(self, growth: u32) -> Self {
+        Self { growth, ..self }
+    }
+
+    /// The same with this bound of its memory in MiB.
+    pub const fn memory(self, memory: u32) -> Self {
+        Self { memory, ..self }
+    }
+}
+
+impl Default for FrontOptions {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl Scheduling {
+    /// The same with this scheduler.
+    pub const fn scheduler(self, scheduler: Scheduler) -> Self {
+        Self { scheduler: Some(scheduler), ..self }
+    }
+
+    /// The same with this front.
+    pub const fn front(self, front: Front) -> Self {
+        Self { front, ..self }
+    }
+
+    /// Checks settings that have a range, and that the method descends pairs of nodes if anything
+    /// was chosen.
+    pub fn check(self, method: BroadPhaseMethod) -> Result<(), Error> {
+        if let Some(Scheduler::Balanced { idle }) = self.scheduler {
+            check_setting("idle workers in percent", idle, 1, 100)?;
+        }
+        if let Front::On(front) = self.front {
+            check_setting("period of the front", front.period, 1, u32::MAX)?;
+            check_setting("growth of the front in percent", front.growth, 100, u32::MAX)?;
+            check_setting("memory of the front in MiB", front.memory, 1, FrontOptions::MAX_MEMORY)?;
+        }
+        if self == Self::default() || descends_pairs(method) {
+            return Ok(());
+        }
+        let name = match method {
+            BroadPhaseMethod::Tree(TreeOptions { traversal, .. }) => traversal.row().name,
+            other => other.row().name,
+        };
+        Err(Error::NoPairsOfNodes { method: name })
+    }
+
+    /// Whether a backend has the scheduler and the front; if not, the name of what it lacks.
+    pub fn lacking(self, backend: &str) -> Option<&'static str> {
+        let scheduler = self.scheduler.and_then(|scheduler| lacks(scheduler.row(), backend));
+        scheduler.or_else(|| lacks(self.front.row(), backend).map(|_| "front"))
+    }
+
+    /// Every scheduler of a backend, with a front and without one.
+    pub fn every(backend: &str) -> impl Iterator<Item = Self> {
+        let all = Scheduler::ROWS.iter().flat_map(|row| {
+            let of = Self::default().scheduler(row.value);
+            Front::ROWS.iter().map(move |row| of.front(row.value))
+        });
+        all.filter(move |scheduling| scheduling.lacking(backend).is_none())
+    }
+}
+
+fn lacks<T>(row: &Row<T>, backend: &str) -> Option<&'static str> {
+    (!row.backends.contains(&backend)).then_some(row.name)
+}
+
+/// Whether a method descends pairs of nodes.
+fn descends_pairs(method: BroadPhaseMethod) -> bool {
+    match method {
+        BroadPhaseMethod::Blocks => true,
+        BroadPhaseMethod::Tree(TreeOptions { traversal, .. }) => {
+            matches!(traversal, Traversal::Simultaneous(_) | Traversal::Cut { .. })
+        }
+        _ => false,
+    }
+}
+
+/// The name of the scheduler on a command line, and whether there is a front.
+impl core::fmt::Display for Scheduling {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.scheduler.map_or("default", |scheduler| scheduler.row().name))?;
+        f.write_str(if self.front == Front::Off { "" } else { "-front" })
+    }
+}
+
+const CPU: &[&str] = &["cpu"];
+const BOTH: &[&str] = &["cpu", "gpu"];
+
+impl Catalogued for Scheduler {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::SelfScheduling,
+            name: "self-scheduling",
+            about: "Workers take some thousand tasks, one after the other, from a shared counter",
+            source: Some("Tang 1986"),
+            backends: CPU,
+        },
+        Row {
+            value: Self::Frontier,
+            name: "frontier",
+            about: "Queues by level: all pairs of one, then all of the next",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::Static,
+            name: "static",
+            about: "Tasks are dealt out at the beginning",
+            source: Some("Cederman 2009"),
+            backends: CPU,
+        },
+        Row {
+            value: Self::BALANCED,
+            name: "balanced",
+            about: "Dealt out, and dealt out again whenever too many workers are idle",
+            source: Some("Lauterbach 2010"),
+            backends: CPU,
+        },
+        Row {
+            value: Self::Stealing,
+            name: "stealing",
+            about: "A deque a worker; whose own is empty takes from another's",
+            source: Some("Arora 1998"),
+            backends: CPU,
+        },
+        Row {
+            value: Self::LazyStealing,
+            name: "lazy-stealing",
+            about: "A stack and a deque a worker; batches are stolen at once and fetched one by one",
+            source: Some("da Silva 2013"),
+            backends: CPU,
+        },
+    ];
+}
+
+impl Catalogued for Front {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Off,
+            name: "off",
+            about: "Every step begins at the roots",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::ON,
+            name: "on",
+            about: "A step begins at the pairs of nodes where the one before ended",
+            source: Some("Tang 2010a"),
+            backends: CPU,
+        },
+    ];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::catalogue::every;
+
+    #[test]
+    fn what_descends_no_pairs_is_refused_with_the_reason() {
+        let chosen = [
+            Scheduling::default().scheduler(Scheduler::SelfScheduling),
+            Scheduling::default().front(Front::ON),
+        ];
+        let mut n_taken = 0;
+        for method in every("cpu") {
+            assert_eq!(Scheduling::default().check(method), Ok(()), "{method}");
+            for scheduling in chosen {
+                match scheduling.check(method) {
+                    Ok(()) => n_taken += 1,
+                    Err(e) => {
+                        let text = std::format!("{e}");
+                        assert!(text.contains("pairs of nodes"), "{method}: {text}");
+                        assert!(!descends_pairs(method));
+                    }
+                }
+            }
+        }
+        assert!(n_taken > 2, "{n_taken}");
+        for scheduling in Scheduling::every("cpu") {
+            assert_eq!(scheduling.check(BroadPhaseMethod::default()), Ok(()));
+        }
+    }
+
+    #[test]
+    fn settings_have_their_ranges() {
+        let check = |scheduling: Scheduling| scheduling.check(BroadPhaseMethod::Blocks);
+        let balanced = |idle| Scheduling::default().scheduler(Scheduler::Balanced { idle });
+        assert!(check(balanced(1)).is_ok() && check(balanced(100)).is_ok());
+        let front = |front| check(Scheduling::default().front(Front::On(front)));
+        let fine = FrontOptions::default();
+        assert!(front(fine).is_ok() && front(fine.growth(100).memory(1).rebuild(1, 0)).is_ok());
+        let bad = [
+            check(balanced(0)),
+            check(balanced(101)),
+            front(fine.growth(99)),
+            front(fine.memory(0)),
+            front(fine.memory(FrontOptions::MAX_MEMORY + 1)),
+            front(fine.rebuild(0, 100)),
+        ];
+        for result in bad {
+            assert!(matches!(result, Err(Error::Setting { .. })), "{result:?}");
+        }
+    }
+
+    #[test]
+    fn a_backend_has_all_or_says_what_it_lacks() {
+        assert_eq!(Scheduling::every("cpu").count(), 2 * Scheduler::ROWS.len());
+        assert_eq!(Scheduling::default().lacking("gpu"), None);
+        let front = Scheduling::default().front(Front::ON);
+        assert_eq!(front.lacking("cpu"), None);
+        assert_eq!(front.lacking("abacus"), Some("front"));
+        assert_eq!(front.scheduler(Scheduler::Static).lacking("abacus"), Some("static"));
+    }
+}

@@ -1,0 +1,12 @@
+//! Who does which part of a traversal whose work appears while it runs: deques of batches from
+//! which idle workers steal, written once for threads, for workgroups and for a model checker.
+//!
+//! | module | idea |
+//! |---|---|
+//! | [`deque`] | one deque: its owner pushes and pops at the bottom, thieves take from the top |
+//! | [`stealing`] | the deques of all workers; ranges stolen at once and transferred lazily |
+//!
+//! docs/SCHEDULING.md draws both, says what is model-checked, and why no item is lost.
+
+pub mod deque;
+pub mod stealing;

@@ -1,0 +1,187 @@
+//! Meet: the deques of all workers. Task stealing takes one batch at a time [Arora 1998]; lazy work
+//! stealing takes a range from every other deque at once and transfers batch by batch what it has
+//! got [da Silva 2013], algorithms 3.9 to 3.12, made sound.
+//!
+//! ```text
+//!   level   from                     task stealing       lazy work stealing
+//!     1     the worker's own stack   take                take
+//!     2     its own deque            pop                 pop
+//!     3     ranges it has stolen                         next_stolen: one batch
+//!     4     the others' deques       steal_task: one     steal_all: a range of each, then 3
+//! ```
+//!
+//! The stack is the caller's, and nobody else sees it: it takes batches from it as long as it can,
+//! and from a threshold on it pushes one to its deque, for others to find. If the deque is full,
+//! the batch stays on the stack.
+//!
+//! **Nothing is lost.** An item is at any time on the stack of one worker, or in one deque, or in a
+//! range that one worker has stolen and not read. A worker retires only when its stack is empty and
+//! it found its deque and its ranges empty; nobody else pushes to that deque, so that it stays
+//! empty. When all have retired, there is nothing left. No worker waits for another: it looks at
+//! the others' deques a bounded number of times, then retires; whoever has work goes on, alone if
+//! it must be, and drains its own deque. So no assumption is made about which workers make
+//! progress at the same time.
+//!
+//! Cost: task stealing is one exchange for every batch that moves, and workers without work look
+//! around more often; lazy stealing takes more at a time, which others then cannot steal again from
+//! it. Ranges are held by their thief alone, so keep them short where a batch means much work.
+
+use super::deque::{Deque, Range, Steal};
+use crate::kernel::Words;
+
+/// The deques of a number of workers and the ranges that each has stolen, in one array of words.
+#[derive(Clone, Copy, Debug)]
+pub struct Workers {
+    /// How many there are.
+    pub n: u32,
+    /// Batches for which there is room in each deque, as in [`Deque::batches`].
+    pub batches: u32,
+    /// Items for which there is room in a batch.
+    pub batch: u32,
+}
+
+/// A batch that a worker has taken: it reads its items, then says so ([`Workers::done`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Taken {
+    /// Whose deque it stands in.
+    pub owner: u32,
+    /// Its slot there.
+    pub slot: u32,
+    /// Whether it was stolen.
+    pub stolen: bool,
+}
+
+impl Workers {
+    /// Words that they take.
+    pub const fn words(self) -> usize {
+        let n = self.n as usize;
+        n * Deque::words(self.batches, self.batch) + n * n
+    }
+
+    /// Makes all deques empty; before the workers start.
+    pub fn clear(self, words: &impl Words) {
+        for worker in 0..self.n {
+            self.deque(worker).clear(words);
+            for victim in 0..self.n {
+                words.store(self.range(worker, victim), 0);
+            }
+        }
+    }
+
+    /// The deque of a worker.
+    #[inline(always)]
+    pub fn deque(self, worker: u32) -> Deque {
+        let base = worker as usize * Deque::words(self.batches, self.batch);
+        Deque { base, batches: self.batches, batch: self.batch }
+    }
+
+    /// Level 2: the worker pops from its own deque.
+    #[inline(always)]
+    pub fn pop(self, words: &impl Words, me: u32) -> Option<Taken> {
+        let slot = self.deque(me).pop(words)?;
+        Some(Taken { owner: me, slot, stolen: false })
+    }
+
+    /// Level 4 of task stealing: looks at all other deques once, from that of `first` on, and
+    /// steals one batch.
+    #[inline(always)]
+    pub fn steal_task(self, words: &impl Words, me: u32, first: u32) -> Option<Taken> {
+        for k in 0..self.n {
+            let victim = (first % self.n + k) % self.n;
+            if victim != me
+                && let Steal::Stolen(range) = self.deque(victim).steal(words, 1)
+            {
+                let slot = self.deque(victim).slot_of(range, 0);
+                return Some(Taken { owner: victim, slot, stolen: true });
+            }
+        }
+        None
+    }
+
+    /// Level 3: the next batch of the ranges that the worker has stolen.
+    #[inline(always)]
+    pub fn next_stolen(self, words: &impl Words, me: u32) -> Option<Taken> {
+        for victim in 0..self.n {
+            if let Some(taken) = self.next_stolen_from(words, me, victim) {
+                return Some(taken);
+            }
+        }
+        None
+    }
+
+    /// The next batch of the range that the worker has stolen from one other.
+    #[inline(always)]
+    pub fn next_stolen_from(self, words: &impl Words, me: u32, victim: u32) -> Option<Taken> {
+        let at = self.range(me, victim);
+        let range = Range::unpacked(words.load(at));
+        if range.n == 0 {
+            return None;
+        }
+        let first = range.first.wrapping_add(1) & 0xffff;
+        words.store(at, Range { first, n: range.n - 1 }.packed());
+        let slot = self.deque(victim).slot_of(range, 0);
+        Some(Taken { owner: victim, slot, stolen: true })
+    }
+
+    /// Level 4 of lazy stealing: steals up to `most` batches from every other deque, an attempt
+    /// each; whether it got any. Only when [`Workers::next_stolen`] finds nothing.
+    #[inline(always)]
+    pub fn steal_all(self, words: &impl Words, me: u32, most: u32) -> bool {
+        let mut any = false;
+        for k in 1..self.n {
+            any |= self.steal_from(words, me, (me + k) % self.n, most);
+        }
+        any
+    }
+
+    /// The same from one other, for owners of several threads.
+    #[inline(always)]
+    pub fn steal_from(self, words: &impl Words, me: u32, victim: u32, most: u32) -> bool {
+        match self.deque(victim).steal(words, most) {
+            Steal::Stolen(range) => {
+                words.store(self.range(me, victim), range.packed());
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Levels 2 and 4 of task stealing.
+    #[inline(always)]
+    pub fn take_task(self, words: &impl Words, me: u32, first: u32) -> Option<Taken> {
+        match self.pop(words, me) {
+            Some(taken) => Some(taken),
+            None => self.steal_task(words, me, first),
+        }
+    }
+
+    /// Levels 2, 3 and 4 of lazy stealing.
+    #[inline(always)]
+    pub fn take_lazily(self, words: &impl Words, me: u32, most: u32) -> Option<Taken> {
+        if let Some(taken) = self.pop(words, me) {
+            return Some(taken);
+        }
+        if let Some(taken) = self.next_stolen(words, me) {
+            return Some(taken);
+        }
+        if self.steal_all(words, me, most) { self.next_stolen(words, me) } else { None }
+    }
+
+    /// Says that the items of a batch have been read.
+    #[inline(always)]
+    pub fn done(self, words: &impl Words, taken: Taken) {
+        if taken.stolen {
+            self.deque(taken.owner).give_back(words, 1);
+        }
+    }
+
+    /// The word with what `thief` has stolen from `victim`; the thief's own.
+    #[inline(always)]
+    fn range(self, thief: u32, victim: u32) -> usize {
+        let deques = self.n as usize * Deque::words(self.batches, self.batch);
+        deques + thief as usize * self.n as usize + victim as usize
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,272 @@
+//! A source of pairs of nodes and the scheduler that was chosen for it, with a front or without
+//! one: what joins both into a source of pairs.
+
+use crate::broad_phase::descend::{Descend, Traces};
+use crate::broad_phase::front::{Fronts, List};
+use crate::broad_phase::method::HandOn;
+use crate::broad_phase::pair_source::{
+    Gathered, Order, PairSink, PairSource, Pairs, PairsOfNodes, Row, Rows, Sides,
+};
+use crate::broad_phase::scheduler::hand::Hand;
+use crate::broad_phase::scheduler::{self, Lists, Schedule};
+use crate::broad_phase::tasks::{MIN_TASKS, share};
+use crate::threads::{Own, Threads};
+use ccd_core::Error;
+use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::{Front, Scheduling};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+/// Finds pairs by a scheduler.
+#[derive(Debug)]
+pub struct Scheduled {
+    source: Box<dyn PairsOfNodes>,
+    descent: Descent,
+    buffers: Vec<Own<Buffers>>,
+    /// Rows in order, for sinks that want one.
+    rows: Vec<Row>,
+}
+
+/// What is the same whatever takes the pairs.
+#[derive(Debug)]
+struct Descent {
+    schedule: Box<dyn Schedule>,
+    fronts: Option<Fronts>,
+    tasks: Vec<NodePair>,
+    next: Vec<NodePair>,
+    /// Pairs of a front, as each worker reads them, and what of them is to be expanded.
+    pieces: Lists,
+    resumed: Lists,
+    n_split: u64,
+}
+
+/// What a worker keeps between calls.
+#[derive(Debug, Default)]
+struct Buffers {
+    worker: usize,
+    list: Vec<Row>,
+    /// All rows that it found, if they are to be put in order.
+    all: Vec<Row>,
+    n_expanded: u64,
+}
+
+/// Where a worker's rows go.
+struct Outlet<'o, 'r, 'a> {
+    worker: usize,
+    rows: &'o mut Gathered<'r, 'a>,
+    n_expanded: &'o mut u64,
+}
+
+impl Scheduled {
+    /// This source by what was chosen for it.
+    pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
+        let descent = Descent {
+            schedule: scheduler::new(choice.scheduler.unwrap_or_default())?,
+            fronts: match choice.front {
+                Front::On(options) => Some(Fronts::new(options)),
+                _ => None,
+            },
+            tasks: Vec::new(),
+            next: Vec::new(),
+            pieces: Lists::default(),
+            resumed: Lists::default(),
+            n_split: 0,
+        };
+        Ok(Self { source, descent, buffers: Vec::new(), rows: Vec::new() })
+    }
+
+    /// Pairs of nodes that the last search expanded.
+    pub fn visits(&self) -> u64 {
+        let by_workers = self.buffers.iter().map(|Own(own)| own.n_expanded).sum::<u64>();
+        self.descent.n_split + by_workers
+    }
+
+    /// What fronts the last step left, if any are kept.
+    pub fn front(&self) -> Option<FrontCounts> {
+        self.descent.fronts.as_ref().map(Fronts::counts)
+    }
+
+    /// The source itself.
+    pub fn source(&self) -> &dyn PairsOfNodes {
+        &*self.source
+    }
+}
+
+impl PairSource for Scheduled {
+    fn order(&mut self) -> &mut dyn Order {
+        &mut *self.source
+    }
+
+    fn find<K: PairSink>(
+        &mut self,
+        threads: &Threads,
+        sides: Sides,
+        part: usize,
+        sink: &K,
+        workers: &mut [K::Worker],
+    ) {
+        let Self { source, descent, buffers, rows } = self;
+        descent.n_split = 0;
+        prepare(buffers, workers.len());
+        if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
+            return;
+        }
+        let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
+        source.descend(threads, sides, &mut |pairs| {
+            descent.run(workers.len(), sets, pairs, part, &mut |job| {
+                threads.each_with(workers, buffers, &|worker, Own(own)| {
+                    let mut hand_on =
+                        |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
+                    own.work(K::ORDERED, &mut hand_on, job);
+                });
+            });
+        });
+        if K::ORDERED {
+            put_in_order(threads, buffers, rows);
+            let run = |k: usize, worker: &mut K::Worker, _: &mut Own<Buffers>| {
+                let rows = &rows[k * Rows::ROOM..((k + 1) * Rows::ROOM).min(rows.len())];
+                crate::simd::run_rows!(HandOn { rows, sink, worker });
+            };
+            share(threads, rows.len().div_ceil(Rows::ROOM), 1, sink, workers, buffers, &run);
+        } else {
+            threads.each(workers, &|_, worker| sink.end(worker));
+        }
+    }
+}
+
+/// Does something with the outlet of every worker.
+type Work<'w> = &'w (dyn Fn(&mut Outlet) + Sync);
+
+impl Descent {
+    /// Finds all pairs of leaves, or those below every `part`-th task.
+    fn run(
+        &mut self,
+        n_workers: usize,
+        sets: [Option<usize>; 2],
+        pairs: Pairs,
+        part: usize,
+        launch: &mut dyn FnMut(Work),
+    ) {
+        let Self { schedule, fronts, tasks, next, pieces, resumed, n_split } = self;
+        let Pairs { tree, roots, builds } = pairs;
+        // A sample leaves no front, and must not begin at one: tasks are to be the same as ever.
+        let of = fronts.as_mut().filter(|_| part == 1).map(|fronts| {
+            let at = fronts.of(sets, builds, n_workers);
+            (&mut *fronts, at)
+        });
+        let front = of.as_ref().map(|(fronts, at)| fronts.at(*at));
+        let written = front.and_then(|front| front.next());
+        tasks.clear();
+        if let Some(kept) = front.and_then(|front| front.kept()) {
+            pieces.prepare(n_workers);
+            resumed.prepare(n_workers);
+            resume(tree, kept, written, [pieces, resumed], launch);
+            resumed.gather(tasks);
+        } else {
+            tasks.extend_from_slice(roots);
+            let mut writer = written.map(|list| list.writer(0));
+            tree.keep_meeting(tasks, &mut writer);
+            loop {
+                if tasks.is_empty() || tasks.len() >= MIN_TASKS {
+                    break;
+                }
+                next.clear();
+                let n = tree.split(tasks, next, &mut writer);
+                std::mem::swap(tasks, next);
+                *n_split += n;
+                if n == 0 {
+                    break;
+                }
+            }
+            every(part, tasks);
+        }
+        schedule.run(n_workers, tasks, &mut |job| {
+            launch(&|outlet| {
+                let Outlet { worker, rows, n_expanded } = outlet;
+                let front = written.map(|list| list.writer(*worker));
+                let mut traces = Traces { rows, front, n_expanded: 0 };
+                let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
+                    tree.expand(pairs, out, &mut traces);
+                };
+                job(&mut Hand::new(*worker, &mut expand));
+                **n_expanded += traces.n_expanded;
+            });
+        });
+        if let Some((fronts, at)) = of {
+            fronts.end(at);
+        }
+    }
+}
+
+/// Begins at the front of the step before: what of it is to be expanded goes to `resumed`, the
+/// rest to the front of this step.
+fn resume(
+    tree: &dyn Descend,
+    kept: &List,
+    written: Option<&List>,
+    [pieces, resumed]: [&Lists; 2],
+    launch: &mut dyn FnMut(Work),
+) {
+    let counter = AtomicUsize::new(0);
+    launch(&|outlet| {
+        let (mut piece, mut out) = (pieces.of(outlet.worker), resumed.of(outlet.worker));
+        let front = written.map(|list| list.writer(outlet.worker));
+        let mut traces = Traces { rows: outlet.rows, front, n_expanded: 0 };
+        loop {
+            let k = counter.fetch_add(1, Relaxed);
+            if k >= kept.n_pieces() {
+                break;
+            }
+            piece.clear();
+            kept.piece(k, &mut piece);
+            tree.resume(&piece, &mut out, &mut traces);
+        }
+        *outlet.n_expanded += traces.n_expanded;
+    });
+}
+
+/// Keeps the tasks `0`, `part`, `2 part` ..
+fn every(part: usize, tasks: &mut Vec<NodePair>) {
+    let n = tasks.len().div_ceil(part);
+    for k in 0..n {
+        tasks[k] = tasks[k * part];
+    }
+    tasks.truncate(n);
+}
+
+fn prepare(buffers: &mut Vec<Own<Buffers>>, n_workers: usize) {
+    buffers.resize_with(n_workers, Own::default);
+    for (worker, Own(own)) in buffers.iter_mut().enumerate() {
+        (own.worker, own.n_expanded) = (worker, 0);
+        own.all.clear();
+    }
+}
+
+impl Buffers {
+    /// Does work whose rows are handed on, or kept if they are to be put in order.
+    fn work(&mut self, keep: bool, hand_on: &mut (dyn FnMut(&[Row]) + Send), work: Work) {
+        let Self { worker, list, all, n_expanded } = self;
+        let mut keep_them = |rows: &[Row]| all.extend_from_slice(rows);
+        let mut rows = Rows::new(list, if keep { &mut keep_them } else { hand_on });
+        let mut gathered = Gathered::new(&mut rows);
+        work(&mut Outlet { worker: *worker, rows: &mut gathered, n_expanded });
+        gathered.finish();
+        rows.flush();
+    }
+}
+
+/// All rows by leaf and block, each once: an order that depends on boxes alone.
+fn put_in_order(threads: &Threads, buffers: &mut [Own<Buffers>], rows: &mut Vec<Row>) {
+    rows.clear();
+    for Own(own) in buffers {
+        rows.append(&mut own.all);
+    }
+    threads.sort(rows, |row| (row.a, row.b, row.mask));
+    rows.dedup_by(|next, row| {
+        let same = (next.a, next.b) == (row.a, row.b);
+        if same {
+            row.mask |= next.mask;
+        }
+        same
+    });
+}

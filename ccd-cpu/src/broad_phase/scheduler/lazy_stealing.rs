@@ -1,0 +1,83 @@
+//! Lazy work stealing: a worker expands from a stack of its own, and pushes the oldest batch to its
+//! deque when the stack holds more than a threshold; whose stack and deque are empty takes batches
+//! from all other deques at once, and fetches one after the other [da Silva 2013], algorithms 3.7
+//! to 3.13.
+//!
+//! ```text
+//!   1  own stack          2  own deque        3  batches stolen before   4  all other deques
+//!      [ .. # # # # ]        [ ### ### ]         b: ###  d: ### ###         up to so many of each
+//!        |      ^ expands
+//!        +-> above the threshold, and while the deque is empty, the oldest go there: below
+//!            them there is most
+//! ```
+//!
+//! The deques and the three levels are those of [`ccd_core::scheduling`]; what was changed to make
+//! them sound is said there. What a deque has no room for stays on the stack. No worker waits for
+//! another, as in [`super::stealing`].
+//!
+//! Cost: a few atomic operations a batch rather than a pair, and none while a stack neither
+//! overflows nor runs empty. Choose it where tasks differ much and processors are not one's own.
+
+use super::stealing::{Deques, ROUNDS};
+use super::{Launch, Lists, Schedule, drain};
+use ccd_core::broad_phase::pair_descent::NodePair;
+
+/// Pairs of a batch.
+const BATCH: usize = 16;
+/// Pairs on a stack from which on the oldest go to the deque.
+const THRESHOLD: usize = 4 * BATCH;
+/// The same while the deque is empty, so that there is something to steal.
+const LEAST: usize = BATCH;
+/// Batches that are stolen from a deque at once.
+const MOST: u32 = 4;
+
+/// The deques and the stacks of all workers.
+#[derive(Debug)]
+pub struct LazyStealing {
+    deques: Deques,
+    stacks: Lists,
+}
+
+impl Default for LazyStealing {
+    fn default() -> Self {
+        Self::new(1 << 10)
+    }
+}
+
+impl LazyStealing {
+    /// With room for so many batches in each deque, a power of two.
+    pub fn new(room: u32) -> Self {
+        Self { deques: Deques::new(room, BATCH as u32), stacks: Lists::default() }
+    }
+}
+
+impl Schedule for LazyStealing {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+        self.stacks.prepare(n_workers);
+        self.deques.deal(n_workers, tasks, &self.stacks);
+        let (deques, stacks) = (&self.deques, &self.stacks);
+        let (workers, words) = (deques.workers, deques.words());
+        let rounds = if n_workers == 1 { 1 } else { ROUNDS };
+        launch(&|hand| {
+            let mut stack = stacks.of(hand.worker());
+            let (me, mut fruitless) = (hand.worker() as u32, 0);
+            while fruitless < rounds {
+                if !stack.is_empty() {
+                    drain(hand, &mut stack, 1);
+                    let own = workers.deque(me);
+                    while stack.len() > if own.is_empty(&words) { LEAST } else { THRESHOLD }
+                        && own.push(&words, &stack[..BATCH]).is_ok()
+                    {
+                        stack.drain(..BATCH);
+                    }
+                } else if let Some(taken) = workers.take_lazily(&words, me, MOST) {
+                    deques.read(taken, &mut stack);
+                    fruitless = 0;
+                } else {
+                    fruitless += 1;
+                    std::thread::yield_now();
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,127 @@
+//! Schedulers: who expands which pairs of nodes, where nobody knows beforehand what is below a pair.
+//!
+//! | scheduler | a pair that was found goes to | a worker without pairs |
+//! |---|---|---|
+//! | [`self_scheduling`] | the worker's own stack | takes the next task from a shared counter |
+//! | [`frontier`] | the queue of the next level | takes the next piece of the queue |
+//! | [`static_lists`] | the worker's own stack | is done |
+//! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
+//! | [`stealing`] | the worker's own deque | takes one from another's deque |
+//! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
+//!
+//! They know pairs of words and nothing of boxes or trees: what a pair is, and where rows of leaves
+//! go, is behind a [`Hand`], one a worker. So each is compiled once, for all trees and sinks; and
+//! none decides anything but who does what: a scheduler that drops or doubles a pair is the only
+//! way in which one can be wrong.
+//!
+//! docs/SCHEDULING.md compares them.
+
+mod balanced;
+mod frontier;
+pub mod hand;
+mod lazy_stealing;
+mod self_scheduling;
+mod static_lists;
+mod stealing;
+#[cfg(test)]
+mod tests;
+
+use crate::threads::Own;
+use balanced::Balanced;
+use ccd_core::Error;
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::model::catalogue::Catalogued;
+use ccd_core::model::scheduling::Scheduler;
+use frontier::Frontier;
+use hand::Hand;
+use lazy_stealing::LazyStealing;
+use self_scheduling::SelfScheduling;
+use static_lists::StaticLists;
+use std::fmt::Debug;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use stealing::Stealing;
+
+/// What a worker does.
+pub type Job<'j> = &'j (dyn Fn(&mut Hand) + Sync);
+
+/// Has every worker do a job, and waits until all have. Workers may do it at the same time or one
+/// after the other.
+pub type Launch<'l> = &'l mut dyn FnMut(Job);
+
+/// Shares out pairs of nodes among workers.
+pub trait Schedule: Debug + Send + Sync {
+    /// Has all tasks expanded, and all that is found below them; none is left. Results do not
+    /// depend on who does what.
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch);
+}
+
+/// The scheduler of a choice.
+pub fn new(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
+    Ok(match choice {
+        Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
+        Scheduler::Frontier => Box::new(Frontier::default()),
+        Scheduler::Static => Box::new(StaticLists::default()),
+        Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
+        Scheduler::Stealing => Box::new(Stealing::default()),
+        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
+        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+    })
+}
+
+/// Pairs that are expanded together: the last of a stack.
+const BATCH: usize = 16;
+/// Pairs that a list has room for from the beginning, so that it rarely grows later.
+const ROOM: usize = 1 << 13;
+
+/// A list a worker, kept between calls.
+#[derive(Debug, Default)]
+pub struct Lists(Vec<Own<Mutex<Vec<NodePair>>>>);
+
+impl Lists {
+    /// One each for so many workers, all empty.
+    pub fn prepare(&mut self, n_workers: usize) {
+        self.0.resize_with(n_workers, || Own(Mutex::new(Vec::with_capacity(ROOM))));
+    }
+
+    /// That of a worker, which nobody else asks for.
+    pub fn of(&self, worker: usize) -> MutexGuard<'_, Vec<NodePair>> {
+        self.0[worker].0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Moves tasks to all lists in turn.
+    pub fn deal(&mut self, tasks: &mut Vec<NodePair>) {
+        let n = self.0.len();
+        for (worker, Own(list)) in self.0.iter_mut().enumerate() {
+            let list = list.get_mut().unwrap_or_else(PoisonError::into_inner);
+            list.extend(tasks.iter().skip(worker).step_by(n));
+        }
+        tasks.clear();
+    }
+
+    /// Moves all that is in the lists to `into`.
+    pub fn gather(&mut self, into: &mut Vec<NodePair>) {
+        for Own(list) in &mut self.0 {
+            into.append(list.get_mut().unwrap_or_else(PoisonError::into_inner));
+        }
+        // Whichever worker has them next time, there is room.
+        for Own(list) in &mut self.0 {
+            let list = list.get_mut().unwrap_or_else(PoisonError::into_inner);
+            list.reserve(into.len() + into.len() / 8);
+        }
+    }
+}
+
+/// Expands what is on a stack, and what that leaves on it, the last first: at most so many batches.
+fn drain(hand: &mut Hand, stack: &mut Vec<NodePair>, most: usize) {
+    let mut batch = [NO_PAIR; BATCH];
+    for _ in 0..most {
+        let n = stack.len().min(BATCH);
+        if n == 0 {
+            break;
+        }
+        let from = stack.len() - n;
+        batch[..n].copy_from_slice(&stack[from..]);
+        stack.truncate(from);
+        hand.expand(&batch[..n], stack);
+    }
+}

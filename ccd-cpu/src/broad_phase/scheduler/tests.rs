@@ -1,0 +1,134 @@
+//! Every pair once, by every scheduler, on any number of workers, in any room.
+
+use super::*;
+use crate::threads::Threads;
+use ccd_core::model::scheduling::Scheduler;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+/// A tree of pairs of which nobody can see beforehand what is below a pair: `[depth, number]` has
+/// up to four children, by the bits of a hash; most pairs have one or none, a few have all.
+fn children([depth, number]: NodePair) -> impl Iterator<Item = NodePair> {
+    let hash = (number ^ depth << 20).wrapping_mul(747_796_405).rotate_left(13) ^ number >> 3;
+    let n = if depth == 0 { 0 } else { [4, 1, 2, 3, 1, 2, 4, 1][hash as usize % 8] };
+    (0..n).map(move |k| [depth - 1, (4 * number + k) % N_PAIRS])
+}
+
+const N_PAIRS: u32 = 1 << 14;
+
+/// How often each pair is met below the tasks, summed over all depths.
+fn walk(tasks: &[NodePair]) -> Vec<u32> {
+    let (mut seen, mut stack) = (vec![0; N_PAIRS as usize], tasks.to_vec());
+    while let Some(pair) = stack.pop() {
+        seen[pair[1] as usize] += 1;
+        stack.extend(children(pair));
+    }
+    seen
+}
+
+/// The same by a scheduler.
+fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec<u32> {
+    let seen: Vec<AtomicU32> = (0..N_PAIRS).map(|_| AtomicU32::new(0)).collect();
+    let threads = Threads::new(n_workers).expect("threads");
+    let mut workers: Vec<()> = vec![(); n_workers];
+    let mut list = tasks.to_vec();
+    threads.enter(|| {
+        schedule.run(n_workers, &mut list, &mut |job| {
+            threads.each(&mut workers, &|worker, ()| {
+                let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
+                    for &pair in pairs {
+                        seen[pair[1] as usize].fetch_add(1, Relaxed);
+                        out.extend(children(pair));
+                    }
+                };
+                job(&mut Hand::new(worker, &mut expand));
+            });
+        });
+    });
+    assert!(list.is_empty(), "tasks are left");
+    seen.into_iter().map(AtomicU32::into_inner).collect()
+}
+
+/// All schedulers, and those with deques in which there is hardly any room.
+fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
+    let rows = Scheduler::ROWS.iter().filter(|row| row.backends.contains(&"cpu"));
+    let of = |row: &ccd_core::model::catalogue::Row<Scheduler>| {
+        (row.name.to_string(), new(row.value).expect("a scheduler that is here"))
+    };
+    let mut all: Vec<_> = rows.map(of).collect();
+    for room in [2, 8] {
+        all.push((format!("stealing, room for {room}"), Box::new(Stealing::new(room))));
+        all.push((format!("lazy stealing, room for {room}"), Box::new(LazyStealing::new(room))));
+    }
+    for idle in [1, 100] {
+        all.push((format!("balanced at {idle} %"), Box::new(Balanced::new(idle))));
+    }
+    all
+}
+
+#[test]
+fn every_pair_is_expanded_once() {
+    let tasks = |n: u32, depth| Vec::from_iter((0..n).map(|k| [depth, 17 * k % N_PAIRS]));
+    let mut most = 0;
+    // Many tasks, one that is all the work, a few, none.
+    for tasks in [tasks(1000, 6), tasks(1, 14), tasks(3, 11), tasks(0, 1), tasks(5, 0)] {
+        let want = walk(&tasks);
+        most = want.iter().sum::<u32>().max(most);
+        for (name, mut schedule) in schedulers() {
+            for n_workers in [1, 2, 8] {
+                // Twice, so that nothing is left over from the first time.
+                for _ in 0..2 {
+                    let found = run(&mut *schedule, n_workers, &tasks);
+                    assert!(found == want, "{name}, {} tasks, {n_workers} workers", tasks.len());
+                }
+            }
+        }
+    }
+    assert!(most > 10_000, "{most} pairs show nothing");
+}
+
+/// The control: what loses a pair, or expands one twice, is seen.
+#[test]
+fn a_pair_more_or_less_is_seen() {
+    #[derive(Debug)]
+    struct Wrong(SelfScheduling, bool);
+    impl Schedule for Wrong {
+        fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+            let last = tasks.pop().expect("a task");
+            if self.1 {
+                tasks.extend([last, last]);
+            }
+            self.0.run(n_workers, tasks, launch);
+        }
+    }
+    let tasks = Vec::from_iter((0..100).map(|k| [5, k]));
+    for doubles in [false, true] {
+        let found = run(&mut Wrong(SelfScheduling::default(), doubles), 2, &tasks);
+        assert!(found != walk(&tasks), "doubles: {doubles}");
+    }
+}
+
+/// Where lists are dealt out again, what one worker finds is for all; else it is for itself. By one
+/// thread after the other, so that it does not depend on the machine.
+#[test]
+fn workers_without_pairs_are_helped() {
+    let helping: [Box<dyn Schedule>; 2] = [Box::new(Balanced::new(1)), Box::new(Balanced::new(50))];
+    let alone: [Box<dyn Schedule>; 2] =
+        [Box::new(StaticLists::default()), Box::new(SelfScheduling::default())];
+    let all = helping.into_iter().map(|s| (true, s)).chain(alone.map(|s| (false, s)));
+    for (helps, mut schedule) in all {
+        let by_worker: Vec<AtomicU32> = (0..4).map(|_| AtomicU32::new(0)).collect();
+        let (mut list, mut workers) = (vec![[14, 0]], [(); 4]);
+        let threads = Threads::new(1).expect("a thread");
+        schedule.run(4, &mut list, &mut |job| {
+            threads.each(&mut workers, &|worker, ()| {
+                let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
+                    by_worker[worker].fetch_add(pairs.len() as u32, Relaxed);
+                    pairs.iter().for_each(|&pair| out.extend(children(pair)));
+                };
+                job(&mut Hand::new(worker, &mut expand));
+            });
+        });
+        let busy = by_worker.iter().filter(|n| n.load(Relaxed) > 0).count();
+        assert_eq!(busy > 1, helps, "{schedule:?}: {by_worker:?}");
+    }
+}

@@ -1,0 +1,204 @@
+//! Every scheduler, with a front and without one, finds what brute force finds, frame after frame:
+//! while boxes move a little, while they move so much that trees are built anew, and when a front
+//! has too little memory.
+
+use ccd_core::layout::Pair;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::Pipeline;
+use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling};
+use ccd_cpu::Session;
+
+type Frame = Vec<[f32; 3]>;
+
+/// Triangles that drift, each in its own direction, `speed` a frame; frame by frame.
+fn drifting(n: u32, speed: f32, n_frames: usize) -> (Mesh, Vec<Frame>) {
+    let hash = |i: u32| {
+        let x = i.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        let x = (x >> ((x >> 28) + 4) ^ x).wrapping_mul(277_803_737);
+        ((x >> 22 ^ x) >> 8) as f32 / 16_777_216.0
+    };
+    let at = |i: u32, frame: usize| -> [f32; 3] {
+        std::array::from_fn(|k| {
+            let k = k as u32;
+            let (from, to) = (hash(8 * (i / 3) + k), hash(8 * (i / 3) + 4 + k) - 0.5);
+            from + 0.15 * hash(1_000_000 + 3 * i + k) + speed * frame as f32 * to
+        })
+    };
+    let frames = (0..n_frames).map(|f| (0..3 * n).map(|i| at(i, f)).collect()).collect();
+    let faces: Vec<_> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    (Mesh::new(3 * n as usize, &faces).expect("triangles"), frames)
+}
+
+/// Candidates by brute force: pairs of edges, and of vertices and faces, whose swept boxes overlap
+/// and that share no vertex.
+fn brute(mesh: &Mesh, x0: &Frame, x1: &Frame) -> [Vec<Pair>; 2] {
+    let swept = |ids: &[u32]| {
+        let mut b = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+        for (&v, x) in ids.iter().flat_map(|v| [(v, x0), (v, x1)]) {
+            for k in 0..3 {
+                b[0][k] = b[0][k].min(x[v as usize][k]);
+                b[1][k] = b[1][k].max(x[v as usize][k]);
+            }
+        }
+        b
+    };
+    let meet = |a: &[u32], b: &[u32]| {
+        let (x, y) = (swept(a), swept(b));
+        (0..3).all(|k| x[0][k] <= y[1][k] && y[0][k] <= x[1][k]) && !a.iter().any(|v| b.contains(v))
+    };
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let pair = |a: usize, b: usize| Pair { a: a as u32, b: b as u32 };
+    let of_vertex = |v: usize| {
+        let hit = move |f: &usize| meet(&[v as u32], &faces[*f]);
+        (0..faces.len()).filter(hit).map(move |f| pair(v, f))
+    };
+    let of_edge = |e: usize| {
+        let hit = move |g: &usize| meet(&edges[e], &edges[*g]);
+        (e + 1..edges.len()).filter(hit).map(move |g| pair(e, g))
+    };
+    [
+        (0..mesh.n_vertices()).flat_map(of_vertex).collect(),
+        (0..edges.len()).flat_map(of_edge).collect(),
+    ]
+}
+
+fn methods() -> Vec<BroadPhaseMethod> {
+    let tree = |builder, traversal, volume| {
+        let tree = TreeOptions::default().builder(builder).traversal(traversal).volume(volume);
+        BroadPhaseMethod::Tree(tree)
+    };
+    vec![
+        BroadPhaseMethod::Blocks,
+        tree(Builder::Lbvh, Traversal::SIMULTANEOUS, Volume::Aabb),
+        tree(Builder::Lbvh, Traversal::CUT, Volume::Obb),
+        tree(Builder::PLOC, Traversal::CUT, Volume::Aabb),
+    ]
+}
+
+/// Runs a session over all frames; every step finds these candidates and the contacts of the
+/// default. Returns how many steps began at a front.
+fn check(
+    (mesh, frames): &(Mesh, Vec<Frame>),
+    want: &[[Vec<Pair>; 2]],
+    options: Options,
+    what: &str,
+) -> usize {
+    let default = Options { threads: 1, pipeline: options.pipeline, ..Options::default() };
+    let mut other = Session::new(mesh.clone(), default).expect("a session");
+    let mut session = Session::new(mesh.clone(), options).expect("a session");
+    let mut begun = 0;
+    for (i, (x, want)) in frames.windows(2).zip(want).enumerate() {
+        let found = session.candidates(&x[0], &x[1]).expect("candidates");
+        for (found, want) in [found.vf, found.ee].iter().zip(want) {
+            let mut found = found.to_vec();
+            found.sort_unstable_by_key(|p| (p.a, p.b));
+            assert!(found == *want, "{what}, step {i}: {} for {}", found.len(), want.len());
+        }
+        let expected = other.step(&x[0], &x[1]).expect("a step").clone();
+        let report = session.step(&x[0], &x[1]).expect("a step");
+        assert!(report.contacts == expected.contacts, "{what}, step {i}: other contacts");
+        assert_eq!(report.candidates, expected.candidates, "{what}, step {i}");
+        let front = report.front.unwrap_or_default();
+        begun += (front.begun > 0) as usize;
+        let earliest = session.earliest_toi(&x[0], &x[1]).expect("a step");
+        assert_eq!(earliest, expected.toi, "{what}, step {i}");
+    }
+    begun
+}
+
+#[test]
+fn every_scheduler_and_front_finds_what_brute_force_finds() {
+    // Slowly, so that fronts last, and so fast that trees are built anew.
+    for (speed, lasts) in [(0.01, true), (0.4, false)] {
+        let scene = drifting(90, speed, 6);
+        let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
+        let n: usize = want.iter().flatten().map(Vec::len).sum();
+        assert!(n > 1000 && want[0] != want[4], "{n} candidates show nothing");
+        for broad_phase in methods() {
+            for scheduling in Scheduling::every("cpu") {
+                for threads in [1, 2, 8] {
+                    let what = format!("{broad_phase}, {scheduling}, {threads} threads, {speed}");
+                    let options =
+                        Options { threads, broad_phase, scheduling, ..Options::default() };
+                    let begun = check(&scene, &want, options, &what);
+                    let may = scheduling.front != Front::Off;
+                    assert!(if lasts && may { begun > 2 } else { may || begun == 0 }, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn triangles_are_paired_by_every_scheduler() {
+    let scene = drifting(60, 0.02, 4);
+    let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
+    for scheduling in Scheduling::every("cpu") {
+        let pipeline = Pipeline::TRIANGLES;
+        let options = Options { threads: 2, pipeline, scheduling, ..Options::default() };
+        check(&scene, &want, options, &format!("triangles, {scheduling}"));
+    }
+}
+
+#[test]
+fn rules_and_memory_give_fronts_up_and_lose_nothing() {
+    let scene = drifting(90, 0.01, 8);
+    let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
+    let tree = TreeOptions::default().traversal(Traversal::SIMULTANEOUS);
+    let begun = |front: FrontOptions| {
+        let scheduling = Scheduling::default().scheduler(Scheduler::LazyStealing);
+        let scheduling = scheduling.front(Front::On(front));
+        let broad_phase = BroadPhaseMethod::Tree(tree);
+        let options = Options { threads: 2, broad_phase, scheduling, ..Options::default() };
+        check(&scene, &want, options, &format!("{front:?}"))
+    };
+    let kept = FrontOptions::default().growth(u32::MAX).rebuild(1, 0);
+    let all = begun(kept);
+    // Given up whenever it grew at all, and whenever it did not grow tenfold in a step.
+    let (grown, unchanged) = (begun(kept.growth(100)), begun(kept.rebuild(1, 1000)));
+    assert!(all == 7 && grown < all && unchanged < all, "{all}, {grown}, {unchanged}");
+    // Fronts of 1500 triangles take more than a MiB: dropped, and not once begun with.
+    let (mesh, frames) = drifting(1500, 0.002, 4);
+    let mut sessions = [1, 64].map(|memory| {
+        let front = Front::On(FrontOptions::default().memory(memory));
+        let broad_phase = BroadPhaseMethod::Tree(tree);
+        let scheduling = Scheduling::default().front(front);
+        let options = Options { threads: 2, broad_phase, scheduling, ..Options::default() };
+        Session::new(mesh.clone(), options).expect("a session")
+    });
+    for x in frames.windows(2) {
+        let [little, enough] = sessions.each_mut().map(|session| {
+            let report = session.step(&x[0], &x[1]).expect("a step");
+            (report.candidates, report.front.expect("fronts are counted"))
+        });
+        assert!(little.0 == enough.0 && little.0.total() > 1000);
+        assert!(little.1.bytes <= 1 << 20 && little.1.bytes < enough.1.bytes, "{little:?}");
+        assert!(enough.1.bytes <= 64 << 20);
+    }
+    let [little, enough] = sessions.map(|session| session.report().front.unwrap_or_default());
+    assert!(enough.begun > 100_000 && little.begun < enough.begun, "{little:?} {enough:?}");
+}
+
+/// The control: a front that is begun with after trees were built anew would be another tree's.
+#[test]
+fn fronts_are_those_of_their_trees() {
+    let (mesh, mut frames) = drifting(90, 0.01, 6);
+    // The fourth frame is another scene: trees are built anew, and nothing of before is begun with.
+    let far: Frame = drifting(90, 0.0, 1).1[0].iter().map(|p| p.map(|c| 40.0 * c * c)).collect();
+    frames.insert(3, far);
+    let scheduling = Scheduling::default().front(Front::ON);
+    for broad_phase in methods() {
+        let options = Options { threads: 1, broad_phase, scheduling, ..Options::default() };
+        let mut session = Session::new(mesh.clone(), options).expect("a session");
+        let mut seen = Vec::new();
+        for x in frames.windows(2) {
+            let report = session.step(&x[0], &x[1]).expect("a step");
+            let begun = report.front.expect("fronts are counted").begun > 0;
+            assert!(!(report.rebuilt && begun), "{broad_phase}: begun at another tree's front");
+            seen.push((report.rebuilt, begun));
+        }
+        assert!(seen.contains(&(false, true)) && seen[1..].contains(&(true, false)), "{seen:?}");
+    }
+}

@@ -1,0 +1,176 @@
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
+    member: array<u32, 3>,
+    member_1: u32,
+    member_2: array<u32, 4>,
+    member_3: f32,
+    member_4: f32,
+    member_5: f32,
+    member_6: f32,
+    member_7: array<u32, 2>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_10 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_12 {
+    member: array<type_10>,
+}
+
+struct type_13 {
+    member: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
+struct type_15 {
+    member: type_14,
+}
+
+struct type_16 {
+    member: array<u32, 3>,
+    member_1: u32,
+    member_2: array<u32, 3>,
+    member_3: u32,
+}
+
+struct type_18 {
+    member: array<type_16>,
+}
+
+@group(0) @binding(0) 
+var<storage> params: type_15;
+@group(0) @binding(1) 
+var<storage> triangles: type_18;
+@group(0) @binding(2) 
+var<storage> boxes: type_12;
+@group(0) @binding(3) 
+var<storage, read_write> swept: type_12;
+
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_114_: f32;
+    var phi_121_: f32;
+    var phi_128_: f32;
+    var phi_135_: f32;
+    var phi_142_: f32;
+    var phi_149_: f32;
+    var phi_165_: f32;
+    var phi_171_: f32;
+    var phi_177_: f32;
+    var phi_184_: f32;
+    var phi_190_: f32;
+    var phi_196_: f32;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
+
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e8 = id_2;
+    let _e9 = n_2;
+    let _e10 = lane_2;
+    let _e21 = ((((_e8.y * _e9.x) + _e8.x) * 256u) + _e10);
+    let _e24 = params.member.member_1.member;
+    if (_e21 < _e24) {
+        let _e27 = triangles.member[_e21];
+        let _e33 = boxes.member[_e27.member[0]];
+        let _e35 = boxes.member[_e27.member[1]];
+        if (_e33.member[0] < _e35.member[0]) {
+            phi_114_ = _e33.member[0];
+        } else {
+            phi_114_ = _e35.member[0];
+        }
+        let _e42 = phi_114_;
+        if (_e33.member[1] < _e35.member[1]) {
+            phi_121_ = _e33.member[1];
+        } else {
+            phi_121_ = _e35.member[1];
+        }
+        let _e49 = phi_121_;
+        if (_e33.member[2] < _e35.member[2]) {
+            phi_128_ = _e33.member[2];
+        } else {
+            phi_128_ = _e35.member[2];
+        }
+        let _e56 = phi_128_;
+        if (_e33.member_1[0] > _e35.member_1[0]) {
+            phi_135_ = _e33.member_1[0];
+        } else {
+            phi_135_ = _e35.member_1[0];
+        }
+        let _e63 = phi_135_;
+        if (_e33.member_1[1] > _e35.member_1[1]) {
+            phi_142_ = _e33.member_1[1];
+        } else {
+            phi_142_ = _e35.member_1[1];
+        }
+        let _e70 = phi_142_;
+        if (_e33.member_1[2] > _e35.member_1[2]) {
+            phi_149_ = _e33.member_1[2];
+        } else {
+            phi_149_ = _e35.member_1[2];
+        }
+        let _e77 = phi_149_;
+        let _e79 = boxes.member[_e27.member[2]];
+        if (_e42 < _e79.member[0]) {
+            phi_165_ = _e42;
+        } else {
+            phi_165_ = _e79.member[0];
+        }
+        let _e84 = phi_165_;
+        if (_e49 < _e79.member[1]) {
+            phi_171_ = _e49;
+        } else {
+            phi_171_ = _e79.member[1];
+        }
+        let _e89 = phi_171_;
+        if (_e56 < _e79.member[2]) {
+            phi_177_ = _e56;
+        } else {
+            phi_177_ = _e79.member[2];
+        }
+        let _e94 = phi_177_;
+        if (_e63 > _e79.member_1[0]) {
+            phi_184_ = _e63;
+        } else {
+            phi_184_ = _e79.member_1[0];
+        }
+        let _e100 = phi_184_;
+        if (_e70 > _e79.member_1[1]) {
+            phi_190_ = _e70;
+        } else {
+            phi_190_ = _e79.member_1[1];
+        }
+        let _e105 = phi_190_;
+        if (_e77 > _e79.member_1[2]) {
+            phi_196_ = _e77;
+        } else {
+            phi_196_ = _e79.member_1[2];
+        }
+        let _e110 = phi_196_;
+        swept.member[_e21] = type_10(array<f32, 3>(_e84, _e89, _e94), array<f32, 3>(_e100, _e105, _e110));
+    }
+    return;
+}
+
+@compute @workgroup_size(256, 1, 1) 
+fn sweep_triangles(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    function_(id, n, lane);
+}

@@ -1,0 +1,243 @@
+//! Triangles first: any source lists pairs of triangles that overlap, and kernels expand these into
+//! the pairs of features that they represent, lists like those of every other source.
+//!
+//! What is in them are candidates but for the rounding of boxes: no common vertex, bodies that are
+//! wanted, boxes of their own that overlap. Regions that do not touch themselves are certified on
+//! the host, where positions are as they were given; a word a triangle goes to the device.
+
+use crate::bind;
+use crate::broad_phase::block_bvh::{DISPATCH_LIMIT, groups};
+use crate::broad_phase::method;
+use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::readback::word;
+use crate::recorder::Recorder;
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Dispatch, Expansion, Frame, Pair, Params, Plain, Triangle};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::TriangleOptions;
+use ccd_core::model::precision::Given;
+use ccd_core::model::report::TriangleCounts;
+use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
+use ccd_core::triangle_pairs::free_regions::{FreeRegions, NONE};
+use ccd_core::triangle_pairs::near_tests::NearTests;
+use ccd_core::triangle_pairs::orphans::OrphanSets;
+use ccd_core::triangle_pairs::representatives::Triangles;
+use std::thread;
+use wgpu::BufferUsages as U;
+
+/// Bytes of all counts.
+pub const COUNT_BYTES: u64 = 4 * (N_COUNTS * COUNT_STRIDE) as u64;
+
+/// A source of pairs of features, by way of triangles.
+pub struct TrianglePairs {
+    /// Boxes of all features.
+    boxes: wgpu::Buffer,
+    /// Finds pairs of triangles: one set of boxes.
+    source: Box<dyn PairSource>,
+    /// What that is told.
+    frame: Frame,
+    pairs: List,
+    triangles: wgpu::Buffer,
+    /// Those of neighbours, and how many.
+    tests: wgpu::Buffer,
+    n_tests: u32,
+    own: Expansion,
+    regions: Option<FreeRegions>,
+    /// The certified region of each triangle.
+    of_triangle: wgpu::Buffer,
+    counts: wgpu::Buffer,
+    groups: u32,
+}
+
+impl TrianglePairs {
+    /// Room for a mesh with these numbers of vertices, edges and faces.
+    pub fn new(
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        own: TriangleOptions,
+        count: [u32; 3],
+    ) -> Result<Self, Error> {
+        let triangles = Triangles::new(mesh);
+        let n = triangles.len();
+        let limit = ccd_core::Error::MAX_ELEMENTS;
+        if n as u64 > limit {
+            let (element, count) = ("triangles", n as u64);
+            return Err(ccd_core::Error::TooMany { element, count, limit }.into());
+        }
+        let n = n as u32;
+        let frame = frame_of([0, n, 0]);
+        let sent = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
+            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
+            device.queue().write_buffer(&buffer, 0, bytes);
+            Ok(buffer)
+        };
+        let body = |t: u32| {
+            let words = options.bodies.as_ref().map(|bodies| bodies.words());
+            words.map_or(0, |words| words[triangles.corners(t)[0] as usize])
+        };
+        let records: Vec<Triangle> = (0..n).map(|t| triangles.record(t, body(t))).collect();
+        let near = own.orphans.then(|| near_tests(mesh, options, &triangles)).flatten();
+        // Where the list is too long for the device, neighbours are tested like all others.
+        let near = match near {
+            None => None,
+            Some(near) => match sent("tests of neighbours", bytemuck::cast_slice(&near.tests)) {
+                Ok(buffer) => Some((near, buffer)),
+                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => None,
+                Err(e) => return Err(e),
+            },
+        };
+        let cones = own.cones && options.min_distance == 0.0;
+        let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
+        let mut own = Expansion::default();
+        let (mut n_tests, mut tests) = (0, None);
+        if let Some((near, buffer)) = near {
+            own.flags |= Expansion::FLAG_ORPHANS;
+            (own.n_vf, own.orphans) = (near.n_vf, near.orphans);
+            (n_tests, tests) = (near.tests.len() as u32, Some(buffer));
+        }
+        let mut words = Vec::new();
+        if regions.is_some() {
+            own.flags |= Expansion::FLAG_REGIONS;
+            words.resize(n as usize, NONE);
+        }
+        // A triangle overlaps some tens of others on real scenes; a list that is too short grows.
+        let room = n.saturating_mul(16).max(4096);
+        Ok(Self {
+            boxes: boxes_of(device, count)?,
+            source: method::source(device, options.broad_phase, frame.count)?,
+            frame,
+            pairs: List::new(device, "overlapping triangles", 2, room)?,
+            triangles: sent("triangles", bytemuck::cast_slice(&records))?,
+            tests: tests.map_or_else(|| sent("no tests of neighbours", &[]), Ok)?,
+            n_tests,
+            own,
+            regions,
+            of_triangle: sent("free regions", bytemuck::cast_slice(&words))?,
+            counts: device.buffer(
+                "counts of triangles",
+                COUNT_BYTES,
+                U::STORAGE | U::COPY_DST | U::COPY_SRC,
+            )?,
+            groups: groups(device),
+        })
+    }
+
+    /// Whether what is found depends on certificates of the host.
+    pub fn certifies(&self) -> bool {
+        self.regions.is_some()
+    }
+
+    /// Certifies regions for a step by all threads of the host, and sends them.
+    pub fn certify(&mut self, device: &Device, mesh: &Mesh, given: Given) {
+        let Some(regions) = &mut self.regions else { return };
+        regions.certify(mesh, given, |roots, certify| {
+            let threads = thread::available_parallelism().map_or(1, |n| n.get());
+            let share = roots.len().div_ceil(threads).max(1);
+            thread::scope(|scope| {
+                for part in roots.chunks_mut(share) {
+                    scope.spawn(move || part.iter_mut().for_each(certify));
+                }
+            });
+        });
+        let words = bytemuck::cast_slice(regions.of_face());
+        device.queue().write_buffer(&self.of_triangle, 0, words);
+    }
+
+    /// What was counted, [`COUNT_BYTES`] bytes.
+    pub fn counts(&self) -> &wgpu::Buffer {
+        &self.counts
+    }
+
+    /// Calls `run` with the parameters of each dispatch over `n` items, and its workgroups.
+    fn each_part(
+        &self,
+        n: u32,
+        search: &Search,
+        threads: u32,
+        mut run: impl FnMut(&Params<Expansion>, u32),
+    ) {
+        let [vf, ee] = search.pairs;
+        let own = Expansion { room_ee: ee.room(), ..self.own };
+        for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
+            let part = (n - first).min(DISPATCH_LIMIT);
+            let dispatch = Dispatch { n: part, first, room_in: n, room_out: vf.room() };
+            let p = Params { frame: *search.frame, dispatch, own };
+            run(&p, part.div_ceil(threads).min(self.groups));
+        }
+    }
+}
+
+/// The numbers of a step, from bytes that were read.
+pub fn read_counts(bytes: &[u8]) -> TriangleCounts {
+    let at = |k: usize| {
+        let first = k * COUNT_STRIDE;
+        (word(bytes, first + 2) as u64) << 32 | word(bytes, first) as u64
+    };
+    let [pairs, adjacent, free, represented, orphans] = [0, 1, 2, 3, 4].map(at);
+    TriangleCounts { pairs, adjacent, free, represented, orphans }
+}
+
+/// The tests of neighbours, if there are not too many.
+fn near_tests(mesh: &Mesh, options: &Options, triangles: &Triangles) -> Option<NearTests> {
+    let wanted = |of: Pair| {
+        let [a, b] = [of.a, of.b].map(|t| triangles.corners(t)[0]);
+        options.bodies.as_ref().is_none_or(|bodies| bodies.wants(a, b))
+    };
+    let sets = OrphanSets::new(mesh, triangles)?;
+    NearTests::new(&sets, triangles, wanted)
+}
+
+impl PairSource for TrianglePairs {
+    fn boxes(&self) -> &wgpu::Buffer {
+        &self.boxes
+    }
+
+    fn clear(&self, recorder: &mut Recorder) {
+        self.source.clear(recorder);
+        recorder.clear(&self.counts, COUNT_BYTES);
+    }
+
+    fn find(&self, recorder: &mut Recorder, search: &Search) {
+        let Self { boxes, source, frame, triangles, tests, counts, .. } = self;
+        let (n, swept, regions) = (frame.count[1], source.boxes(), &self.of_triangle);
+        let dispatch = Dispatch { n, ..Dispatch::default() };
+        let p = Params { frame: *search.frame, dispatch, own: Plain::default() };
+        recorder.each(&bind::SweepTriangles { triangles, boxes, swept }, &p, n);
+        let kinds: Vec<u32> = kinds_of(frame.count).collect();
+        let pairs = [&self.pairs; 2];
+        source.find(recorder, &Search { frame, kinds: &kinds, n_bounding: n, pairs });
+        recorder.stage("expand");
+        let (input, [vf, ee]) = (self.pairs.buffer(), search.pairs.map(List::buffer));
+        let kernel = bind::ExpandTriangles { triangles, regions, boxes, input, vf, ee, counts };
+        self.each_part(self.pairs.room(), search, Id::ExpandTriangles.threads(), |p, groups| {
+            recorder.dispatch(&kernel, p, groups);
+        });
+        recorder.detail("neighbours");
+        let kernel = bind::NearTests { tests, regions, swept, boxes, vf, ee, counts };
+        self.each_part(self.n_tests, search, Id::NearTests.threads(), |p, groups| {
+            recorder.dispatch(&kernel, p, groups);
+        });
+    }
+
+    fn lists(&self) -> Vec<&List> {
+        self.source.lists().into_iter().chain([&self.pairs]).collect()
+    }
+
+    fn lists_mut(&mut self) -> Vec<&mut List> {
+        self.source.lists_mut().into_iter().chain([&mut self.pairs]).collect()
+    }
+
+    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
+        self.source.survey()
+    }
+
+    /// The frame is that of features.
+    fn check(&self, _frame: &Frame, words: &[u32]) -> Result<(), Error> {
+        self.source.check(&self.frame, words)
+    }
+}

@@ -1,0 +1,191 @@
+//! Plain twins of the builders of binary trees that join nodes bottom up, and boxes that are hard
+//! for some builder.
+
+use crate::twin::{Twin, union};
+use ccd::Aabb;
+use ccd_core::broad_phase::ploc::FEW;
+use ccd_core::layout::Branch;
+use ccd_core::math::morton::MortonGrid;
+use ccd_testkit::generate::uniform_boxes;
+
+/// Numbers of boxes by leaf, and the branches over them.
+pub type Built = (Vec<u32>, Vec<Branch>);
+
+/// A tree that a twin joins; leaves have the numbers of their boxes among all.
+#[derive(Clone, Debug)]
+enum Joined {
+    Leaf(u32),
+    Node(Box<[Joined; 2]>),
+}
+
+impl Joined {
+    fn of(a: &Self, b: &Self) -> Self {
+        Self::Node(Box::new([a.clone(), b.clone()]))
+    }
+
+    /// A walk from left to right: the order of leaves, and branches by the numbers that nodes have.
+    fn numbered(&self) -> Built {
+        fn leaves(tree: &Joined) -> usize {
+            match tree {
+                Joined::Leaf(_) => 1,
+                Joined::Node(children) => children.iter().map(leaves).sum(),
+            }
+        }
+        /// Returns the number of the node; `side`: which child it is.
+        fn visit(tree: &Joined, side: Option<usize>, n_internal: u32, out: &mut Built) -> u32 {
+            let first = out.0.len() as u32;
+            match tree {
+                Joined::Leaf(id) => {
+                    out.0.push(*id);
+                    n_internal + first
+                }
+                Joined::Node(children) => {
+                    let left = visit(&children[0], Some(0), n_internal, out);
+                    let right = visit(&children[1], Some(1), n_internal, out);
+                    let last = out.0.len() as u32 - 1;
+                    let number = side.map_or(0, |side| [last, first][side]);
+                    out.1[number as usize] = Branch { left, right, first, last };
+                    number
+                }
+            }
+        }
+        let n = leaves(self);
+        let none = Branch { left: 0, right: 0, first: 0, last: 0 };
+        let mut out = (Vec::new(), vec![none; n - 1]);
+        visit(self, None, n as u32 - 1, &mut out);
+        out
+    }
+}
+
+/// The boxes of a set in cells of the grid of all.
+pub fn in_cells(twin: &Twin, set: usize) -> Vec<Aabb> {
+    let grid = MortonGrid::new(&union(twin.boxes.iter()), 10);
+    let range = twin.frame.start[set] as usize..twin.frame.start[set + 1] as usize;
+    twin.boxes[range].iter().map(|b| grid.in_cells(b)).collect()
+}
+
+/// PLOC in plain loops.
+pub fn ploc_twin(twin: &Twin, set: usize, radius: usize) -> (Built, Vec<u32>) {
+    let cells = in_cells(twin, set);
+    let first = twin.frame.start[set] as usize;
+    let order = &twin.order[first..first + cells.len()];
+    let leaf = |&i: &u32| (cells[i as usize - first], Joined::Leaf(i));
+    let mut clusters: Vec<(Aabb, Joined)> = order.iter().map(leaf).collect();
+    let halvings = |n: usize| n.next_power_of_two().ilog2();
+    let (mut reached, mut round) = (Vec::new(), 0);
+    while clusters.len() > 1 {
+        let n = clusters.len();
+        if reached.last().is_none_or(|&before| before > FEW) {
+            reached.push(n as u32);
+        }
+        let late = round >= 6 * (halvings(cells.len()) - halvings(n) + 1);
+        let nearest = |i: usize| {
+            let around = i.saturating_sub(radius)..(i + radius + 1).min(n);
+            let key = |&j: &usize| (surface(&clusters[i].0, &clusters[j].0), i ^ j);
+            let others = around.filter(|&j| j != i).map(|j| (key(&j), j));
+            others.min_by(|a, b| a.0.partial_cmp(&b.0).unwrap()).unwrap().1
+        };
+        let neighbour =
+            |i: usize| if late { if i ^ 1 < n { i ^ 1 } else { i } } else { nearest(i) };
+        let of: Vec<usize> = (0..n).map(neighbour).collect();
+        let next = |i: usize| match of[i] {
+            j if j == i || of[j] != i => Some(clusters[i].clone()),
+            j if i < j => Some((
+                union([clusters[i].0, clusters[j].0].iter()),
+                Joined::of(&clusters[i].1, &clusters[j].1),
+            )),
+            _ => None,
+        };
+        clusters = (0..n).filter_map(next).collect();
+        round += 1;
+    }
+    (clusters[0].1.numbered(), reached)
+}
+
+/// Half the surface of the box around two.
+fn surface(a: &Aabb, b: &Aabb) -> f32 {
+    let u = union([*a, *b].iter());
+    let [x, y, z] = [0, 1, 2].map(|k| u.max[k] - u.min[k]);
+    x * y + y * z + z * x
+}
+
+/// Nearest pairs in plain loops.
+pub fn nearest_pair_twin(twin: &Twin, set: usize) -> Built {
+    let first = twin.frame.start[set];
+    let boxes = in_cells(twin, set).into_iter().zip(first..);
+    let mut level: Vec<(Aabb, Joined)> = boxes.map(|(b, i)| (b, Joined::Leaf(i))).collect();
+    let centre = |b: &Aabb| [0, 1, 2].map(|k| b.min[k] + b.max[k]);
+    let distance = |a: &Aabb, b: &Aabb| {
+        let (a, b) = (centre(a), centre(b));
+        let [x, y, z] = [0, 1, 2].map(|k| a[k] - b[k]);
+        x * x + y * y + z * z
+    };
+    while level.len() > 1 {
+        for target in (0..level.len() - 1).step_by(2) {
+            let far = |&i: &usize| distance(&level[target].0, &level[i].0);
+            let later = target + 1..level.len();
+            let partner = later.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
+            level.swap(target + 1, partner);
+        }
+        let joined = |pair: &[(Aabb, Joined)]| match pair {
+            [a, b] => (union([a.0, b.0].iter()), Joined::of(&a.1, &b.1)),
+            alone => alone[0].clone(),
+        };
+        level = level.chunks(2).map(joined).collect();
+    }
+    level[0].1.numbered()
+}
+
+/// Levels of a tree, and its cost by surfaces, as the CPU's statistics have them.
+pub fn figures(twin: &Twin, (order, branches): &Built) -> (usize, f64) {
+    let n_internal = branches.len() as u32;
+    let surface = |b: Aabb| surface(&b, &b) as f64;
+    let of_range = |first: u32, last: u32| {
+        let leaves = &order[first as usize..=last as usize];
+        surface(union(leaves.iter().map(|&i| &twin.boxes[i as usize])))
+    };
+    let (mut deepest, mut cost, mut stack) = (0, 0.0, vec![(0u32, 1usize)]);
+    while let Some((node, depth)) = stack.pop() {
+        deepest = deepest.max(depth);
+        if let Some(b) = branches.get(node as usize) {
+            cost += of_range(b.first, b.last);
+            stack.extend([(b.left, depth + 1), (b.right, depth + 1)]);
+        } else {
+            cost += of_range(node - n_internal, node - n_internal);
+        }
+    }
+    (deepest, cost / of_range(0, n_internal))
+}
+
+/// Sets of boxes that are hard for some builder, of different sizes.
+pub fn hard_boxes() -> Vec<(&'static str, Vec<Aabb>)> {
+    let uniform = uniform_boxes(1500);
+    let nested = |n: i32, by: f32| {
+        let sizes = (0..n).map(|i| 1e-3 * by.powi(i));
+        sizes.map(|r| Aabb { min: [-r; 3], max: [r; 3] }).collect::<Vec<_>>()
+    };
+    let mut mixed = uniform[..300].to_vec();
+    mixed.extend(vec![uniform[7]; 301]);
+    vec![
+        ("uniform", uniform.iter().map(|b| b.inflated(0.01)).collect()),
+        ("equal", vec![uniform[3]; 777]),
+        ("inside of each other", nested(601, 1.01)),
+        ("around each other", nested(601, 0.99)),
+        ("many equal", mixed),
+        ("on a line", (0..515).map(|i| Aabb::of_point([i as f32, 0.0, 0.0])).collect()),
+        ("three", uniform[..3].to_vec()),
+        ("two", uniform[..2].to_vec()),
+        ("as many as a workgroup", uniform[..256].to_vec()),
+        ("one more", uniform[..257].to_vec()),
+    ]
+}
+
+/// Hard boxes as the only set, and as the last of two.
+pub fn twins() -> impl Iterator<Item = (String, Twin, usize)> {
+    let loose = uniform_boxes(70);
+    hard_boxes().into_iter().flat_map(move |(name, boxes)| {
+        let alone = Twin::new([&[], &boxes, &[]], |_, i| [i; 3]);
+        let last = Twin::new([&loose, &[], &boxes], |_, i| [i; 3]);
+        [(name.to_owned(), alone, 1), (format!("{name}, after others"), last, 2)]
+    })
+}
