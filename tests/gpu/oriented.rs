@@ -102,7 +102,8 @@ fn orient(device: &Device, twin: Twin, set: usize, boxes: Vec<u8>) -> Oriented {
     let mut kernel = OrientFar { branches, block_nodes, far, oriented, stamps };
     let from = twin.frame.start[set] as usize;
     let of_nodes = from..from + n as usize - 1;
-    let mut left = n_rounds(n);
+    // As high as a tree from 30 bits of code can be.
+    let mut left = n_rounds(n, 30 + 32 - n.leading_zeros());
     for first in FIRST_ROUND.. {
         let stamps: Vec<u32> = read(&kernel.stamps);
         let done = stamps[of_nodes.clone()].iter().all(|&stamp| 0 < stamp && stamp < first);

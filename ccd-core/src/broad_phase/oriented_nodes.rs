@@ -18,10 +18,9 @@
 //! an earlier one, which a stamp a node says. The rule, the order of the children, and so every bit
 //! of the result are those of the CPU.
 //!
-//! How many rounds a tree needs is known on the device alone; there are as many as a tree from
-//! Morton codes can need, and those after the last do nothing. A tree of any other shape may be
-//! deeper: what has not been fitted then has the box of everything, which tells nothing apart, so
-//! that a traversal goes on by the boxes along the axes alone.
+//! How many rounds a tree needs is known on the device alone; there are as many as trees of its
+//! builder can be high, and those after the last do nothing. What has not been fitted yet has the
+//! box of everything, which tells nothing apart: too few rounds would cost visits, never a pair.
 //!
 //! Cost: 64 bytes a box, an eigenproblem a node, and a dispatch a round, of which most are short. A
 //! visit reads 64 bytes more and takes a test of 15 axes: to choose as on a CPU, see
@@ -49,11 +48,10 @@ pub const TILE_ROUNDS: u32 = CODE_BITS + TILE.trailing_zeros();
 /// The number of the first dispatch after the one that makes the tiles, which is round 1.
 pub const FIRST_ROUND: u32 = 2;
 
-/// Dispatches over the listed nodes of a tree over `n` leaves: on a path of them every one decides
-/// a bit of the code, or one of those of the place that tell tiles apart.
-pub fn n_rounds(n: u32) -> u32 {
-    let tiles = n.div_ceil(TILE);
-    if tiles > 1 { CODE_BITS + 32 - (tiles - 1).leading_zeros() } else { 0 }
+/// Dispatches over the listed nodes of a tree over `n` leaves that is at most so many levels of
+/// nodes high: a level a dispatch; of a single tile only the levels that its rounds leave.
+pub fn n_rounds(n: u32, height: u32) -> u32 {
+    if n <= TILE { height.saturating_sub(TILE_ROUNDS) } else { height }
 }
 
 /// Whether a child whose node has this stamp was fitted before this round; 0: it was not.
@@ -138,10 +136,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rounds_are_as_many_as_bits_that_a_path_can_decide() {
+    fn rounds_are_as_many_as_levels_that_tiles_leave() {
         assert_eq!(TILE_ROUNDS, 38);
-        let rounds = [0, 1, 256, 257, 512, 513, 1 << 20, u32::MAX / 2].map(n_rounds);
-        assert_eq!(rounds, [0, 0, 0, 31, 31, 32, 42, 53]);
+        let of = [(1, 0), (256, 30), (256, 39), (257, 39), (1 << 20, 51)];
+        assert_eq!(of.map(|(n, height)| n_rounds(n, height)), [0, 0, 1, 39, 51]);
     }
 
     #[test]

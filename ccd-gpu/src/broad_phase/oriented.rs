@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS};
+use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Dispatch, Frame, Params, Queries};
 use wgpu::BufferUsages as U;
@@ -56,7 +56,7 @@ impl OrientedBoxes {
         recorder.each(&kernel, &p, tree.n);
         let groups = blocks.groups.min(tree.n.div_ceil(Id::OrientFar.threads()));
         let kernel = OrientFar { branches, block_nodes, far, oriented, stamps };
-        for first in (FIRST_ROUND..).take(tree.height() as usize) {
+        for first in (FIRST_ROUND..).take(n_rounds(tree.n, tree.height()) as usize) {
             let dispatch = Dispatch { first, ..p.dispatch };
             recorder.dispatch(&kernel, &Params { dispatch, ..p }, groups);
         }
