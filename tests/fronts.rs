@@ -67,10 +67,6 @@ fn check(name: &str, mesh: &Mesh, n_frames: usize, frame: impl Fn(usize) -> Vec<
 }
 
 fn check_sequence(name: &str, scene: &Sequence, n_frames: usize) {
-    check(name, &scene.mesh, None, n_frames, |i| scene.frame(i));
-}
-
-fn check_sequence(name: &str, scene: &Sequence, n_frames: usize) {
     check(name, &scene.mesh, n_frames, |i| scene.frame(i));
 }
 

@@ -12,8 +12,8 @@ use ccd_cpu::Session;
 
 type Frame = Vec<[f32; 3]>;
 
-/// Triangles that drift, each in its own direction, `speed` a frame; frame by frame.
-fn drifting(n: u32, speed: f32, n_frames: usize) -> (Mesh, Vec<Frame>) {
+/// Triangles up to `size` that drift, each in its own direction, `speed` a frame; frame by frame.
+fn drifting(n: u32, size: f32, speed: f32, n_frames: usize) -> (Mesh, Vec<Frame>) {
     let hash = |i: u32| {
         let x = i.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
         let x = (x >> ((x >> 28) + 4) ^ x).wrapping_mul(277_803_737);
@@ -23,7 +23,7 @@ fn drifting(n: u32, speed: f32, n_frames: usize) -> (Mesh, Vec<Frame>) {
         std::array::from_fn(|k| {
             let k = k as u32;
             let (from, to) = (hash(8 * (i / 3) + k), hash(8 * (i / 3) + 4 + k) - 0.5);
-            from + 0.15 * hash(1_000_000 + 3 * i + k) + speed * frame as f32 * to
+            from + size * hash(1_000_000 + 3 * i + k) + speed * frame as f32 * to
         })
     };
     let frames = (0..n_frames).map(|f| (0..3 * n).map(|i| at(i, f)).collect()).collect();
@@ -112,7 +112,7 @@ fn check(
 fn every_scheduler_and_front_finds_what_brute_force_finds() {
     // Slowly, so that fronts last, and so fast that trees are built anew.
     for (speed, lasts) in [(0.01, true), (0.4, false)] {
-        let scene = drifting(90, speed, 6);
+        let scene = drifting(90, 0.4, speed, 6);
         let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
         let n: usize = want.iter().flatten().map(Vec::len).sum();
         assert!(n > 1000 && want[0] != want[4], "{n} candidates show nothing");
@@ -133,7 +133,7 @@ fn every_scheduler_and_front_finds_what_brute_force_finds() {
 
 #[test]
 fn triangles_are_paired_by_every_scheduler() {
-    let scene = drifting(60, 0.02, 4);
+    let scene = drifting(60, 0.4, 0.02, 4);
     let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
     for scheduling in Scheduling::every("cpu") {
         let pipeline = Pipeline::TRIANGLES;
@@ -144,7 +144,7 @@ fn triangles_are_paired_by_every_scheduler() {
 
 #[test]
 fn rules_and_memory_give_fronts_up_and_lose_nothing() {
-    let scene = drifting(90, 0.01, 8);
+    let scene = drifting(90, 0.4, 0.01, 8);
     let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
     let tree = TreeOptions::default().traversal(Traversal::SIMULTANEOUS);
     let begun = |front: FrontOptions| {
@@ -156,11 +156,12 @@ fn rules_and_memory_give_fronts_up_and_lose_nothing() {
     };
     let kept = FrontOptions::default().growth(u32::MAX).rebuild(1, 0);
     let all = begun(kept);
-    // Given up whenever it grew at all, and whenever it did not grow tenfold in a step.
+    // All but the first step, before which there was no room. Given up whenever it grew at all, and
+    // whenever it did not grow tenfold in a step.
     let (grown, unchanged) = (begun(kept.growth(100)), begun(kept.rebuild(1, 1000)));
-    assert!(all == 7 && grown < all && unchanged < all, "{all}, {grown}, {unchanged}");
+    assert!(all == 6 && grown < all && unchanged < all, "{all}, {grown}, {unchanged}");
     // Fronts of 1500 triangles take more than a MiB: dropped, and not once begun with.
-    let (mesh, frames) = drifting(1500, 0.002, 4);
+    let (mesh, frames) = drifting(1500, 0.15, 0.002, 4);
     let mut sessions = [1, 64].map(|memory| {
         let front = Front::On(FrontOptions::default().memory(memory));
         let broad_phase = BroadPhaseMethod::Tree(tree);
@@ -178,16 +179,18 @@ fn rules_and_memory_give_fronts_up_and_lose_nothing() {
         assert!(enough.1.bytes <= 64 << 20);
     }
     let [little, enough] = sessions.map(|session| session.report().front.unwrap_or_default());
-    assert!(enough.begun > 100_000 && little.begun < enough.begun, "{little:?} {enough:?}");
+    assert!(enough.begun > 1 << 16 && little.begun < enough.begun, "{little:?} {enough:?}");
 }
 
 /// The control: a front that is begun with after trees were built anew would be another tree's.
 #[test]
 fn fronts_are_those_of_their_trees() {
-    let (mesh, mut frames) = drifting(90, 0.01, 6);
-    // The fourth frame is another scene: trees are built anew, and nothing of before is begun with.
-    let far: Frame = drifting(90, 0.0, 1).1[0].iter().map(|p| p.map(|c| 40.0 * c * c)).collect();
-    frames.insert(3, far);
+    let (mesh, mut frames) = drifting(90, 0.1, 0.01, 6);
+    // In the middle triangles have changed places: trees are built anew, and nothing of before is
+    // begun with.
+    let other = |i: usize| frames[0][(i / 3 * 37 % 90) * 3 + i % 3];
+    let far: Frame = (0..270).map(other).collect();
+    frames.splice(3..3, [far.clone(), far.clone(), far]);
     let scheduling = Scheduling::default().front(Front::ON);
     for broad_phase in methods() {
         let options = Options { threads: 1, broad_phase, scheduling, ..Options::default() };

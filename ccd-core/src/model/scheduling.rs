@@ -245,7 +245,7 @@ impl Catalogued for Scheduler {
         Row {
             value: Self::LazyStealing,
             name: "lazy-stealing",
-            about: "A stack and a deque a worker; batches are stolen at once and fetched one by one",
+            about: "A stack and a deque a worker; batches are stolen at once, fetched one by one",
             source: Some("da Silva 2013"),
             backends: CPU,
         },

@@ -18,7 +18,7 @@
 //! Cost: a few atomic operations a batch rather than a pair, and none while a stack neither
 //! overflows nor runs empty. Choose it where tasks differ much and processors are not one's own.
 
-use super::stealing::{Deques, ROUNDS};
+use super::stealing::{Deques, ROUNDS, pause};
 use super::{Launch, Lists, Schedule, drain};
 use ccd_core::broad_phase::pair_descent::NodePair;
 
@@ -75,7 +75,7 @@ impl Schedule for LazyStealing {
                     fruitless = 0;
                 } else {
                     fruitless += 1;
-                    std::thread::yield_now();
+                    pause();
                 }
             }
         });

@@ -1,4 +1,4 @@
-//! Schedulers: who expands which pairs of nodes, where nobody knows beforehand what is below a pair.
+//! Schedulers: who expands which pairs of nodes, where nobody knows beforehand what is below one.
 //!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|

@@ -16,8 +16,17 @@ use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::scheduling::stealing::{Taken, Workers};
 use std::sync::atomic::AtomicU32;
 
-/// Rounds over all deques without success after which a worker retires.
-pub const ROUNDS: usize = 256;
+/// Rounds over all deques without success after which a worker retires: some 100 us in all.
+pub const ROUNDS: usize = 64;
+
+/// Between two rounds: a microsecond or two. Never `yield_now`, which on a busy machine returns
+/// only after all others have had their turn, some milliseconds later, while the rest waits for
+/// this worker to retire.
+pub fn pause() {
+    for _ in 0..32 {
+        std::hint::spin_loop();
+    }
+}
 
 /// The deques of all workers, and a list each for what they have no room for.
 #[derive(Debug)]
@@ -68,7 +77,7 @@ impl Schedule for Stealing {
                     deques.read(taken, &mut pairs);
                 } else {
                     fruitless += 1;
-                    std::thread::yield_now();
+                    pause();
                     continue;
                 }
                 fruitless = 0;

@@ -58,8 +58,8 @@ pub trait Traverse: Debug + Send + Sync {
     /// Does one task.
     fn task(&self, k: usize, trees: Trees, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
 
-    /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent begins,
-    /// if it descends pairs; after [`Traverse::begin`].
+    /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent
+    /// begins, if it descends pairs; after [`Traverse::begin`].
     fn descend(
         &mut self,
         _trees: Trees,
