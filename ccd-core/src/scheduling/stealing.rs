@@ -111,17 +111,36 @@ impl Workers {
         None
     }
 
+    /// Whether the worker holds a range in this hand.
+    #[inline(always)]
+    pub fn holds(self, words: &impl Words, me: u32, hand: u32) -> bool {
+        words.load(self.hand(me, hand) + 1) != 0
+    }
+
     /// The next batch of one of these ranges.
     #[inline(always)]
     pub fn next_in_hand(self, words: &impl Words, me: u32, hand: u32) -> Option<Taken> {
-        let at = self.hand(me, hand);
-        let range = Range::unpacked(words.load(at + 1));
-        if range.n == 0 {
+        if !self.holds(words, me, hand) {
             return None;
         }
-        let owner = words.load(at);
-        words.store(at + 1, range.rest().packed());
-        Some(Taken { owner, slot: self.deque(owner).slot_of(range, 0), stolen: true })
+        let owner = self.victim(words, me, hand);
+        Some(Taken { owner, slot: self.next_slot(words, me, hand), stolen: true })
+    }
+
+    /// From whom the range in this hand is.
+    #[inline(always)]
+    pub fn victim(self, words: &impl Words, me: u32, hand: u32) -> u32 {
+        words.load(self.hand(me, hand))
+    }
+
+    /// The slot of the first batch of the range in this hand, which is not empty; the range is
+    /// without it afterwards.
+    #[inline(always)]
+    pub fn next_slot(self, words: &impl Words, me: u32, hand: u32) -> u32 {
+        let at = self.hand(me, hand) + 1;
+        let range = Range::unpacked(words.load(at));
+        words.store(at, range.rest().packed());
+        self.deque(me).slot_of(range, 0)
     }
 
     /// Level 4 of lazy stealing: steals up to `most` batches from every other deque, an attempt
