@@ -10,7 +10,6 @@
 pub mod broad_phase;
 pub mod probe;
 mod records;
-pub mod scheduling;
 pub mod sort;
 pub mod step;
 mod workgroup;

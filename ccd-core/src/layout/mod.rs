@@ -5,7 +5,7 @@ mod params;
 
 pub use params::{
     Blocks, ContactSort, Decision, Dispatch, Frame, Intervals, NodeDescent, Params, Plain, Queries,
-    SortPass, Stealing,
+    SortPass,
 };
 
 use crate::math::aabb::Aabb;
