@@ -11,6 +11,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     crate::tidy::run(root)?;
     command(root, &["cargo", "clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
     bare_metal(root)?;
+    command(root, &["cargo", "xtask", "loom"])?;
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     let test = readme_test_command(root)?;
     command(root, &test.split_whitespace().collect::<Vec<_>>())?;

@@ -7,6 +7,8 @@ mod ci;
 mod compile_times;
 #[cfg(feature = "gpu-report")]
 mod gpu;
+#[cfg(feature = "loom")]
+mod interleavings;
 #[cfg(any(feature = "report", feature = "gpu-report", test))]
 mod markdown;
 mod mutants;
@@ -34,6 +36,16 @@ enum Task {
         /// Only those whose name contains this
         #[arg(default_value = "")]
         name: String,
+    },
+    /// Model checks of the deques that workers steal from: all interleavings, within bounds that
+    /// docs/SCHEDULING.md states; the printed algorithms must be refuted
+    Loom {
+        /// Only models whose name contains this
+        #[arg(default_value = "")]
+        name: String,
+        /// Run this one in this process
+        #[arg(long, hide = true)]
+        here: bool,
     },
     /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to
     /// ccd-gpu/shaders
@@ -98,6 +110,7 @@ fn main() -> ExitCode {
         Task::Ci => ci::run(root),
         Task::Tidy => tidy::run(root),
         Task::Mutants { name } => mutants::run(root, &name),
+        Task::Loom { name, here } => loom_task(root, &name, here),
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),
         Task::Report { runs, gpu: true, out, only, .. } => {
@@ -189,4 +202,16 @@ fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
         vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
     args.extend(check.then_some("--check"));
     ci::command(root, &args)
+}
+
+#[cfg(feature = "loom")]
+fn loom_task(_root: &Path, name: &str, here: bool) -> Result<(), String> {
+    if here { interleavings::here(name) } else { interleavings::run(name) }
+}
+
+/// Without the model checker: builds itself again with it.
+#[cfg(not(feature = "loom"))]
+fn loom_task(root: &Path, name: &str, _here: bool) -> Result<(), String> {
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "loom", "--", "loom"];
+    ci::command(root, &[&build[..], &[name]].concat())
 }

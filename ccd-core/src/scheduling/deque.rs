@@ -74,6 +74,12 @@ impl Range {
         if self.n == 0 { 0 } else { self.n << BITS | self.first }
     }
 
+    /// Without its first batch; of a range that is not empty.
+    #[inline(always)]
+    pub fn rest(self) -> Self {
+        Self { first: self.first.wrapping_add(1) & MASK, n: self.n - 1 }
+    }
+
     /// From that word.
     #[inline(always)]
     pub fn unpacked(word: u32) -> Self {

@@ -29,6 +29,9 @@
 use super::deque::{Deque, Range, Steal};
 use crate::kernel::Words;
 
+/// Ranges that a worker holds at once, each from another worker, at most.
+pub const HANDS: u32 = 32;
+
 /// The deques of a number of workers and the ranges that each has stolen, in one array of words.
 #[derive(Clone, Copy, Debug)]
 pub struct Workers {
@@ -54,16 +57,15 @@ pub struct Taken {
 impl Workers {
     /// Words that they take.
     pub const fn words(self) -> usize {
-        let n = self.n as usize;
-        n * Deque::words(self.batches, self.batch) + n * n
+        self.n as usize * (Deque::words(self.batches, self.batch) + 2 * HANDS as usize)
     }
 
     /// Makes all deques empty; before the workers start.
     pub fn clear(self, words: &impl Words) {
         for worker in 0..self.n {
             self.deque(worker).clear(words);
-            for victim in 0..self.n {
-                words.store(self.range(worker, victim), 0);
+            for hand in 0..HANDS {
+                words.store(self.hand(worker, hand) + 1, 0);
             }
         }
     }
@@ -101,45 +103,73 @@ impl Workers {
     /// Level 3: the next batch of the ranges that the worker has stolen.
     #[inline(always)]
     pub fn next_stolen(self, words: &impl Words, me: u32) -> Option<Taken> {
-        for victim in 0..self.n {
-            if let Some(taken) = self.next_stolen_from(words, me, victim) {
+        for hand in 0..HANDS {
+            if let Some(taken) = self.next_in_hand(words, me, hand) {
                 return Some(taken);
             }
         }
         None
     }
 
-    /// The next batch of the range that the worker has stolen from one other.
+    /// Whether the worker holds a range in this hand.
     #[inline(always)]
-    pub fn next_stolen_from(self, words: &impl Words, me: u32, victim: u32) -> Option<Taken> {
-        let at = self.range(me, victim);
-        let range = Range::unpacked(words.load(at));
-        if range.n == 0 {
+    pub fn holds(self, words: &impl Words, me: u32, hand: u32) -> bool {
+        words.load(self.hand(me, hand) + 1) != 0
+    }
+
+    /// The next batch of one of these ranges.
+    #[inline(always)]
+    pub fn next_in_hand(self, words: &impl Words, me: u32, hand: u32) -> Option<Taken> {
+        if !self.holds(words, me, hand) {
             return None;
         }
-        let first = range.first.wrapping_add(1) & 0xffff;
-        words.store(at, Range { first, n: range.n - 1 }.packed());
-        let slot = self.deque(victim).slot_of(range, 0);
-        Some(Taken { owner: victim, slot, stolen: true })
+        let owner = self.victim(words, me, hand);
+        Some(Taken { owner, slot: self.next_slot(words, me, hand), stolen: true })
+    }
+
+    /// From whom the range in this hand is.
+    #[inline(always)]
+    pub fn victim(self, words: &impl Words, me: u32, hand: u32) -> u32 {
+        words.load(self.hand(me, hand))
+    }
+
+    /// The slot of the first batch of the range in this hand, which is not empty; the range is
+    /// without it afterwards.
+    #[inline(always)]
+    pub fn next_slot(self, words: &impl Words, me: u32, hand: u32) -> u32 {
+        let at = self.hand(me, hand) + 1;
+        let range = Range::unpacked(words.load(at));
+        words.store(at, range.rest().packed());
+        self.deque(me).slot_of(range, 0)
     }
 
     /// Level 4 of lazy stealing: steals up to `most` batches from every other deque, an attempt
-    /// each; whether it got any. Only when [`Workers::next_stolen`] finds nothing.
+    /// each, of [`HANDS`] workers at most, the first after it; whether it got any. Only when
+    /// [`Workers::next_stolen`] finds nothing.
     #[inline(always)]
     pub fn steal_all(self, words: &impl Words, me: u32, most: u32) -> bool {
         let mut any = false;
-        for k in 1..self.n {
-            any |= self.steal_from(words, me, (me + k) % self.n, most);
+        for hand in 0..HANDS.min(self.n - 1) {
+            any |= self.steal_to_hand(words, me, hand, (me + 1 + hand) % self.n, most);
         }
         any
     }
 
-    /// The same from one other, for owners of several threads.
+    /// The same from one other, into a hand that is empty; for owners of several threads.
     #[inline(always)]
-    pub fn steal_from(self, words: &impl Words, me: u32, victim: u32, most: u32) -> bool {
+    pub fn steal_to_hand(
+        self,
+        words: &impl Words,
+        me: u32,
+        hand: u32,
+        victim: u32,
+        most: u32,
+    ) -> bool {
         match self.deque(victim).steal(words, most) {
             Steal::Stolen(range) => {
-                words.store(self.range(me, victim), range.packed());
+                let at = self.hand(me, hand);
+                words.store(at, victim);
+                words.store(at + 1, range.packed());
                 true
             }
             _ => false,
@@ -175,11 +205,11 @@ impl Workers {
         }
     }
 
-    /// The word with what `thief` has stolen from `victim`; the thief's own.
+    /// The words of a range that a worker has stolen: from whom, and which; the worker's own.
     #[inline(always)]
-    fn range(self, thief: u32, victim: u32) -> usize {
+    fn hand(self, worker: u32, hand: u32) -> usize {
         let deques = self.n as usize * Deque::words(self.batches, self.batch);
-        deques + thief as usize * self.n as usize + victim as usize
+        deques + 2 * (worker * HANDS + hand) as usize
     }
 }
 

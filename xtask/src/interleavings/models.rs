@@ -1,0 +1,248 @@
+//! What is checked: an owner and thieves at one deque, and workers with deques of their own. Every
+//! item is taken exactly once, and none is lost.
+
+use super::words::{self, Traced};
+use ccd_core::scheduling::deque::{Deque, Item, Steal};
+use ccd_core::scheduling::stealing::{Taken, Workers};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Executions of the present model so far.
+pub static EXECUTIONS: AtomicUsize = AtomicUsize::new(0);
+
+/// A deque, as an owner and thieves use it; what they take are items that they have read.
+pub trait Scheme: Copy + Send + Sync + 'static {
+    const WORDS: usize;
+    /// Whether additions neither acquire nor release.
+    const WEAK: bool = false;
+    /// What a word is called in a story.
+    fn name(i: usize) -> &'static str;
+    /// Whether there was room for a batch.
+    fn push(self, words: &Traced, items: &[Item]) -> bool;
+    /// Nothing if it is empty.
+    fn pop(self, words: &Traced) -> Vec<Item>;
+    /// At most so many batches; nothing if it is empty or another came first.
+    fn steal(self, words: &Traced, most: u32) -> Vec<Item>;
+}
+
+/// The deque of `ccd-core`, with room for so many batches of so many items.
+#[derive(Clone, Copy)]
+pub struct Sound<const BATCHES: u32, const BATCH: u32>;
+
+impl<const BATCHES: u32, const BATCH: u32> Sound<BATCHES, BATCH> {
+    const DEQUE: Deque = Deque { base: 0, batches: BATCHES, batch: BATCH };
+}
+
+fn read(deque: Deque, words: &Traced, slot: u32) -> Vec<Item> {
+    (0..deque.items(words, slot)).map(|i| deque.read(words, slot, i)).collect()
+}
+
+impl<const BATCHES: u32, const BATCH: u32> Scheme for Sound<BATCHES, BATCH> {
+    const WORDS: usize = Deque::words(BATCHES, BATCH);
+
+    fn name(i: usize) -> &'static str {
+        match i {
+            0 => "ends",
+            16 => "returned",
+            32 => "reclaimed",
+            _ => "",
+        }
+    }
+
+    fn push(self, words: &Traced, items: &[Item]) -> bool {
+        Self::DEQUE.push(words, items).is_ok()
+    }
+
+    fn pop(self, words: &Traced) -> Vec<Item> {
+        Self::DEQUE.pop(words).map_or(Vec::new(), |slot| read(Self::DEQUE, words, slot))
+    }
+
+    fn steal(self, words: &Traced, most: u32) -> Vec<Item> {
+        let deque = Self::DEQUE;
+        let Steal::Stolen(range) = deque.steal(words, most) else { return Vec::new() };
+        let slots = (0..range.n).map(|i| deque.slot_of(range, i));
+        let items = slots.flat_map(|slot| read(deque, words, slot)).collect();
+        deque.give_back(words, range.n);
+        items
+    }
+}
+
+/// The same with a fault: thieves give a range back before they have read it, or additions neither
+/// acquire nor release.
+#[derive(Clone, Copy)]
+pub struct Fault<const EARLY: bool>;
+
+impl<const EARLY: bool> Scheme for Fault<EARLY> {
+    const WORDS: usize = Sound::<2, 1>::WORDS;
+    const WEAK: bool = !EARLY;
+
+    fn name(i: usize) -> &'static str {
+        Sound::<2, 1>::name(i)
+    }
+
+    fn push(self, words: &Traced, items: &[Item]) -> bool {
+        Sound::<2, 1>.push(words, items)
+    }
+
+    fn pop(self, words: &Traced) -> Vec<Item> {
+        Sound::<2, 1>.pop(words)
+    }
+
+    fn steal(self, words: &Traced, most: u32) -> Vec<Item> {
+        if !EARLY {
+            return Sound::<2, 1>.steal(words, most);
+        }
+        let deque = Sound::<2, 1>::DEQUE;
+        let Steal::Stolen(range) = deque.steal(words, most) else { return Vec::new() };
+        deque.give_back(words, range.n);
+        (0..range.n).flat_map(|i| read(deque, words, deque.slot_of(range, i))).collect()
+    }
+}
+
+/// What an owner does.
+#[derive(Clone, Copy, Debug)]
+pub enum Do {
+    /// Pushes a batch of so many items.
+    Push(u32),
+    /// Pops a batch.
+    Pop,
+}
+
+/// What an owner does before it empties its deque, and how often each thief tries to take at most
+/// how many batches.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene {
+    pub owner: &'static [Do],
+    pub thieves: &'static [(u32, u32)],
+}
+
+/// Item `i`: its words say so, and belong together.
+fn item(i: u32) -> Item {
+    [i + 1, !i]
+}
+
+fn number(item: Item) -> usize {
+    assert!(item[0] != 0 && item[1] == !(item[0] - 1), "half of an item was taken: {item:?}");
+    item[0] as usize - 1
+}
+
+/// One execution.
+pub fn deque<S: Scheme>(scheme: S, scene: Scene) {
+    EXECUTIONS.fetch_add(1, Ordering::Relaxed);
+    words::begin();
+    let shared = Traced::new(S::WORDS, S::name, S::WEAK);
+    let spawn = |(&(attempts, most), who): (&(u32, u32), &'static str)| {
+        let words = shared.of(who);
+        loom::thread::spawn(move || {
+            let taken = (0..attempts).flat_map(|_| {
+                let taken = scheme.steal(&words, most);
+                tell(&words, &taken);
+                taken
+            });
+            taken.collect::<Vec<Item>>()
+        })
+    };
+    let thieves: Vec<_> = scene.thieves.iter().zip(["thief", "thief 2"]).map(spawn).collect();
+    let words = shared;
+    let (mut taken, mut pushed) = (Vec::new(), 0);
+    for &what in scene.owner {
+        match what {
+            Do::Push(n) => {
+                let items: Vec<Item> = (pushed..pushed + n).map(item).collect();
+                pushed += n;
+                if !scheme.push(&words, &items) {
+                    words.say("full");
+                    taken.extend(items);
+                }
+            }
+            Do::Pop => {
+                let popped = scheme.pop(&words);
+                tell(&words, &popped);
+                taken.extend(popped);
+            }
+        }
+    }
+    loop {
+        let popped = scheme.pop(&words);
+        tell(&words, &popped);
+        if popped.is_empty() {
+            break;
+        }
+        taken.extend(popped);
+    }
+    thieves.into_iter().for_each(|thief| taken.extend(thief.join().unwrap_or_default()));
+    check(&taken, pushed);
+}
+
+fn tell(words: &Traced, taken: &[Item]) {
+    if !taken.is_empty() {
+        let items: Vec<String> = taken.iter().map(|&i| number(i).to_string()).collect();
+        words.say(&format!("HAS ITEM {}", items.join(", ")));
+    }
+}
+
+/// Every item once.
+fn check(taken: &[Item], n: u32) {
+    let mut times = vec![0; n as usize];
+    taken.iter().for_each(|&item| times[number(item)] += 1);
+    for (i, times) in times.into_iter().enumerate() {
+        assert!(times <= 1, "item {i} was taken {times} times");
+        assert!(times == 1, "item {i} was lost");
+    }
+}
+
+/// How workers look for work.
+#[derive(Clone, Copy, Debug)]
+pub enum Steals {
+    /// One batch at a time.
+    Task,
+    /// So many batches of every other deque.
+    Lazily(u32),
+}
+
+/// One execution of workers, until all have retired: the first has a batch of `first`, of which
+/// every item above `depth` 0 makes two below it.
+pub fn workers(shape: Workers, steals: Steals, depth: u32) {
+    EXECUTIONS.fetch_add(1, Ordering::Relaxed);
+    words::begin();
+    let words = Traced::new(shape.words(), |_| "", false);
+    for worker in 0..shape.n {
+        shape.deque(worker).clear(&words);
+    }
+    assert!(shape.deque(0).push(&words, &[[depth, 1]]).is_ok());
+    let others: Vec<_> = (1..shape.n)
+        .map(|me| {
+            let words = words.of(["owner", "thief", "thief 2"][me as usize]);
+            loom::thread::spawn(move || work(shape, &words, me, steals))
+        })
+        .collect();
+    let mut leaves = work(shape, &words, 0, steals);
+    others.into_iter().for_each(|other| leaves.extend(other.join().unwrap_or_default()));
+    leaves.sort_unstable();
+    let want: Vec<u32> = (1 << depth..2 << depth).collect();
+    assert_eq!(leaves, want, "leaves were taken twice or lost");
+}
+
+/// A worker that retires when it has found nothing once; the leaves that it met.
+fn work(shape: Workers, words: &Traced, me: u32, steals: Steals) -> Vec<u32> {
+    let (mut stack, mut leaves) = (Vec::<Item>::new(), Vec::new());
+    loop {
+        while let Some([depth, number]) = stack.pop() {
+            if depth == 0 {
+                leaves.push(number);
+                continue;
+            }
+            stack.extend([[depth - 1, 2 * number], [depth - 1, 2 * number + 1]]);
+            // All above one item are there for others, if there is room.
+            if shape.deque(me).push(words, &stack[..1]).is_ok() {
+                stack.remove(0);
+            }
+        }
+        let taken: Option<Taken> = match steals {
+            Steals::Task => shape.take_task(words, me, me + 1),
+            Steals::Lazily(most) => shape.take_lazily(words, me, most),
+        };
+        let Some(taken) = taken else { return leaves };
+        stack.extend(read(shape.deque(taken.owner), words, taken.slot));
+        shape.done(words, taken);
+    }
+}

@@ -1,0 +1,99 @@
+//! Words as loom's atomics, and what every thread did to them: the story of an execution.
+
+use ccd_core::kernel::Words;
+use loom::sync::Arc;
+use loom::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// What happened in the present execution, in order.
+static STORY: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Forgets the last execution.
+pub fn begin() {
+    STORY.lock().unwrap_or_else(PoisonError::into_inner).clear();
+}
+
+/// What happened since [`begin`].
+pub fn story() -> String {
+    STORY.lock().unwrap_or_else(PoisonError::into_inner).join("\n")
+}
+
+/// Words that threads of a model share, and who uses them.
+#[derive(Clone)]
+pub struct Traced {
+    words: Arc<Vec<AtomicU32>>,
+    name: fn(usize) -> &'static str,
+    weak: bool,
+    who: &'static str,
+}
+
+impl Traced {
+    /// So many words, all 0; `name` says what a word is, or nothing of words that need no mention.
+    /// `weak`: additions are relaxed, which is wrong.
+    pub fn new(n: usize, name: fn(usize) -> &'static str, weak: bool) -> Self {
+        let words = Arc::new((0..n).map(|_| AtomicU32::new(0)).collect());
+        Self { words, name, weak, who: "owner" }
+    }
+
+    /// The same words as another worker uses them.
+    pub fn of(&self, who: &'static str) -> Self {
+        Self { who, ..self.clone() }
+    }
+
+    /// Adds to the story.
+    pub fn say(&self, what: &str) {
+        let mut story = STORY.lock().unwrap_or_else(PoisonError::into_inner);
+        story.push(format!("{:8} {what}", self.who));
+    }
+
+    fn tell(&self, i: usize, what: impl FnOnce(&str) -> String) {
+        let name = (self.name)(i);
+        if !name.is_empty() {
+            self.say(&what(name));
+        }
+    }
+
+    /// Store that others acquire.
+    pub fn store_release(&self, i: usize, value: u32) {
+        self.words[i].store(value, Ordering::Release);
+        self.tell(i, |name| format!("{name} := {value}"));
+    }
+
+    /// A fence of sequential consistency: what loom has to say that all threads see one order.
+    pub fn fence(&self) {
+        loom::sync::atomic::fence(Ordering::SeqCst);
+    }
+}
+
+impl Words for Traced {
+    fn load(&self, i: usize) -> u32 {
+        let value = self.words[i].load(Ordering::Relaxed);
+        self.tell(i, |name| format!("{name} is {value:#x}"));
+        value
+    }
+    fn store(&self, i: usize, value: u32) {
+        self.words[i].store(value, Ordering::Relaxed);
+        self.tell(i, |name| format!("{name} := {value:#x}"));
+    }
+    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
+        let order = if self.weak { Ordering::Relaxed } else { Ordering::AcqRel };
+        let old = self.words[i].fetch_add(value, order);
+        self.tell(i, |name| format!("{name} {old:#x} + {value:#x}"));
+        old
+    }
+    fn load_acquire(&self, i: usize) -> u32 {
+        let value = self.words[i].load(Ordering::Acquire);
+        self.tell(i, |name| format!("{name} is {value:#x}"));
+        value
+    }
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+        let (taken, lost) = (Ordering::AcqRel, Ordering::Relaxed);
+        let seen =
+            self.words[i].compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen);
+        self.tell(i, |name| {
+            let result = if seen == old { "exchanged" } else { "lost" };
+            format!("{name} {seen:#x}, {old:#x} -> {new:#x}: {result}")
+        });
+        seen
+    }
+}
