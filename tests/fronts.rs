@@ -95,7 +95,12 @@ fn main() {
         ("cloth_on_ball", || check_sequence("cloth on ball", &cloth_on_ball(30), 20)),
         ("bodies_that_bounce", || check_sequence("n-body", &n_body(40, 9), 20)),
     ];
-    let done = |run: fn()| move || Ok(run());
+    let done = |run: fn()| {
+        move || {
+            run();
+            Ok(())
+        }
+    };
     let mut trials: Vec<Trial> =
         rows.into_iter().map(|(name, run)| Trial::test(name, done(run))).collect();
     trials.push(Trial::ignorable_test("debris_wall", || match data::data_dir() {

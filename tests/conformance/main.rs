@@ -30,7 +30,7 @@ use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
 use std::sync::Arc;
 
 fn main() {
-    let paths = [("gpu-passthrough", gpu::Path::Passthrough), ("gpu-wgsl", gpu::Path::Wgsl)];
+    let paths = [("gpu-passthrough", gpu::Path::Passthrough), (WGSL, gpu::Path::Wgsl)];
     let places: Vec<(&str, &str, Result<Choice, Missing>)> =
         std::iter::once(("cpu", "cpu", Ok(Choice::default())))
             .chain(paths.map(|(name, path)| {
@@ -42,8 +42,9 @@ fn main() {
     for (scene, source) in GENERATED.into_iter().chain(real) {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
-            let methods = methods(source, backend, choice.as_ref().is_ok_and(is_emulated));
-            let left_out = ccd::every(backend).count() - methods.len();
+            let emulated = choice.as_ref().is_ok_and(is_emulated);
+            let methods = methods(source, backend, place, emulated);
+            let left_out = of_place(backend, place).count() - methods.len();
             if left_out > 0 {
                 let why = format!("{left_out} more methods: {WHOLE}=1");
                 let name = format!("whole/{scene}/{place}");
@@ -94,6 +95,8 @@ fn main() {
             }
         }
     }
+    let wgsl = &places[2].2;
+    trials.push(row_of("refused/obb".into(), GENERATED[0].1, wgsl, check_refused));
     // A device of its own, which this row loses.
     let own = open(gpu::Path::Wgsl).map(|device| Choice::of_device(&device, true));
     let lost = |choice: &Choice| check_lost(choice).map(|()| Completion::Completed);
@@ -147,6 +150,9 @@ fn open(path: gpu::Path) -> Result<Device, Missing> {
     Device::open(&options).map_err(|e| Missing::Device(e.to_string()))
 }
 
+/// The path on which there are no oriented boxes.
+const WGSL: &str = "gpu-wgsl";
+
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
 
@@ -156,14 +162,29 @@ const MAX_EDGES_EMULATED: usize = 50_000;
 const WHOLE: &str = "CCD_WHOLE";
 
 /// The methods of a backend by which a scene is run.
-fn methods(source: Source, backend: &'static str, emulated: bool) -> Vec<BroadPhaseMethod> {
+fn methods(
+    source: Source,
+    backend: &'static str,
+    place: &str,
+    emulated: bool,
+) -> Vec<BroadPhaseMethod> {
     let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
         _ => !emulated || is_near_default(*method),
     };
-    ccd::every(backend).filter(|method| whole || chosen(method)).collect()
+    of_place(backend, place).filter(|method| whole || chosen(method)).collect()
+}
+
+/// The methods of a backend, as far as this path to a GPU has them.
+fn of_place(backend: &'static str, place: &str) -> impl Iterator<Item = BroadPhaseMethod> {
+    let all = place != WGSL;
+    ccd::every(backend).filter(move |&method| all || !is_oriented(method))
+}
+
+fn is_oriented(method: BroadPhaseMethod) -> bool {
+    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
 }
 
 /// Whether a method is no tree, or the default one but for one choice; or a cut of oriented boxes.
@@ -264,6 +285,18 @@ fn taken<T>(
         Err(e @ Error::Input(ccd::Error::TooMany { .. })) if n > limit => Ok(Err(e.to_string())),
         Err(e @ Error::Input(ccd::Error::CrowdedCells { .. })) if may => Ok(Err(e.to_string())),
         Err(e) => Err(e.to_string()),
+    }
+}
+
+/// Oriented boxes are refused on the path on which their bounds do not hold.
+fn check_refused(choice: &Choice) -> Result<Completion, String> {
+    let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(Volume::Obb));
+    let boxes = [Aabb { min: [0.0; 3], max: [1.0; 3] }; 3];
+    let mut broad = BroadPhase::new(choice, 2, method).map_err(|e| e.to_string())?;
+    match broad.self_pairs(&boxes) {
+        Err(e) if e.to_string().contains("native path") => Ok(Completion::Completed),
+        Err(e) => Err(e.to_string()),
+        Ok(pairs) => Err(format!("not refused: {} pairs", pairs.len())),
     }
 }
 

@@ -5,13 +5,13 @@ use crate::builder_twin::{
     Built, figures, hard_boxes, in_cells, nearest_pair_twin, ploc_twin, twins,
 };
 use crate::scenes::check_pairs;
-use crate::support::{bytes, check_boxes, read, run, zeros};
+use crate::support::{bytes, check_boxes, read, rounds_like_a_cpu, run, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{
     Branches, NumberLeaves, PairJoin, PairLeaves, PairNearest, PlocCount, PlocFinish, PlocJoin,
     PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit, SplitLevels,
 };
-use ccd::gpu::{BroadPhase, Device, Path};
+use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
 use ccd_core::broad_phase::morton_key::shared_word;
 use ccd_core::broad_phase::ploc::{COUNTS, FEW, rounds};
@@ -78,7 +78,7 @@ fn ploc(device: &Device, twin: &Twin, set: usize, radius: u32) -> (Built, Vec<u3
     let order = &twin.order[first as usize..(first + n) as usize];
     let of_leaves: Vec<Aabb> = order.iter().map(|&i| cells[(i - first) as usize]).collect();
     let of_device: Vec<Aabb> = read::<Cluster>(&clusters).iter().map(Cluster::aabb).collect();
-    if device.info().path == Path::Passthrough {
+    if rounds_like_a_cpu(device) {
         check_boxes("leaf", &of_leaves, &of_device);
     }
     // Of an even number of rounds, of an odd one.
@@ -218,7 +218,7 @@ fn check_well_formed(what: &str, twin: &Twin, set: usize, (order, branches): &Bu
 /// The same tree; where sums may be contracted, any tree.
 fn check_built(device: &Device, what: &str, twin: &Twin, set: usize, want: &Built, got: &Built) {
     check_well_formed(what, twin, set, got);
-    if device.info().path == Path::Passthrough {
+    if rounds_like_a_cpu(device) {
         assert!(want.0 == got.0, "{what}: another order of leaves");
         assert!(want.1 == got.1, "{what}: other branches");
     }
@@ -246,7 +246,7 @@ fn check_ploc(device: &Device) {
             let (got, reached) = ploc(device, &twin, set, radius);
             let (want, counts) = ploc_twin(&twin, set, radius as usize);
             check_built(device, &what, &twin, set, &want, &got);
-            if device.info().path == Path::Passthrough {
+            if rounds_like_a_cpu(device) {
                 assert_eq!(reached, counts, "{what}: clusters by round");
             }
         }
@@ -291,7 +291,7 @@ fn check_trees_of_the_cpu(device: &Device) {
         cpu.self_pairs(&boxes).unwrap();
         let want = cpu.tree_statistics().unwrap();
         let (depth, cost) = figures(&twin, &got);
-        if device.info().path == Path::Passthrough {
+        if rounds_like_a_cpu(device) {
             assert_eq!(depth, want.depth, "{builder:?}");
             let error = (cost - want.sah_cost).abs() / want.sah_cost;
             assert!(error < 1e-6, "{builder:?}: {cost}, on the CPU {}", want.sah_cost);

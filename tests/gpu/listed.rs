@@ -3,7 +3,7 @@
 
 use crate::pairs::{candidates, filtered};
 use crate::scenes::{check_pairs, check_step};
-use crate::support::{bytes, entries, list, paths, read, room, run, twin};
+use crate::support::{bytes, entries, list, methods, paths, read, room, run, twin};
 use crate::twin::Twin;
 use ccd::gpu::bind::{
     FilterListedEdgeEdge, FilterListedVertexFace, ListListedEdgeEdge, ListListedVertexFace,
@@ -105,7 +105,7 @@ fn check_steps(device: &Device) {
     let body: Vec<u32> = (0..soup.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     let bodies = Some(Bodies::new(&body, &[true, false, true], true));
     let sheet = generate::crumpled_sheet(20, 3);
-    for broad_phase in ccd::every("gpu") {
+    for broad_phase in methods(device) {
         let options = Options { broad_phase, ..Options::default() };
         check_step(device, &soup, Options { bodies: bodies.clone(), ..options.clone() });
         check_step(device, &sheet, Options { min_distance: 0.01, ..options.clone() });
@@ -122,7 +122,7 @@ fn check_steps(device: &Device) {
 fn check_growth(device: &Device) {
     let step = generate::crumpled_sheet(24, 7);
     let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
-    for broad_phase in ccd::every("gpu") {
+    for broad_phase in methods(device) {
         let options = Options { broad_phase, ..Options::default() };
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
         session.reserve(8).unwrap();

@@ -3,7 +3,7 @@
 
 use crate::descent::Trees;
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, read, room, run, zeros};
+use crate::support::{bytes, entries, not_run, read, room, rounds_like_a_cpu, run, zeros};
 use crate::trees::{radix_tree, wide_tree};
 use crate::twin::Twin;
 use ccd::gpu::bind::{
@@ -69,7 +69,7 @@ fn scenes() -> Vec<(&'static str, Vec<Aabb>)> {
         ("equal", vec![uniform[0]; 300]),
         ("nested", (0..160).map(nested).collect()),
         ("huge", scaled(1e38)),
-        ("tiny", scaled(1e-38)),
+        ("tiny", scaled(1e-34)),
         ("any size", (0..400).map(|_| any(&mut random)).collect()),
     ]
 }
@@ -220,7 +220,19 @@ fn same_bits(a: &Obb, b: &Obb) -> bool {
     words(a) == words(b)
 }
 
+/// Through WGSL the bounds do not hold, and the library refuses such trees.
+fn is_refused(device: &Device) -> bool {
+    let refused = device.info().path == Path::Wgsl;
+    if refused {
+        not_run("oriented boxes need the native path");
+    }
+    refused
+}
+
 fn check_nodes(device: &Device) {
+    if is_refused(device) {
+        return;
+    }
     let mut n_controls = 0;
     for (name, boxes) in scenes() {
         let tree = Oriented::over(device, &boxes);
@@ -229,8 +241,7 @@ fn check_nodes(device: &Device) {
         let branches: Vec<Branch> = read(&tree.branches);
         check_holds(name, &got, &branches, &tree.twin).unwrap();
         check_holds(name, &want, &branches, &tree.twin).unwrap();
-        // Through WGSL products may be contracted with sums.
-        if device.info().path == Path::Passthrough {
+        if rounds_like_a_cpu(device) {
             for (i, (g, w)) in got.iter().zip(&want).enumerate() {
                 assert!(same_bits(g, w), "{name}, node {i}: {w:?} on the CPU, {g:?} on the device");
             }
@@ -333,6 +344,9 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
 }
 
 fn check_traversals(device: &Device) {
+    if is_refused(device) {
+        return;
+    }
     let loose: Vec<Aabb> = slanted(300, 0.3);
     for (name, boxes) in scenes() {
         let n = boxes.len() as u32;

@@ -2,8 +2,9 @@
 
 use crate::twin::Twin;
 use ccd::gpu::bind::Bind;
-use ccd::gpu::{Device, harness};
-use ccd::{Aabb, Pair};
+use ccd::gpu::wgpu::DeviceType;
+use ccd::gpu::{self, Device, harness};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Volume};
 use ccd_core::kernel::TABLE;
 use ccd_core::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
@@ -100,6 +101,24 @@ pub fn paths(step: &Step, poison: bool) -> Vec<Path> {
 pub fn same(a: f32, b: f32) -> bool {
     let small = |x: f32| x.abs() < f32::MIN_POSITIVE;
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan() || small(a) && small(b)
+}
+
+/// Every method that the device has.
+pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
+    let native = device.info().path == gpu::Path::Passthrough;
+    ccd::every("gpu").filter(move |&method| native || !is_oriented(method))
+}
+
+/// Whether a method needs the native path.
+pub fn is_oriented(method: BroadPhaseMethod) -> bool {
+    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
+}
+
+/// Whether quotients and roots of `f32` are those of a CPU: a GPU's are off by some units in the
+/// last place, and compilers of WGSL may contract.
+pub fn rounds_like_a_cpu(device: &Device) -> bool {
+    let info = device.info();
+    info.path == gpu::Path::Passthrough && info.adapter.device_type == DeviceType::Cpu
 }
 
 pub fn check_boxes(what: &str, want: &[Aabb], got: &[Aabb]) {

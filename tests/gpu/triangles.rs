@@ -3,7 +3,7 @@
 //! device and against triangles on the CPU, number by number.
 
 use crate::scenes::{check_pairs, check_step};
-use crate::support::{bytes, check_boxes, entries, list, read, room, run, twin, zeros};
+use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
 use crate::twin::union;
 use ccd::gpu::bind::{ExpandTriangles, NearTests, SweepTriangles};
 use ccd::gpu::{Candidates, Device, Error, Session};
@@ -158,7 +158,7 @@ fn check_candidates(device: &Device, step: &Step, features: &Options, options: &
 /// Candidates, counts, contacts and the earliest time by every method.
 fn check_methods(device: &Device) {
     let (odd, sheet) = (odd_mesh(3), crumpled_sheet(16, 3));
-    for broad_phase in ccd::every("gpu") {
+    for broad_phase in methods(device) {
         for orphans in [false, true] {
             let options = Options { broad_phase, ..triangles(orphans, false) };
             check_candidates(device, &odd, &Options::default(), &options);
@@ -242,7 +242,7 @@ fn check_cones(device: &Device) {
 /// Lists far too short: nothing is missing, and the counts are those of the last run.
 fn check_growth(device: &Device) {
     let step = crumpled_sheet(24, 7);
-    for broad_phase in ccd::every("gpu") {
+    for broad_phase in methods(device) {
         let options = Options { broad_phase, ..triangles(true, false) };
         let want = ccd::step(&step.mesh, &step.x0, &step.x1, &triangles(true, false)).unwrap();
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
