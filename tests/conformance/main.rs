@@ -14,18 +14,20 @@
 //! rows of scenes that the uniform grid refuses, which must be for the crowding of its cells. What
 //! is left out by default a row says, too.
 
+mod rows;
 mod scenes;
 
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{
-    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
-    Scheduling, State, Traversal, TreeOptions, Volume,
+    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Scheduling,
+    State, TreeOptions, Volume,
 };
 use ccd_testkit::compare::{agree, step_text};
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
+use rows::{WGSL, WHOLE, is_emulated, methods, not_too_slow, of_place, pipelines, schedulings};
 use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
 use std::sync::Arc;
 
@@ -107,35 +109,6 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-/// Ways to pair features, other than by default.
-fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
-    let other = |row: &&ccd::Row<Pipeline>| row.value != Pipeline::default();
-    let here = |row: &&ccd::Row<Pipeline>| row.backends.contains(&backend);
-    match source {
-        Source::Boxes(_) => Vec::new(),
-        _ => Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value).collect(),
-    }
-}
-
-/// Ways to share out pairs of nodes, of generated scenes, with the methods that have some.
-fn schedulings(
-    source: Source,
-    backend: &'static str,
-) -> impl Iterator<Item = (BroadPhaseMethod, Scheduling)> {
-    let tree = |traversal, volume| {
-        let tree = TreeOptions::default().traversal(traversal).volume(volume);
-        BroadPhaseMethod::Tree(tree)
-    };
-    let methods = [
-        BroadPhaseMethod::Blocks,
-        tree(Traversal::CUT, Volume::Aabb),
-        tree(Traversal::SIMULTANEOUS, Volume::Obb),
-    ];
-    let here = methods.into_iter().filter(|method| method.lacking(backend).is_none());
-    here.filter(move |_| !matches!(source, Source::Real(_)))
-        .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
-}
-
 /// What a row lacks.
 #[derive(Clone)]
 enum Missing {
@@ -148,70 +121,6 @@ enum Missing {
 fn open(path: gpu::Path) -> Result<Device, Missing> {
     let options = DeviceOptions { path: Some(path), ..Default::default() };
     Device::open(&options).map_err(|e| Missing::Device(e.to_string()))
-}
-
-/// The path on which there are no oriented boxes.
-const WGSL: &str = "gpu-wgsl";
-
-/// Steps of so many edges are left out where threads of this machine do a GPU's work.
-const MAX_EDGES_EMULATED: usize = 50_000;
-
-/// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
-/// run by the default and the default tree, and an emulated GPU has trees that differ from that in
-/// one choice, or have a kernel of their own.
-const WHOLE: &str = "CCD_WHOLE";
-
-/// The methods of a backend by which a scene is run.
-fn methods(
-    source: Source,
-    backend: &'static str,
-    place: &str,
-    emulated: bool,
-) -> Vec<BroadPhaseMethod> {
-    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
-    let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
-    let chosen = |method: &BroadPhaseMethod| match source {
-        Source::Real(_) => usual.contains(method),
-        _ => !emulated || is_near_default(*method),
-    };
-    of_place(backend, place).filter(|method| whole || chosen(method)).collect()
-}
-
-/// The methods of a backend, as far as this path to a GPU has them.
-fn of_place(backend: &'static str, place: &str) -> impl Iterator<Item = BroadPhaseMethod> {
-    let all = place != WGSL;
-    ccd::every(backend).filter(move |&method| all || !is_oriented(method))
-}
-
-fn is_oriented(method: BroadPhaseMethod) -> bool {
-    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
-}
-
-/// Whether a method is no tree, or the default one but for one choice; or a cut of oriented boxes.
-fn is_near_default(method: BroadPhaseMethod) -> bool {
-    let BroadPhaseMethod::Tree(tree) = method else { return true };
-    let default = TreeOptions::default();
-    let differs = [
-        tree.builder != default.builder,
-        tree.traversal != default.traversal,
-        tree.volume != default.volume,
-    ];
-    differs.iter().filter(|&&differs| differs).count() < 2 || differs == [false, true, true]
-}
-
-/// Whether threads of this machine do the work of a GPU.
-fn is_emulated(choice: &Choice) -> bool {
-    let kind = choice.device().map(|device| device.info().adapter.device_type);
-    kind == Some(gpu::wgpu::DeviceType::Cpu)
-}
-
-fn not_too_slow(choice: Choice, source: Source) -> Result<Choice, Missing> {
-    match source {
-        Source::Real(scene) if is_emulated(&choice) && scene.size[1] > MAX_EDGES_EMULATED => {
-            Err(Missing::Time)
-        }
-        _ => Ok(choice),
-    }
 }
 
 /// A row, or why it is ignored.
