@@ -2,8 +2,9 @@
 
 use super::measure::{Place, median};
 use ccd::gpu::{self, Timing};
+use ccd::io::Frame;
 use ccd::{Mesh, Options, Pipeline, Report, Session, TriangleOptions};
-use ccd_testkit::data::{Frame, Scene, data_dir};
+use ccd_testkit::data::{Scene, data_dir};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
