@@ -34,6 +34,9 @@ fn slanted(n: usize, height: f32) -> Vec<Aabb> {
     (0..n).map(boxed).collect()
 }
 
+/// A scene with numbers that a device may take as zero, so that more boxes overlap there.
+const SUBNORMAL: &str = "subnormal";
+
 /// Boxes of all kinds, and scenes of a few.
 fn scenes() -> Vec<(&'static str, Vec<Aabb>)> {
     let mut random = Random::new(5);
@@ -52,8 +55,8 @@ fn scenes() -> Vec<(&'static str, Vec<Aabb>)> {
         let half = 2f32.powi(i as i32 - 80);
         Aabb { min: [-half; 3], max: [half, 0.5 * half, 0.25 * half] }
     };
-    let any = |random: &mut Random| {
-        let size = [1e-45, 1e-38, 1e-20, 1.0, 1e20, 2e38][random.below(6) as usize];
+    let any = |random: &mut Random, sizes: [f32; 4]| {
+        let size = sizes[random.below(4) as usize];
         let point = [(); 3].map(|()| (2.0 * random.unit() - 1.0) as f32 * size);
         Aabb { min: point, max: point.map(|x| x + size * 0.25) }
     };
@@ -70,7 +73,8 @@ fn scenes() -> Vec<(&'static str, Vec<Aabb>)> {
         ("nested", (0..160).map(nested).collect()),
         ("huge", scaled(1e38)),
         ("tiny", scaled(1e-34)),
-        ("any size", (0..400).map(|_| any(&mut random)).collect()),
+        ("any size", (0..400).map(|_| any(&mut random, [1e-33, 1.0, 1e20, 2e38])).collect()),
+        (SUBNORMAL, (0..400).map(|_| any(&mut random, [1e-45, 1e-38, 1e-20, 1.0])).collect()),
     ]
 }
 
@@ -348,7 +352,8 @@ fn check_traversals(device: &Device) {
         return;
     }
     let loose: Vec<Aabb> = slanted(300, 0.3);
-    for (name, boxes) in scenes() {
+    let exact = rounds_like_a_cpu(device);
+    for (name, boxes) in scenes().into_iter().filter(|(name, _)| exact || *name != SUBNORMAL) {
         let n = boxes.len() as u32;
         let all = brute::self_pairs(&boxes);
         let within = Oriented::over(device, &boxes);

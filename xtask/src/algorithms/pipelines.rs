@@ -23,7 +23,7 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
         ("features", Pipeline::Features),
         ("triangles", triangles(false, false)),
         ("+ orphans", triangles(true, false)),
-        ("+ orphans, cones", triangles(true, true)),
+        ("+ cones", triangles(true, true)),
     ];
     let mut text = String::new();
     for name in ["cloth-funnel", "cloth-ball", "rod-twist"] {
@@ -59,7 +59,7 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
         let _ = writeln!(
             text,
             "**{name}**: {n_faces} faces, {n_contacts} contacts by each\n\n\
-             | pipeline | pairs of triangles | skipped | tests | own boxes overlap | filtered | \
+             | pipeline | pairs | skipped | tests | overlap | filtered | \
              ms |{of_device}\n|---|---|---|---|---|---|---|{line}\n{lines}"
         );
     }
