@@ -26,8 +26,8 @@ use pair_source::{PairSource, Search, frame_of, kinds_of};
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
 ///
-/// Boxes are `f32`, closed, and each bound is at most 2.9e38 in size. A device may take a bound that
-/// is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
+/// Boxes are `f32`, closed, and each bound is at most 2.9e38 in size. A device may take a bound
+/// that is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
 pub struct BroadPhase {
     device: Device,
     method: BroadPhaseMethod,
