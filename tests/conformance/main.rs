@@ -240,11 +240,19 @@ fn check_contacts(
     let Motion { step, want, undecided } = loaded.motion.get_or_init(|| load_motion(source));
     let Step { mesh, x0, x1 } = step;
     let (method, n) = (options.broad_phase, mesh.edges().len().max(mesh.n_vertices()));
-    let mut session = Session::new(choice, mesh.clone(), options).map_err(|e| e.to_string())?;
+    let refused = |why| Completion::ignored_with(format!("refused: {why}"));
+    let mut session = match Session::new(choice, mesh.clone(), options) {
+        Ok(session) => session,
+        // A GPU refuses when it makes room.
+        Err(e) => {
+            let answer = taken(source, method, n, Err::<(), _>(e))?;
+            return Ok(answer.map_or_else(refused, |()| Completion::Completed));
+        }
+    };
     let answer = session.step(x0, x1).cloned();
     let report = match taken(source, method, n, answer)? {
         Ok(report) => report,
-        Err(why) => return Ok(Completion::ignored_with(format!("refused: {why}"))),
+        Err(why) => return Ok(refused(why)),
     };
     match want {
         Want::Recorded(text, contacts) => {
