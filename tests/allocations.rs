@@ -3,6 +3,7 @@
 
 use ccd::{BroadPhaseMethod, Options, Pipeline, Scheduling, Session, Traversal, TreeOptions};
 use ccd_testkit::generate::crumpled_sheet;
+use ccd_testkit::methods::is_near_default;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -60,16 +61,6 @@ fn count(
     (12..52).map(|i| one(&mut session, i)).collect()
 }
 
-/// Trees that differ from the default one in one choice: builders, traversals and volumes keep
-/// their buffers each by itself.
-fn differs_in_one(method: &BroadPhaseMethod) -> bool {
-    let BroadPhaseMethod::Tree(tree) = method else { return true };
-    let default = TreeOptions::default();
-    let (builder, traversal) =
-        (tree.builder != default.builder, tree.traversal != default.traversal);
-    builder as u32 + traversal as u32 + (tree.volume != default.volume) as u32 <= 1
-}
-
 fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
     let what = format!("{method}, {pipeline:?}, {scheduling}");
     let alone = count(1, method, pipeline, scheduling);
@@ -83,7 +74,7 @@ fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
 
 #[test]
 fn warm_sessions_allocate_nothing() {
-    for method in ccd::every("cpu").filter(differs_in_one) {
+    for method in ccd::every("cpu").filter(|&method| is_near_default(method)) {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
             check(method, pipeline, Scheduling::default());
         }

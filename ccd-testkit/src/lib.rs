@@ -5,6 +5,7 @@
 pub mod brute;
 pub mod compare;
 pub mod data;
+pub mod methods;
 pub mod oracle;
 
 pub use ccd::scenes as generate;

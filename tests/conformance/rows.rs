@@ -5,6 +5,7 @@ use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
 use ccd::{BroadPhaseMethod, Catalogued, Pipeline, Scheduling, Traversal, TreeOptions, Volume};
+use ccd_testkit::methods::{differences, is_near_default, is_oriented};
 
 /// The path on which there are no oriented boxes.
 pub const WGSL: &str = "gpu-wgsl";
@@ -28,7 +29,7 @@ pub fn methods(
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
-        _ => !emulated || is_near_default(*method),
+        _ => !emulated || has_a_row(*method),
     };
     of_place(backend, place).filter(|method| whole || chosen(method)).collect()
 }
@@ -39,20 +40,10 @@ pub fn of_place(backend: &'static str, place: &str) -> impl Iterator<Item = Broa
     ccd::every(backend).filter(move |&method| all || !is_oriented(method))
 }
 
-fn is_oriented(method: BroadPhaseMethod) -> bool {
-    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
-}
-
-/// Whether a method is no tree, or the default one but for one choice; or a cut of oriented boxes.
-fn is_near_default(method: BroadPhaseMethod) -> bool {
-    let BroadPhaseMethod::Tree(tree) = method else { return true };
-    let default = TreeOptions::default();
-    let differs = [
-        tree.builder != default.builder,
-        tree.traversal != default.traversal,
-        tree.volume != default.volume,
-    ];
-    differs.iter().filter(|&&differs| differs).count() < 2 || differs == [false, true, true]
+/// Whether a method is no tree, or the default one but for one choice; or another traversal of
+/// oriented boxes, which has a kernel of its own.
+fn has_a_row(method: BroadPhaseMethod) -> bool {
+    is_near_default(method) || differences(method) == Some([false, true, true])
 }
 
 /// Whether threads of this machine do the work of a GPU.

@@ -4,11 +4,12 @@ use crate::twin::Twin;
 use ccd::gpu::bind::Bind;
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{self, Device, harness};
-use ccd::{Aabb, BroadPhaseMethod, Pair, TreeOptions, Volume};
+use ccd::{Aabb, BroadPhaseMethod, Pair};
 use ccd_core::kernel::TABLE;
 use ccd_core::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
+use ccd_testkit::methods::{is_near_default, is_oriented};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
@@ -110,22 +111,6 @@ pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
     let emulated = device.info().adapter.device_type == DeviceType::Cpu;
     let here = move |method| native || !is_oriented(method);
     ccd::every("gpu").filter(move |&m| here(m) && (!emulated || is_near_default(m)))
-}
-
-fn is_near_default(method: BroadPhaseMethod) -> bool {
-    let BroadPhaseMethod::Tree(tree) = method else { return true };
-    let default = TreeOptions::default();
-    let differs = [
-        tree.builder != default.builder,
-        tree.traversal != default.traversal,
-        tree.volume != default.volume,
-    ];
-    differs.iter().filter(|&&differs| differs).count() < 2
-}
-
-/// Whether a method needs the native path.
-pub fn is_oriented(method: BroadPhaseMethod) -> bool {
-    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
 }
 
 /// Whether quotients and roots of `f32` are those of a CPU: a GPU's are off by some units in the
