@@ -83,7 +83,7 @@ impl Queries {
         if self.json {
             output::json(&Json { files, total })?;
         } else {
-            println!(
+            output::say!(
                 "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file",
                 "queries", "hits", "misses", "undecided", "false pos", "false neg", "ns each"
             );
@@ -100,7 +100,7 @@ fn per_query(ns: f64, n: usize) -> f64 {
 }
 
 fn print(c: &Counts, name: &str) {
-    println!(
+    output::say!(
         "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8.0}  {name}",
         c.queries,
         c.hits,
