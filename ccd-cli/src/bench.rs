@@ -132,7 +132,11 @@ impl Bench {
             }
             output::say!(
                 "\n{:<34} {:<15} {:>30} {:>9} {:>9}",
-                "scene", "what", "answer", "time", "device"
+                "scene",
+                "what",
+                "answer",
+                "time",
+                "device"
             );
         }
         let mut rows = Vec::new();

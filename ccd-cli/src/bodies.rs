@@ -37,9 +37,8 @@ impl BodyOptions {
             match fixed.get_mut(body as usize) {
                 Some(fixed) => *fixed = true,
                 None => {
-                    let there = most.map_or("there is none".into(), |most| {
-                        format!("the last one is {most}")
-                    });
+                    let there = most
+                        .map_or("there is none".into(), |most| format!("the last one is {most}"));
                     return Err(Failure(format!("--fixed: there is no body {body}; {there}")));
                 }
             }
@@ -60,7 +59,8 @@ fn read(path: &Path, n_vertices: usize) -> Result<Vec<u32>, Failure> {
             let body = word.parse().ok().filter(|&body: &u32| body < MOST_BODIES);
             bodies.push(body.ok_or_else(|| {
                 let (line, word) = (line + 1, word.chars().take(20).collect::<String>());
-                let what = format!("line {line}: `{word}` is no body; 0 to {} are", MOST_BODIES - 1);
+                let what =
+                    format!("line {line}: `{word}` is no body; 0 to {} are", MOST_BODIES - 1);
                 in_file(path, what)
             })?);
         }

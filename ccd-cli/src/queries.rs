@@ -85,7 +85,13 @@ impl Queries {
         } else {
             output::say!(
                 "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file",
-                "queries", "hits", "misses", "undecided", "false pos", "false neg", "ns each"
+                "queries",
+                "hits",
+                "misses",
+                "undecided",
+                "false pos",
+                "false neg",
+                "ns each"
             );
             files.iter().for_each(|f| print(&f.counts, &f.file));
             print(&total, "total");

@@ -76,7 +76,13 @@ impl Sequence {
             output::line("mesh", MeshSize::from(session.mesh()));
             output::say!(
                 "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}  to",
-                "frame", "vf", "ee", "undecided", "earliest", "step", "trees"
+                "frame",
+                "vf",
+                "ee",
+                "undecided",
+                "earliest",
+                "step",
+                "trees"
             );
         }
         for (i, paths) in frames.windows(2).enumerate() {

@@ -47,7 +47,11 @@ pub fn run(root: &Path, only: Option<Part>) -> Result<(), String> {
             }
             Part::Command => {
                 remove(&folder.join("command"))?;
-                let spent = cargo(root, &folder.join("command"), &["build", "--release", "-p", "meshccd-cli"])?;
+                let spent = cargo(
+                    root,
+                    &folder.join("command"),
+                    &["build", "--release", "-p", "meshccd-cli"],
+                )?;
                 ("command", spent, "240 s", Some(spent.wall / 240.0))
             }
             Part::Tests => {
