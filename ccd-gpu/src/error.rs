@@ -22,12 +22,6 @@ pub enum Error {
          an application writes on the device: turn cones off"
     )]
     PathsUnseen,
-    /// Oriented boxes were asked for where shaders reach the driver as WGSL.
-    #[error(
-        "oriented boxes need the native path (SPIR-V): a compiler of WGSL may go on with a centre \
-         or an axis before it is rounded, and what is stored then holds less than was computed"
-    )]
-    Contracted,
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {
