@@ -147,7 +147,8 @@ impl BroadPhase {
                 }
                 source.clear(recorder);
                 let (n_bounding, pairs) = (frame.start[3], [&*pairs; 2]);
-                let search = Search { frame: &frame, kinds: &kinds, n_bounding, pairs };
+                let search =
+                    Search { frame: &frame, kinds: &kinds, n_bounding, pairs, keeps_order: false };
                 source.find(recorder, &search);
                 recorder.end_of_work();
                 for (part, list) in of_source.iter().zip(lists) {

@@ -23,6 +23,10 @@ pub struct Search<'a> {
     pub n_bounding: u32,
     /// By kind: where pairs of ids go.
     pub pairs: [&'a List; 2],
+    /// Whether the order of boxes, and what is built in that order, is that of the search before,
+    /// which was complete: boxes have moved, and nothing else has changed. Never in the first
+    /// search, nor in one that follows an error.
+    pub keeps_order: bool,
 }
 
 /// Finds overlapping boxes on a device.

@@ -186,7 +186,13 @@ impl Source {
             Self::Listed(listed) => {
                 let pairs = &listed.pairs;
                 let n_bounding = frame.count[0];
-                let search = Search { frame, kinds: &[0, 1], n_bounding, pairs: pairs.each_ref() };
+                let search = Search {
+                    frame,
+                    kinds: &[0, 1],
+                    n_bounding,
+                    pairs: pairs.each_ref(),
+                    keeps_order: false,
+                };
                 listed.source().find(recorder, &search);
             }
         }

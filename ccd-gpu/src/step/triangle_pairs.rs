@@ -210,7 +210,8 @@ impl PairSource for TrianglePairs {
         recorder.each(&bind::SweepTriangles { triangles, boxes, swept }, &p, n);
         let kinds: Vec<u32> = kinds_of(frame.count).collect();
         let pairs = [&self.pairs; 2];
-        source.find(recorder, &Search { frame, kinds: &kinds, n_bounding: n, pairs });
+        let keeps_order = search.keeps_order;
+        source.find(recorder, &Search { frame, kinds: &kinds, n_bounding: n, pairs, keeps_order });
         recorder.stage("expand");
         let (input, [vf, ee]) = (self.pairs.buffer(), search.pairs.map(List::buffer));
         let kernel = bind::ExpandTriangles { triangles, regions, boxes, input, vf, ee, counts };
