@@ -16,7 +16,8 @@
 //! counters passes between workgroups inside a dispatch, and of those nothing but the order of work
 //! depends: what is on a list is read by the next dispatch.
 //!
-//! Counters of all rounds stand in one buffer, `control`, so that none is cleared between rounds.
+//! There is a power of two of workers, because a division by what is not known is a check, and a
+//! failed check would leave before a barrier. Counters of all rounds stand in one buffer, `control`, so that none is cleared between rounds.
 
 /// Threads of a worker.
 pub const THREADS: u32 = 128;
@@ -64,23 +65,23 @@ pub const fn words(workers: u32) -> usize {
     counts(workers)
 }
 
-/// Tasks that worker `me` has if all are dealt out: `me`, `me + workers`, `me + 2 workers` ..
+/// Tasks that worker `me` of `2^workers` has if all are dealt out: `me`, `me + 2^workers` ..
 #[inline(always)]
 pub fn share(tasks: u32, me: u32, workers: u32) -> u32 {
-    if me < tasks { (tasks - 1 - me) / workers + 1 } else { 0 }
+    if me < tasks { ((tasks - 1 - me) >> workers) + 1 } else { 0 }
 }
 
-/// Tasks that a worker takes at once from the counter: about a quarter of what is there for each,
-/// at least so many and at most for all of its threads.
+/// Tasks that one of `2^workers` takes at once from the counter: about a quarter of what is there
+/// for each, at least so many and at most for all of its threads.
 #[inline(always)]
 pub fn piece(tasks: u32, workers: u32, least: u32) -> u32 {
-    (tasks / 4 / workers).max(least).min(THREADS)
+    (tasks >> (workers + 2)).max(least).min(THREADS)
 }
 
-/// Whether of all workers so many percent are idle; 0 percent: never.
+/// Whether of `2^workers` workers so many percent are idle; 0 percent: never.
 #[inline(always)]
 pub fn is_over(n_idle: u32, workers: u32, percent: u32) -> bool {
-    percent > 0 && n_idle * 100 >= percent * workers
+    percent > 0 && n_idle * 100 >= percent << workers
 }
 
 #[cfg(test)]
@@ -89,24 +90,24 @@ mod tests {
 
     #[test]
     fn shares_are_all_tasks() {
-        for (tasks, workers) in [(0, 3), (1, 3), (3, 3), (100, 7), (1_000_003, 2048)] {
-            let sum: u32 = (0..workers).map(|me| share(tasks, me, workers)).sum();
+        for (tasks, workers) in [(0, 2), (1, 2), (4, 2), (100, 3), (1_000_003, 11)] {
+            let sum: u32 = (0..1 << workers).map(|me| share(tasks, me, workers)).sum();
             assert_eq!(sum, tasks);
-            let last = (0..workers).filter(|&me| share(tasks, me, workers) > 0).max();
-            assert_eq!(last, tasks.min(workers).checked_sub(1));
+            let last = (0..1 << workers).filter(|&me| share(tasks, me, workers) > 0).max();
+            assert_eq!(last, tasks.min(1 << workers).checked_sub(1));
         }
     }
 
     #[test]
     fn a_piece_is_never_empty() {
         let of = [(0, 1), (5, 1), (80_000, 1), (u32::MAX, 1), (5, THREADS)];
-        assert_eq!(of.map(|(n, least)| piece(n, 2048, least)), [1, 1, 9, 128, 128]);
+        assert_eq!(of.map(|(n, least)| piece(n, 11, least)), [1, 1, 9, 128, 128]);
     }
 
     #[test]
     fn a_round_is_over_when_enough_are_idle() {
         let of = [(0, 0), (2048, 0), (20, 1), (21, 1), (1023, 50), (1024, 50), (2047, 100)];
-        let over = of.map(|(n_idle, percent)| is_over(n_idle, 2048, percent));
+        let over = of.map(|(n_idle, percent)| is_over(n_idle, 11, percent));
         assert_eq!(over, [false, false, false, true, false, true, false]);
     }
 

@@ -184,6 +184,8 @@ pub struct NodeDescent {
     /// What workers are told, see [`pair_workers`](crate::broad_phase::pair_workers): where tasks
     /// come from, the `TASKS_` constants of this type.
     pub tasks: u32,
+    /// Of the number of workers, the power of two.
+    pub workers: u32,
     /// Tasks that are taken at once from the counter, at least.
     pub piece: u32,
     /// A worker ends when of all so many percent are idle; 0: it does not look.
@@ -277,7 +279,7 @@ const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
-const _: () = assert!(size_of::<NodeDescent>() == 48 && size_of::<Building>() == 20);
+const _: () = assert!(size_of::<NodeDescent>() == 52 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 20);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);

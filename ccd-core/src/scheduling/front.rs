@@ -58,6 +58,11 @@ impl FrontState {
         self.kept
     }
 
+    /// There is no memory for its list.
+    pub fn give_up(&mut self) {
+        self.is_too_large = true;
+    }
+
     /// A search is over that wrote `n` pairs, and wanted as many entries of a list that has `room`;
     /// there may be room for `most`.
     pub fn end(

@@ -45,6 +45,9 @@ pub(super) const LEAVES_BASE: u32 = 12;
 pub(super) const ENDED_BASE: u32 = 13;
 /// Tasks of its part that a worker leaves.
 pub(super) const REST: u32 = 14;
+/// Turns of the worker so far, and pairs that it expanded.
+pub(super) const TURNS: u32 = 15;
+pub(super) const EXPANDED: u32 = 16;
 
 /// What a worker does next.
 pub(super) const WORKS: u32 = 0;
@@ -62,6 +65,7 @@ pub(super) const APART: u32 = 3;
 #[derive(Clone, Copy)]
 pub(super) struct Round {
     pub me: u32,
+    /// Of the number of workers, the power of two.
     pub workers: u32,
     pub number: u32,
     pub tasks: u32,
@@ -72,12 +76,12 @@ pub(super) struct Round {
 
 impl Round {
     #[inline(always)]
-    pub(super) fn new(params: &Params<NodeDescent>, me: u32, workers: u32, control: &[u32]) -> Self {
+    pub(super) fn new(params: &Params<NodeDescent>, me: u32, control: &[u32]) -> Self {
         let (number, room) = (params.dispatch.first, params.own.room_nodes);
         let is_odd = number % 2;
         Self {
             me,
-            workers,
+            workers: params.own.workers,
             number,
             tasks: at(control, listed(number)).min(room),
             input: is_odd * room,
@@ -93,7 +97,7 @@ fn plan(
     own: &NodeDescent,
     round: Round,
     turn: u32,
-    shared: &mut [u32; 16],
+    shared: &mut [u32; 17],
     control: &mut [u32],
 ) -> u32 {
     let from_stack = get(shared, TOP).min(THREADS);
@@ -109,8 +113,8 @@ fn plan(
         let next = get(shared, NEXT);
         if own.tasks == NodeDescent::TASKS_DEALT {
             from_tasks = (share(round.tasks, round.me, round.workers) - next).min(room);
-            set(shared, FIRST, round.me + next * round.workers);
-            set(shared, STRIDE, round.workers);
+            set(shared, FIRST, round.me + (next << round.workers));
+            set(shared, STRIDE, 1 << round.workers);
             set(shared, NEXT, next + from_tasks);
         } else if next == 0 {
             let wanted = piece(round.tasks, round.workers, own.piece).min(room);
@@ -141,7 +145,7 @@ fn plan(
 pub(super) fn take(
     lane: u32,
     input: u32,
-    shared: &[u32; 16],
+    shared: &[u32; 17],
     stack: &[u32; 2 * STACK as usize],
     nodes: &[u32],
 ) -> NodePair {
@@ -158,19 +162,30 @@ pub(super) fn take(
     out
 }
 
-/// What becomes of a child that meets, or, where there is none, of one that is apart.
-#[inline(always)]
-pub(super) fn fate_of(met: NodePair, child: NodePair, internal: [u32; 2]) -> u32 {
-    let mut out = fate(met, internal);
-    if out == 0 && child[0] != NONE {
-        out = APART;
+/// A child of a pair, and what becomes of it.
+#[derive(Clone, Copy)]
+pub(super) struct Child {
+    pub pair: NodePair,
+    pub fate: u32,
+}
+
+impl Child {
+    pub(super) const NONE: Self = Self { pair: NO_PAIR, fate: 0 };
+
+    /// The child if it meets, or else, where one is kept for the front, the child that is apart.
+    #[inline(always)]
+    pub(super) fn new(met: NodePair, child: NodePair, internal: [u32; 2]) -> Self {
+        let mut out = Self { pair: met, fate: fate(met, internal) };
+        if out.fate == 0 && child[0] != NONE {
+            out = Self { pair: child, fate: APART };
+        }
+        out
     }
-    out
 }
 
 /// Counts a pair in its worker; returns the number that it has among its like, and in the front.
 #[inline(always)]
-pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 16]) -> [u32; 2] {
+pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 17]) -> [u32; 2] {
     let mut to = [0, 0];
     if fate == INNER {
         to[0] = add_shared(shared, NODES, 1);
@@ -188,13 +203,16 @@ pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 16]) -> [u32;
 pub(super) fn make_room(
     own: &NodeDescent,
     number: u32,
-    shared: &mut [u32; 16],
+    shared: &mut [u32; 17],
     control: &mut [u32],
     nodes: &mut [u32],
     pairs: &mut [u32],
 ) {
     let (n_nodes, n_leaves, n_ended) = (get(shared, NODES), get(shared, LEAVES), get(shared, ENDED));
-    let below = get(shared, TOP) - get(shared, FROM_STACK);
+    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
+    set(shared, TURNS, get(shared, TURNS) + 1);
+    set(shared, EXPANDED, get(shared, EXPANDED) + from_stack + from_tasks);
+    let below = get(shared, TOP) - from_stack;
     let to_stack = n_nodes.min(own.stack - below);
     set(shared, BELOW, below);
     set(shared, TO_STACK, to_stack);
@@ -232,10 +250,9 @@ pub(super) fn spill(
 pub(super) fn put_away(
     params: &Params<NodeDescent>,
     output: u32,
-    pair: NodePair,
-    fate: u32,
+    child: Child,
     to: [u32; 2],
-    shared: &[u32; 16],
+    shared: &[u32; 17],
     stack: &mut [u32; 2 * STACK as usize],
     a_nodes: &[Node],
     b_nodes: &[Node],
@@ -243,6 +260,7 @@ pub(super) fn put_away(
     pairs: &mut [u32],
     front: &mut [u32],
 ) {
+    let Child { pair, fate } = child;
     if fate == INNER {
         let to_stack = get(shared, TO_STACK);
         if to[0] < to_stack {
@@ -266,7 +284,7 @@ pub(super) fn put_ended(
     pair: NodePair,
     fate: u32,
     to: [u32; 2],
-    shared: &[u32; 16],
+    shared: &[u32; 17],
     a_nodes: &[Node],
     b_nodes: &[Node],
     pairs: &mut [u32],
@@ -302,7 +320,7 @@ pub(super) fn write_task(
 fn make_room_for_rest(
     own: &NodeDescent,
     round: Round,
-    shared: &mut [u32; 16],
+    shared: &mut [u32; 17],
     control: &mut [u32],
     nodes: &mut [u32],
 ) {
@@ -324,7 +342,7 @@ fn leave_rest(
     own: &NodeDescent,
     round: Round,
     lane: u32,
-    shared: &[u32; 16],
+    shared: &[u32; 17],
     stack: &[u32; 2 * STACK as usize],
     control: &mut [u32],
     nodes: &mut [u32],
@@ -341,7 +359,7 @@ fn leave_rest(
     for k in 0..rest.div_ceil(THREADS) {
         let i = k * THREADS + lane;
         if i < rest {
-            let pair = read_pair(nodes, round.input + round.me + (next + i) * round.workers);
+            let pair = read_pair(nodes, round.input + round.me + ((next + i) << round.workers));
             write_task(own, round.output, nodes, base + top + i, [pair.a, pair.b]);
         }
     }
@@ -390,7 +408,7 @@ macro_rules! kernels {
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             #[spirv(workgroup)] state: &mut [u32; 1],
-            #[spirv(workgroup)] shared: &mut [u32; 16],
+            #[spirv(workgroup)] shared: &mut [u32; 17],
             #[spirv(workgroup)] stack: &mut [u32; 2048],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
@@ -402,17 +420,18 @@ macro_rules! kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = $front)] front: &mut [u32],
         ) {
             let own = params.own;
-            let round = Round::new(params, group(id, n), n.x * n.y, control);
+            let round = Round::new(params, group(id, n), control);
             let within = own.kind == 1;
             let [set_a, set_b] = sets(own.kind);
             let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
             $(let _ = $obb;
             let first = [params.frame.start[set_a], params.frame.start[set_b]];)?
             let rule = if own.larger != 0 { Descent::Larger } else { Descent::Both };
-            let (mut n_turns, mut n_expanded) = (0, 0);
             if lane == 0 {
                 set(shared, TOP, 0);
                 set(shared, NEXT, 0);
+                set(shared, TURNS, 0);
+                set(shared, EXPANDED, 0);
             }
             for turn in 0..own.turns {
                 if lane == 0 {
@@ -422,51 +441,43 @@ macro_rules! kernels {
                 if get_uniform(state, 0) != WORKS {
                     break;
                 }
-                n_turns += 1;
-                n_expanded += get(shared, FROM_STACK) + get(shared, FROM_TASKS);
                 let pair = take(lane, round.input, shared, stack, nodes);
-                let (mut all, mut met) = ([NO_PAIR; 4], [NO_PAIR; 4]);
+                let (mut p, mut q) = (Child::NONE, Child::NONE);
+                let (mut r, mut s) = (Child::NONE, Child::NONE);
                 if pair[0] != NONE {
                     let found = expand(rule, within, a_nodes, b_nodes, pair);
-                    met = meeting!(within, found, internal, first, a_nodes, b_nodes $(, $obb)?);
+                    let met = meeting!(within, found, internal, first, a_nodes, b_nodes $(, $obb)?);
+                    let mut all = met;
                     if own.room_front > 0 {
                         all = children(rule, within, a_nodes, b_nodes, pair);
                     }
+                    p = Child::new(met[0], all[0], internal);
+                    q = Child::new(met[1], all[1], internal);
+                    r = Child::new(met[2], all[2], internal);
+                    s = Child::new(met[3], all[3], internal);
                     // A pair of the cut may be one of leaves already.
                     if fate(pair, internal) == LEAF {
-                        met[0] = pair;
+                        p = Child { pair, fate: LEAF };
                     }
                 }
-                let f = [
-                    fate_of(met[0], all[0], internal),
-                    fate_of(met[1], all[1], internal),
-                    fate_of(met[2], all[2], internal),
-                    fate_of(met[3], all[3], internal),
-                ];
                 let room = own.room_front;
-                let (p, q) = (claim(f[0], room, shared), claim(f[1], room, shared));
-                let (r, s) = (claim(f[2], room, shared), claim(f[3], room, shared));
+                let (to_p, to_q) = (claim(p.fate, room, shared), claim(q.fate, room, shared));
+                let (to_r, to_s) = (claim(r.fate, room, shared), claim(s.fate, room, shared));
                 barrier();
                 if lane == 0 {
                     make_room(&own, round.number, shared, control, nodes, pairs);
                 }
                 barrier();
-                let c = [
-                    if met[0][0] == NONE { all[0] } else { met[0] },
-                    if met[1][0] == NONE { all[1] } else { met[1] },
-                    if met[2][0] == NONE { all[2] } else { met[2] },
-                    if met[3][0] == NONE { all[3] } else { met[3] },
-                ];
                 let (to, x, y) = (round.output, a_nodes, b_nodes);
-                put_away(params, to, c[0], f[0], p, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, c[1], f[1], q, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, c[2], f[2], r, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, c[3], f[3], s, shared, stack, x, y, nodes, pairs, front);
+                put_away(params, to, p, to_p, shared, stack, x, y, nodes, pairs, front);
+                put_away(params, to, q, to_q, shared, stack, x, y, nodes, pairs, front);
+                put_away(params, to, r, to_r, shared, stack, x, y, nodes, pairs, front);
+                put_away(params, to, s, to_s, shared, stack, x, y, nodes, pairs, front);
             }
             if lane == 0 {
                 make_room_for_rest(&own, round, shared, control, nodes);
-                add(control, counts(round.me), n_turns);
-                add(control, counts(round.me) + 1, n_expanded);
+                add(control, counts(round.me), get(shared, TURNS));
+                add(control, counts(round.me) + 1, get(shared, EXPANDED));
             }
             barrier();
             leave_rest(&own, round, lane, shared, stack, control, nodes);
@@ -478,7 +489,7 @@ macro_rules! kernels {
             #[spirv(workgroup_id)] id: UVec3,
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
-            #[spirv(workgroup)] shared: &mut [u32; 16],
+            #[spirv(workgroup)] shared: &mut [u32; 17],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
@@ -490,10 +501,9 @@ macro_rules! kernels {
         ) {
             let i = group(id, n) * THREADS + lane;
             let own = params.own;
-            let within = own.kind == 1;
             let [set_a, set_b] = sets(own.kind);
             let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
-            $(let _ = $obb;
+            $(let (_, within) = ($obb, own.kind == 1);
             let first = [params.frame.start[set_a], params.frame.start[set_b]];)?
             if lane == 0 {
                 set(shared, NODES, 0);

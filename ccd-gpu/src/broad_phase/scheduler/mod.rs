@@ -24,7 +24,7 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::layout::{Dispatch, Frame, NodeDescent, Params};
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::scheduling::{Scheduler, Scheduling, Front};
+use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
 use levels::Levels;
 use workers::{Rule, Workers};
 
