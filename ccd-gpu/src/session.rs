@@ -222,11 +222,8 @@ impl Session {
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
-        self.report = Report {
-            contacts: std::mem::take(&mut self.report.contacts),
-            rebuilt: true,
-            ..Report::default()
-        };
+        self.report =
+            Report { contacts: std::mem::take(&mut self.report.contacts), ..Report::default() };
         self.report.contacts.clear();
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;
@@ -241,6 +238,7 @@ impl Session {
     fn take(&mut self, found: Found, goal: Goal, given: Given) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
+        report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;

@@ -6,7 +6,7 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::Aabb;
 use ccd_core::layout::Frame;
@@ -53,6 +53,13 @@ pub trait PairSource: Send + Sync {
     /// The same, to be replaced by larger ones.
     fn lists_mut(&mut self) -> Vec<&mut List> {
         Vec::new()
+    }
+
+    /// Pairs of nodes that the last search took up, as the headers of [`PairSource::lists`] say: by
+    /// their number it is seen how good an order still is. `None` if the source has no order that
+    /// outlasts motion, and sorts in every search.
+    fn work(&self, _headers: &[Header]) -> Option<u64> {
+        None
     }
 
     /// Words that kernels leave for [`PairSource::check`], and how many.

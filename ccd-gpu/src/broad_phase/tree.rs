@@ -13,7 +13,7 @@ use super::pair_descent::PairDescent;
 use super::pair_source::{PairSource, Search, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::layout::{Frame, Queries};
@@ -125,10 +125,12 @@ impl PairSource for TreeSource {
     fn find(&self, recorder: &mut Recorder, search: &Search) {
         let Self { blocks, trees, none, .. } = self;
         let frame = &Frame { flags: 0, ..*search.frame };
-        recorder.stage("codes");
-        blocks.sort(recorder, frame, search.n_bounding);
-        recorder.stage("branches");
-        trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
+        if !search.keeps_order {
+            recorder.stage("codes");
+            blocks.sort(recorder, frame, search.n_bounding);
+            recorder.stage("branches");
+            trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
+        }
         recorder.stage("build");
         blocks.fit(recorder, frame, none, none);
         recorder.stage("nodes");
@@ -141,6 +143,11 @@ impl PairSource for TreeSource {
         for &kind in search.kinds {
             self.traverse(recorder, frame, kind, search);
         }
+    }
+
+    /// Not counted: an order is kept for as long as it may be.
+    fn work(&self, _headers: &[Header]) -> Option<u64> {
+        Some(0)
     }
 
     fn lists(&self) -> Vec<&List> {

@@ -3,6 +3,7 @@
 
 use super::buffers::Buffers;
 use super::contact_order::{self, ContactOrder};
+use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
 use super::{Goal, SAMPLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
@@ -33,6 +34,7 @@ pub struct Frames {
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
     /// last time.
     at_once: u32,
+    order: KeptOrder,
 }
 
 /// What a frame gave.
@@ -41,6 +43,8 @@ pub struct Found {
     pub earliest: u32,
     /// Candidates of the sample.
     pub sampled: u64,
+    /// Whether boxes were sorted, rather than kept in the order of the frame before.
+    pub sorted: bool,
     pub candidates: PerKind,
     pub filtered: PerKind,
     /// If pairs of triangles were looked for.
@@ -60,6 +64,7 @@ impl Frames {
             grown: 0,
             expected: 0,
             at_once: 0,
+            order: KeptOrder::default(),
         })
     }
 
@@ -73,11 +78,13 @@ impl Frames {
         self.buffers = Buffers::new(device, mesh, options)?;
         self.bench = Bench::new(device)?;
         self.readback = Readback::default();
+        self.order.forget();
         Ok(())
     }
 
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
+        self.order.forget();
         for list in self.buffers.lists_mut().into_vec() {
             *list = list.resized(device, entries)?;
         }
@@ -123,6 +130,9 @@ impl Frames {
         }
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
+        // Nobody knows what becomes of the encoder.
+        self.order.forget();
+        self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
         let frame = buffers.describe(options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
@@ -212,11 +222,15 @@ impl Frames {
         contacts: &mut Vec<Contact>,
     ) -> Result<Option<Found>, Error> {
         let guess = self.plan_contacts(device, goal)?;
+        // Without an order until this frame has come to a good end.
+        let mut order = std::mem::take(&mut self.order);
+        let kept = order.holds();
         let Self { buffers, bench, readback, .. } = self;
+        buffers.keeps_order = kept;
         let frame = buffers.describe(options);
         let mut plan = Plan::default();
         let of_earliest = [plan.part(4), plan.part(4)];
-        let of_sample = plan.part(8);
+        let of_sample = plan.part(16);
         let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
@@ -251,12 +265,15 @@ impl Frames {
                 _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
-        let mut found = Found::default();
+        let mut found = Found { sorted: !kept, ..Found::default() };
+        let mut sampled_of = 0;
         let (headers, survey, counted) = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
-            found.sampled =
-                word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+            let [vf, ee, nodes_vf, nodes_ee] =
+                [0, 1, 2, 3].map(|i| word(of_sample.of(bytes), i) as u64);
+            found.sampled = vf + ee;
+            sampled_of = nodes_vf + nodes_ee;
             let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
@@ -288,6 +305,12 @@ impl Frames {
         if grown {
             return Ok(None);
         }
+        let of_lists = buffers.source.work(&headers.source);
+        order.took(
+            kept,
+            if goal == Goal::Earliest { of_lists.and(Some(sampled_of)) } else { of_lists },
+        );
+        self.order = order;
         let [vf, ee] = &headers.survivors;
         found.filtered = PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 };
         found.candidates = if goal == Goal::Candidates {

@@ -12,7 +12,7 @@ use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Dispatch, Frame, Params, Plain};
@@ -179,9 +179,26 @@ impl Source {
         }
     }
 
-    /// What must be zero before [`Source::order`], besides the headers of lists.
-    pub fn clear(&self, recorder: &mut Recorder) {
+    /// The lists whose headers [`Source::work`] adds up, where a sample is taken from them.
+    pub fn sampled(&self) -> Vec<&List> {
         match self {
+            Self::Blocks(tree) => tree.pairs.iter().filter_map(|lists| lists.first()).collect(),
+            Self::Listed(_) => Vec::new(),
+        }
+    }
+
+    /// As [`PairSource::work`].
+    pub fn work(&self, headers: &[Header]) -> Option<u64> {
+        match self {
+            Self::Blocks(tree) => Some(tree.work(headers)),
+            Self::Listed(listed) => listed.source().work(headers),
+        }
+    }
+
+    /// What must be zero besides the headers of lists.
+    pub fn clear(&self, recorder: &mut Recorder, keeps_order: bool) {
+        match self {
+            Self::Blocks(_) if keeps_order => {}
             Self::Blocks(tree) => tree.clear_bounds(recorder),
             Self::Listed(listed) => listed.source().clear(recorder),
         }
@@ -209,7 +226,7 @@ impl Source {
     }
 
     /// Pairs of blocks, or of boxes, of both kinds.
-    pub fn find(&self, recorder: &mut Recorder, frame: &Frame) {
+    pub fn find(&self, recorder: &mut Recorder, frame: &Frame, keeps_order: bool) {
         match self {
             Self::Blocks(tree) => {
                 recorder.stage("block pairs");
@@ -223,7 +240,7 @@ impl Source {
                     kinds: &[0, 1],
                     n_bounding,
                     pairs: pairs.each_ref(),
-                    keeps_order: false,
+                    keeps_order,
                 };
                 listed.source().find(recorder, &search);
             }

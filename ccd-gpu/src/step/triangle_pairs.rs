@@ -11,7 +11,7 @@ use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::readback::word;
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
@@ -257,6 +257,10 @@ impl PairSource for TrianglePairs {
 
     fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
         self.source.survey()
+    }
+
+    fn work(&self, headers: &[Header]) -> Option<u64> {
+        self.source.work(headers)
     }
 
     /// The frame is that of features.
