@@ -196,10 +196,10 @@ fn rule(larger: u32) -> Descent {
 /// Every way to share out tasks finds the pairs of brute force, and expands each pair of nodes
 /// once.
 fn check_workers(device: &Device) {
-    let some = boxes(700, 0.04);
+    let some = boxes(350, 0.04);
     let crowd = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 40];
     for all in [&some[..], &some[..2], &some[..1], &crowd] {
-        let (a, b) = (&some[..300], all);
+        let (a, b) = (&some[..150], all);
         let want = [brute::pairs(a, b), brute::self_pairs(all)];
         for (kind, of) in [(0, [a, &[], b]), (1, [&[], all, &[]])] {
             let trees = Trees::new(device, kind, of);
@@ -211,6 +211,7 @@ fn check_workers(device: &Device) {
                 tasks[..4].copy_from_slice(&search.word(0).to_le_bytes());
                 let n = below(&trees, rule(larger), entries(&tasks));
                 let n_rounds = search.run(own);
+                assert!(read::<u32>(&search.nodes)[0] <= ROOM, "{name}: more tasks than room");
                 check_pairs(name, want[kind as usize].clone(), entries(&search.pairs));
                 assert_eq!(search.expanded(), n, "{name}: pairs expanded");
                 let several = n > 2 * THREADS as u64 && (own.turns == 1 || own.stack < 10);
