@@ -10,9 +10,12 @@ use ccd_testkit::methods::{differences, is_near_default};
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
 
+/// Brute force over more boxes is left out there.
+const MAX_BOXES_EMULATED: usize = 10_000;
+
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
 /// run by the default and the default tree, and an emulated GPU has trees that differ from that in
-/// one choice, or have a kernel of their own.
+/// one choice, or have a kernel of their own, and no brute force over many boxes.
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// The methods of a backend by which a scene is run.
@@ -21,6 +24,9 @@ pub fn methods(source: Source, backend: &'static str, emulated: bool) -> Vec<Bro
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
+        Source::Boxes(make) if emulated && *method == BroadPhaseMethod::BruteForce => {
+            make().len() <= MAX_BOXES_EMULATED
+        }
         _ => !emulated || has_a_row(*method),
     };
     ccd::every(backend).filter(|method| whole || chosen(method)).collect()
