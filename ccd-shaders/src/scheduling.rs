@@ -38,6 +38,8 @@ const NOTHING: u32 = 0;
 const FROM_STACK: u32 = 1;
 const FROM_OWN: u32 = 2;
 const STOLEN: u32 = 3;
+/// The worker looks for work no more.
+const RETIRED: u32 = 4;
 /// No slot.
 const FULL: u32 = u32::MAX;
 
@@ -96,9 +98,7 @@ pub fn steal_stress(
     let (mut popped, mut stolen, mut full, mut kept) = (0, 0, 0, 0);
     for round in 0..own.rounds {
         barrier();
-        if get(shared, FRUITLESS) > own.patience {
-            break;
-        }
+        let works = get(shared, FRUITLESS) <= own.patience;
         // Levels 1 and 2.
         if lane == 0 {
             let there = get(shared, ON_STACK);
@@ -106,7 +106,9 @@ pub fn steal_stress(
             set(shared, N_TAKEN, 0);
             set(shared, HAND, HANDS);
             set(shared, TO_PUSH, FULL);
-            if there > 0 {
+            if !works {
+                set(shared, SOURCE, RETIRED);
+            } else if there > 0 {
                 set(shared, SOURCE, FROM_STACK);
                 set(shared, N_TAKEN, there.min(THREADS));
                 kept += 1;
@@ -167,7 +169,7 @@ pub fn steal_stress(
                 set(shared, ON_STACK, get(shared, ON_STACK) - n_taken);
             } else if source == NOTHING {
                 set(shared, FRUITLESS, get(shared, FRUITLESS) + 1);
-            } else {
+            } else if source != RETIRED {
                 set(shared, FRUITLESS, 0);
                 if source == STOLEN {
                     workers.deque(get(shared, OWNER)).give_back(&words, 1);
@@ -176,7 +178,7 @@ pub fn steal_stress(
                     popped += 1;
                 }
             }
-            if let Some(slot) = workers.deque(me).reserve(&words) {
+            if works && let Some(slot) = workers.deque(me).reserve(&words) {
                 set(shared, TO_PUSH, slot);
             }
         }

@@ -16,6 +16,7 @@ mod queries;
 mod scalars;
 mod scenes;
 mod sorts;
+mod stealing;
 mod support;
 mod tangential;
 mod trees;
@@ -88,6 +89,7 @@ fn main() {
             listed::TESTS,
             intervals::TESTS,
             descent::TESTS,
+            stealing::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
