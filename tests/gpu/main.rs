@@ -19,6 +19,7 @@ mod queries;
 mod scalars;
 mod scenes;
 mod sorts;
+mod stealing;
 mod support;
 mod tangential;
 mod trees;
@@ -95,6 +96,7 @@ fn main() {
             intervals::TESTS,
             descent::TESTS,
             oriented::TESTS,
+            stealing::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

@@ -71,6 +71,8 @@ pub struct Kernel {
     pub barriers: u32,
     /// Whether it needs `f64` and 64-bit integers.
     pub wide: bool,
+    /// Whether it runs on the native path alone; see [`Id::native`].
+    pub native: bool,
     /// If binding 0 is a [`Params`](crate::layout::Params): the name of its record.
     pub params: Option<&'static str>,
     /// Buffers in the order of their bindings, after the parameters.
@@ -312,6 +314,9 @@ macro_rules! kernels {
             /// Contacts in order.
             OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
                 { contacts: Read, order: Read, ordered: Write }
+            /// For tests: items that are counted whenever a worker takes them.
+            StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
+                { words: Write, stacks: Write, counts: Write, status: Write }
             /// For tests: fields of records.
             ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
                 { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }
@@ -352,6 +357,7 @@ macro_rules! table {
             threads: $threads,
             barriers: $barriers,
             wide: wide!($float),
+            native: Id::$id.native(),
             params: [$(Some(stringify!($own)),)? None][0],
             buffers: &[$((stringify!($field), Access::$access)),*],
         },)*];
@@ -369,6 +375,12 @@ impl Id {
     /// Threads of a workgroup.
     pub const fn threads(self) -> u32 {
         self.row().threads
+    }
+
+    /// Whether it runs on the native path alone: workgroups pass data to each other inside a
+    /// dispatch, by acquire and release at the scope of the device, which WGSL does not have.
+    pub const fn native(self) -> bool {
+        matches!(self, Id::StealStress)
     }
 }
 
