@@ -112,7 +112,7 @@ pub fn steal_stress(
                 set(shared, SOURCE, FROM_STACK);
                 set(shared, N_TAKEN, there.min(THREADS));
                 kept += 1;
-            } else if let Some(slot) = workers.deque(me).pop(&words) {
+            } else if let Some(slot) = workers.deque(me).try_pop(&words) {
                 say(shared, workers, &words, FROM_OWN, me, slot);
             }
         }
@@ -126,7 +126,7 @@ pub fn steal_stress(
         barrier();
         if get(shared, SOURCE) == NOTHING && get(shared, HAND) == HANDS && lane < HANDS {
             let turn = (me + round).wrapping_mul(0x9e37_79b9) >> 8;
-            let victim = (me + 1 + turn + lane) % own.workers;
+            let victim = (me + 1 + turn + lane).checked_rem(own.workers).unwrap_or(me);
             let most = if own.most == 0 { 1 } else { own.most };
             if victim != me && (own.most != 0 || lane == 0) {
                 workers.steal_to_hand(&words, me, lane, victim, most);

@@ -163,6 +163,18 @@ pub fn barrier_of_buffers() {
 
 /// Words of a buffer that workgroups pass to each other inside a dispatch, in order. For the native
 /// path alone: WGSL has no order between workgroups.
+///
+/// Every access is an atomic operation at the scope of the device, also of words that are data: a
+/// plain load may be served from a cache that other workgroups do not write through. An operation
+/// that acquires or releases does so for the thread that runs it. What its neighbours stored is
+/// released with it only behind [`barrier_of_buffers`], which orders their stores before the
+/// barrier and with it before all that follows; what they load is acquired if such a barrier stands
+/// between the operation and their loads. So a worker of many threads puts one before each word
+/// that it publishes or gives back, and one behind each that it takes.
+///
+/// An operation that acquires or releases does not stand in a loop that some threads of a
+/// workgroup leave before others: lavapipe (Mesa 22.3) takes it for a barrier of the workgroup, and
+/// the threads that went around once more come late to all barriers that follow.
 pub struct DeviceWords<'a> {
     words: *mut [u32],
     of: PhantomData<&'a mut [u32]>,

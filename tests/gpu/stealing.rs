@@ -2,21 +2,26 @@
 //! lost, with room for few batches and work that is left for another dispatch. On the native path
 //! alone; through WGSL the kernel is refused.
 //!
-//! `CCD_STEAL_TAKES` says how many batches are taken at least, for a device with many workgroups.
+//! `CCD_STEAL_TAKES` says how many batches are taken from deques at least, for a device with many
+//! workgroups.
 
 use crate::support::{bytes, not_run, read, run};
 use ccd::gpu::bind::StealStress;
 use ccd::gpu::{Device, Error, harness};
 use ccd_core::kernel::{Id, Words};
 use ccd_core::layout::{Params, Stealing};
+use ccd_core::scheduling::deque::Full;
 use ccd_core::scheduling::stealing::Workers;
 use std::cell::Cell;
+use std::time::Instant;
 
 pub const TESTS: crate::Tests =
     &[("steals_refused", check_refused), ("steals", check_steals), ("many_steals", check_many)];
 
+/// Items of a worker's stack.
+const STACK: usize = 2 * Id::StealStress.threads() as usize;
 /// Words of a worker's stack between dispatches.
-const SAVED: usize = 1 + 4 * Id::StealStress.threads() as usize;
+const SAVED: usize = 1 + 2 * STACK;
 /// Dispatches until all work must be done.
 const MOST_DISPATCHES: u32 = 10_000;
 
@@ -44,7 +49,7 @@ impl Words for Plain {
 }
 
 /// Work for a number of workers: `n_items` items of so many lives, which stand in the deques of as
-/// few workers as they fit into.
+/// few workers as they fit into, those for which there is no room on stacks.
 #[derive(Clone, Copy, Debug)]
 struct Work {
     own: Stealing,
@@ -52,10 +57,11 @@ struct Work {
     lives: u32,
 }
 
-/// What all dispatches came to: batches popped and stolen, pushes without room, takes from stacks,
-/// dispatches.
+/// What all dispatches came to: items taken from anywhere; batches popped and stolen, pushes without
+/// room, takes from stacks; dispatches.
 #[derive(Debug, Default)]
 struct Found {
+    items: u64,
     popped: u64,
     stolen: u64,
     full: u64,
@@ -74,15 +80,23 @@ impl Work {
         let words = Plain(vec![Cell::new(0); workers.words()]);
         workers.clear(&words);
         let items: Vec<[u32; 2]> = (0..self.n_items).map(|tag| [tag, self.lives - 1]).collect();
-        let mut owner = 0;
-        for batch in items.chunks(workers.batch as usize) {
-            while workers.deque(owner).push(&words, batch).is_err() {
-                owner += 1;
+        let (mut owner, mut rest) = (0, &items[..]);
+        while !rest.is_empty() && owner < workers.n {
+            let (batch, others) = rest.split_at(rest.len().min(workers.batch as usize));
+            match workers.deque(owner).push(&words, batch) {
+                Ok(()) => rest = others,
+                Err(Full) => owner += 1,
             }
         }
+        let mut stacks = vec![0; SAVED * workers.n as usize];
+        for (stack, items) in stacks.chunks_mut(SAVED).zip(rest.chunks(STACK)) {
+            stack[0] = items.len() as u32;
+            stack[1..][..2 * items.len()].copy_from_slice(items.as_flattened());
+        }
+        assert!(rest.len() <= STACK * workers.n as usize, "{self:?}");
         StealStress {
             words: bytes(&words.0.iter().map(Cell::get).collect::<Vec<u32>>()),
-            stacks: vec![0; 4 * SAVED * workers.n as usize],
+            stacks: bytes(&stacks),
             counts: vec![0; 4 * self.n_items as usize],
             status: vec![0; 4 * 64],
         }
@@ -106,7 +120,9 @@ impl Work {
             found.from_stacks += status[3] as u64;
             found.dispatches += 1;
             if status[4] == 0 {
-                return (found, read(&kernel.counts));
+                let counts: Vec<u32> = read(&kernel.counts);
+                found.items = counts.iter().map(|&times| times as u64).sum();
+                return (found, counts);
             }
             assert!(found.dispatches < MOST_DISPATCHES, "{self:?} does not end: {found:?}");
         }
@@ -152,6 +168,8 @@ fn check_steals(device: &Device) {
         (Stealing { workers: 40, batches: 2, batch: 1, ..own }, 70),
         (Stealing { workers: 40, batches: 2, batch: 1, most: 2, ..own }, 70),
         (Stealing { workers: 5, batch: 64, most: 8, ..own }, 2000),
+        (Stealing { workers: 4, batches: 2, batch: 1, ..own }, 300),
+        (Stealing { workers: 4, batches: 2, batch: 1, most: 1, ..own }, 300),
     ] {
         let work = Work { own, n_items, lives: 20 };
         let (found, mut counts) = work.run(device);
@@ -177,19 +195,25 @@ fn check_many(device: &Device) {
     // Small work is for software, which runs few workgroups at once.
     let (workers, lives) = if wanted > 1_000_000 { (2048, 250) } else { (16, 10) };
     let own = Stealing { workers, batches: 64, batch: 4, most: 0, rounds: 2000, patience: 100 };
+    // The last: few items for many workers, in rings that they go around all the time.
+    let few = Stealing { batches: 2, batch: 1, ..own };
+    let shapes = [(own, 128), (Stealing { most: 4, ..own }, 128), (few, 1)];
+    let start = Instant::now();
     let mut all = Found::default();
-    let mut lazy = false;
-    while all.popped + all.stolen < wanted {
-        let own = Stealing { most: if lazy { 4 } else { 0 }, ..own };
-        let work = Work { own, n_items: workers * 128, lives };
+    for (own, items) in shapes.into_iter().cycle() {
+        let work = Work { own, n_items: workers * items, lives };
         let (found, counts) = work.run(device);
         work.check(&counts).unwrap();
+        all.items += found.items;
         all.popped += found.popped;
         all.stolen += found.stolen;
         all.full += found.full;
         all.from_stacks += found.from_stacks;
         all.dispatches += found.dispatches;
-        lazy = !lazy;
+        if all.popped + all.stolen >= wanted {
+            break;
+        }
     }
-    println!("{workers} workgroups: {all:?}");
+    let takes = all.popped + all.stolen;
+    println!("{workers} workgroups, {takes} takes in {:?}: {all:?}", start.elapsed());
 }
