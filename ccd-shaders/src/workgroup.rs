@@ -122,6 +122,17 @@ pub fn barrier() {
     spirv_std::arch::workgroup_memory_barrier_with_group_sync();
 }
 
+/// A word of workgroup memory by which all threads decide alike, also whether they come to a
+/// barrier. Two barriers; the translation to WGSL knows the three instructions by their order, and
+/// makes them a `workgroupUniformLoad`, so that browsers see it. No atomics on that memory.
+#[inline(always)]
+pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
+    barrier();
+    let word = get(shared, i);
+    barrier();
+    word
+}
+
 /// Entries of a list that are there: those wanted, as far as there was room.
 #[inline(always)]
 pub fn length(list: &[u32], room: u32) -> u32 {
@@ -177,6 +188,7 @@ pub fn barrier_of_buffers() {
 /// the threads that went around once more come late to all barriers that follow.
 pub struct DeviceWords<'a> {
     words: *mut [u32],
+    first: usize,
     of: PhantomData<&'a mut [u32]>,
 }
 
@@ -184,7 +196,13 @@ impl<'a> DeviceWords<'a> {
     /// The words of a binding that is written.
     #[inline(always)]
     pub fn new(words: &'a mut [u32]) -> Self {
-        Self { words, of: PhantomData }
+        Self::behind(words, 0)
+    }
+
+    /// The same from word `first` on.
+    #[inline(always)]
+    pub fn behind(words: &'a mut [u32], first: usize) -> Self {
+        Self { words, first, of: PhantomData }
     }
 
     /// Word `i`, for an atomic operation.
@@ -192,7 +210,7 @@ impl<'a> DeviceWords<'a> {
     #[allow(clippy::mut_from_ref, reason = "what atomics of the device take")]
     fn word(&self, i: usize) -> &mut u32 {
         // SAFETY: callers' indices are in range; all access to these words is atomic.
-        unsafe { (&mut *self.words).get_unchecked_mut(i) }
+        unsafe { (&mut *self.words).get_unchecked_mut(self.first + i) }
     }
 }
 

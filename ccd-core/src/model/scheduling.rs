@@ -202,7 +202,6 @@ impl core::fmt::Display for Scheduling {
     }
 }
 
-const CPU: &[&str] = &["cpu"];
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for Scheduler {
@@ -212,7 +211,7 @@ impl Catalogued for Scheduler {
             name: "self-scheduling",
             about: "Workers take some thousand tasks, one after the other, from a shared counter",
             source: Some("Tang 1986"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Frontier,
@@ -226,28 +225,28 @@ impl Catalogued for Scheduler {
             name: "static",
             about: "Tasks are dealt out at the beginning",
             source: Some("Cederman 2009"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::BALANCED,
             name: "balanced",
             about: "Dealt out, and dealt out again whenever too many workers are idle",
             source: Some("Lauterbach 2010"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Stealing,
             name: "stealing",
-            about: "A deque a worker; whose own is empty takes from another's",
+            about: "A deque a worker; whose own is empty takes from another's; GPU: native path only",
             source: Some("Arora 1998"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::LazyStealing,
             name: "lazy-stealing",
-            about: "A stack and a deque a worker; batches are stolen at once, fetched one by one",
+            about: "Stacks and deques; batches stolen at once, fetched singly; GPU: native path only",
             source: Some("da Silva 2013"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }
@@ -266,7 +265,7 @@ impl Catalogued for Front {
             name: "on",
             about: "A step begins at the pairs of nodes where the one before ended",
             source: Some("Tang 2010a"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

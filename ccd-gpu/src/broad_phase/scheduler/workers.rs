@@ -1,0 +1,234 @@
+//! Workers: workgroups with a stack each, which go on until they find nothing more; see
+//! [`ccd_core::broad_phase::pair_workers`].
+//!
+//! ```text
+//!   round 0   worker 0  ######..         .  has ended          static: whose part is done, is done
+//!             worker 1  ############     #  expands            self-scheduling: takes the next piece
+//!             worker 2  #####...                               balanced: at so many idle ones all
+//!   round 1   worker 0  ####                                   stop, and what is left is dealt out
+//! ```
+//!
+//! Workers that steal (`ccd_core::scheduling::stealing`) take tasks by the counter until there are no
+//! more, and then batches of each other's deques. That needs an order between workgroups, which the
+//! native path alone has. Idle workers look around a bounded number of times and retire.
+//!
+//! What a stack has no room for, and what a worker has that ends early, are tasks of the next round,
+//! a dispatch. There are a few rounds; if pairs are left after the last one, the search runs again
+//! with twice as many, and then with more turns a worker.
+//!
+//! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level; but
+//! a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many were
+//! busy.
+
+use super::{Descended, Schedule};
+use crate::bind::{PairWorkers, PairWorkersOriented, StealPairs, StealPairsOriented};
+use crate::broad_phase::front::Written;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::broad_phase::pair_workers::{
+    COUNTS, LEFT, ROUNDS, STACK, THREADS, words, words_with_deques,
+};
+use ccd_core::layout::NodeDescent;
+use ccd_core::scheduling::stealing;
+use wgpu::BufferUsages as U;
+
+/// How workers find tasks, and when they end.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    /// A `TASKS_` constant of [`NodeDescent`].
+    pub tasks: u32,
+    /// Tasks that are taken at once from the counter, at least.
+    pub piece: u32,
+    /// When of all so many percent are idle, the others stop; 0: never.
+    pub idle: u32,
+    /// Pairs that a stack may hold, at most [`STACK`].
+    pub stack: u32,
+    /// Turns of a worker in a round.
+    pub turns: u32,
+    /// Rounds from the beginning.
+    pub rounds: u32,
+    /// How workers steal, if they do.
+    pub steal: Option<Steal>,
+}
+
+/// How workers steal from each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Steal {
+    /// Batches for which there is room in a deque.
+    pub batches: u32,
+    /// Pairs of a batch, at most [`THREADS`].
+    pub batch: u32,
+    /// Batches that are stolen from one deque at once, at most; 0: one, of one worker alone.
+    pub most: u32,
+    /// Pairs of a stack from which on a batch is pushed, at least two batches.
+    pub push: u32,
+    /// Looks for work in vain after which a worker retires.
+    pub patience: u32,
+}
+
+impl Steal {
+    /// One batch at a time; what a turn does not need is there to be stolen.
+    pub const TASKS: Self =
+        Self { batches: 16, batch: THREADS / 2, most: 0, push: THREADS, patience: 32 };
+    /// Ranges of many workers at once; more stays on the stack.
+    pub const LAZY: Self = Self { most: 2, push: 2 * THREADS, ..Self::TASKS };
+}
+
+impl Rule {
+    /// Every worker has a part of its own.
+    pub const STATIC: Self = Self {
+        tasks: NodeDescent::TASKS_DEALT,
+        piece: 1,
+        idle: 0,
+        stack: STACK,
+        turns: 4096,
+        rounds: 8,
+        steal: None,
+    };
+    /// Workers take the next tasks from a counter.
+    pub const SELF_SCHEDULING: Self = Self { tasks: NodeDescent::TASKS_COUNTED, ..Self::STATIC };
+    /// Nothing stays on a stack, so that a round is a level.
+    pub const FRONTIER: Self =
+        Self { piece: THREADS, stack: 0, rounds: 16, ..Self::SELF_SCHEDULING };
+    /// Workers steal when there are no more tasks.
+    pub const STEALING: Self = Self { steal: Some(Steal::TASKS), ..Self::SELF_SCHEDULING };
+    /// The same, lazily.
+    pub const LAZY_STEALING: Self = Self { steal: Some(Steal::LAZY), ..Self::SELF_SCHEDULING };
+}
+
+/// The tasks of two rounds, and what all rounds count.
+pub struct Workers {
+    rule: Rule,
+    control: wgpu::Buffer,
+    /// Tasks of two rounds, used in turn: of each entry that there is room for, a pair each.
+    nodes: List,
+    /// Has no entries: wants more than there is room for if pairs were left after the last round.
+    left: List,
+    /// Of the number of workers, the power of two.
+    workers: u32,
+}
+
+/// Of the number of workgroups, the power of two: about as many as a device runs at the same time.
+fn workers(device: &Device) -> u32 {
+    if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 4 } else { 11 }
+}
+
+/// Bytes of what `2^workers` workers count, and of their deques.
+fn bytes(rule: Rule, workers: u32) -> u64 {
+    let words = match rule.steal {
+        None => words(1 << workers),
+        Some(Steal { batches, batch, .. }) => {
+            words_with_deques(stealing::Workers { n: 1 << workers, batches, batch })
+        }
+    };
+    4 * words as u64
+}
+
+impl Workers {
+    /// Room for `n` tasks a round.
+    pub fn new(device: &Device, rule: Rule, n: u32) -> Result<Self, Error> {
+        if rule.steal.is_some() {
+            device.check_native()?;
+        }
+        let (workers, usage) = (workers(device), U::STORAGE | U::COPY_DST | U::COPY_SRC);
+        let bytes = bytes(rule, workers);
+        Ok(Self {
+            rule,
+            control: device.buffer("counters of workers", bytes, usage)?,
+            nodes: List::new(device, "pairs of nodes", 4, n)?,
+            left: List::new(device, "pairs that are left", 0, 0)?,
+            workers,
+        })
+    }
+}
+
+impl Schedule for Workers {
+    fn tasks(&self) -> (&wgpu::Buffer, &List) {
+        (&self.control, &self.nodes)
+    }
+
+    fn clear(&self, recorder: &mut Recorder) {
+        recorder.clear(&self.control, bytes(self.rule, self.workers));
+    }
+
+    fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written) {
+        let Self { rule, control, nodes, left, workers } = self;
+        let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
+        let stealing = steal.map_or(NodeDescent::default(), |steal| {
+            let Steal { batches, batch, most, push, patience } = steal;
+            NodeDescent { batches, batch, most, push, patience, ..NodeDescent::default() }
+        });
+        let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, written.front);
+        let (list, pairs) = (nodes.buffer(), of.pairs.buffer());
+        for round in 0..rounds {
+            let last = (round + 1 == rounds) as u32;
+            let NodeDescent { room_front, written, .. } = written.record();
+            let own = NodeDescent { room_nodes: nodes.room(), room_front, written, ..stealing };
+            let own = NodeDescent { tasks, piece, idle, stack, turns, last, ..own };
+            let own = NodeDescent { workers: *workers, ..own };
+            let p = of.params(own, round, 0);
+            let nodes = list;
+            match (of.oriented, steal) {
+                (None, None) => {
+                    let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+                (None, Some(_)) => {
+                    let kernel = StealPairs { a_nodes, b_nodes, control, nodes, pairs, front };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+                (Some(oriented), None) => {
+                    let kernel = PairWorkersOriented {
+                        a_nodes,
+                        b_nodes,
+                        oriented,
+                        control,
+                        nodes,
+                        pairs,
+                        front,
+                    };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+                (Some(oriented), Some(_)) => {
+                    let kernel = StealPairsOriented {
+                        a_nodes,
+                        b_nodes,
+                        oriented,
+                        control,
+                        nodes,
+                        pairs,
+                        front,
+                    };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+            }
+        }
+        recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);
+    }
+
+    fn lists(&self) -> Vec<&List> {
+        vec![&self.nodes, &self.left]
+    }
+
+    fn lists_mut(&mut self) -> Vec<&mut List> {
+        vec![&mut self.nodes, &mut self.left]
+    }
+
+    fn settle(&mut self, device: &Device, complete: bool) -> Result<(), Error> {
+        if !complete && self.left.room() == u32::MAX {
+            self.left = self.left.resized(device, 0)?;
+            if self.rule.rounds < ROUNDS / 2 {
+                self.rule.rounds *= 2;
+            } else {
+                self.rule.turns = self.rule.turns.saturating_mul(2);
+            }
+        }
+        Ok(())
+    }
+
+    fn counts(&self) -> Option<(&wgpu::Buffer, u64, u32)> {
+        Some((&self.control, 4 * COUNTS as u64, 1 << self.workers))
+    }
+}
