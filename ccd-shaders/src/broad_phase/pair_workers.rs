@@ -43,8 +43,10 @@ pub(super) const TO_STACK: u32 = 10;
 pub(super) const SPILL_BASE: u32 = 11;
 pub(super) const LEAVES_BASE: u32 = 12;
 pub(super) const ENDED_BASE: u32 = 13;
-/// Tasks of its part that a worker leaves.
+/// Tasks of its part that a worker leaves, and where they go behind its stack: a word of its own,
+/// because others may still read where the last turn's went.
 pub(super) const REST: u32 = 14;
+pub(super) const REST_BASE: u32 = 17;
 /// Turns of the worker so far, and pairs that it expanded.
 pub(super) const TURNS: u32 = 15;
 pub(super) const EXPANDED: u32 = 16;
@@ -97,7 +99,7 @@ fn plan(
     own: &NodeDescent,
     round: Round,
     turn: u32,
-    shared: &mut [u32; 17],
+    shared: &mut [u32; 18],
     control: &mut [u32],
 ) -> u32 {
     let from_stack = get(shared, TOP).min(THREADS);
@@ -145,7 +147,7 @@ fn plan(
 pub(super) fn take(
     lane: u32,
     input: u32,
-    shared: &[u32; 17],
+    shared: &[u32; 18],
     stack: &[u32; 2 * STACK as usize],
     nodes: &[u32],
 ) -> NodePair {
@@ -185,7 +187,7 @@ impl Child {
 
 /// Counts a pair in its worker; returns the number that it has among its like, and in the front.
 #[inline(always)]
-pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 17]) -> [u32; 2] {
+pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 18]) -> [u32; 2] {
     let mut to = [0, 0];
     if fate == INNER {
         to[0] = add_shared(shared, NODES, 1);
@@ -203,7 +205,7 @@ pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 17]) -> [u32;
 pub(super) fn make_room(
     own: &NodeDescent,
     number: u32,
-    shared: &mut [u32; 17],
+    shared: &mut [u32; 18],
     control: &mut [u32],
     nodes: &mut [u32],
     pairs: &mut [u32],
@@ -252,7 +254,7 @@ pub(super) fn put_away(
     output: u32,
     child: Child,
     to: [u32; 2],
-    shared: &[u32; 17],
+    shared: &[u32; 18],
     stack: &mut [u32; 2 * STACK as usize],
     a_nodes: &[Node],
     b_nodes: &[Node],
@@ -284,7 +286,7 @@ pub(super) fn put_ended(
     pair: NodePair,
     fate: u32,
     to: [u32; 2],
-    shared: &[u32; 17],
+    shared: &[u32; 18],
     a_nodes: &[Node],
     b_nodes: &[Node],
     pairs: &mut [u32],
@@ -320,7 +322,7 @@ pub(super) fn write_task(
 fn make_room_for_rest(
     own: &NodeDescent,
     round: Round,
-    shared: &mut [u32; 17],
+    shared: &mut [u32; 18],
     control: &mut [u32],
     nodes: &mut [u32],
 ) {
@@ -331,7 +333,7 @@ fn make_room_for_rest(
     set(shared, REST, rest);
     let n = get(shared, TOP) + rest;
     if n > 0 {
-        set(shared, SPILL_BASE, spill(own, round.number, n, control, nodes));
+        set(shared, REST_BASE, spill(own, round.number, n, control, nodes));
     }
 }
 
@@ -342,12 +344,12 @@ fn leave_rest(
     own: &NodeDescent,
     round: Round,
     lane: u32,
-    shared: &[u32; 17],
+    shared: &[u32; 18],
     stack: &[u32; 2 * STACK as usize],
     control: &mut [u32],
     nodes: &mut [u32],
 ) {
-    let (top, base, rest) = (get(shared, TOP), get(shared, SPILL_BASE), get(shared, REST));
+    let (top, base, rest) = (get(shared, TOP), get(shared, REST_BASE), get(shared, REST));
     for k in 0..STACK / THREADS {
         let i = k * THREADS + lane;
         if i < top {
@@ -408,7 +410,7 @@ macro_rules! kernels {
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             #[spirv(workgroup)] state: &mut [u32; 1],
-            #[spirv(workgroup)] shared: &mut [u32; 17],
+            #[spirv(workgroup)] shared: &mut [u32; 18],
             #[spirv(workgroup)] stack: &mut [u32; 2048],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
@@ -489,7 +491,7 @@ macro_rules! kernels {
             #[spirv(workgroup_id)] id: UVec3,
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
-            #[spirv(workgroup)] shared: &mut [u32; 17],
+            #[spirv(workgroup)] shared: &mut [u32; 18],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
