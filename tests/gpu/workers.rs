@@ -48,7 +48,7 @@ fn rules(device: &Device) -> Vec<(&'static str, NodeDescent)> {
         ("balanced at 1 %", NodeDescent { idle: 1, ..usual }),
         ("balanced at 100 %", NodeDescent { idle: 100, ..usual }),
         ("static, a turn", NodeDescent { turns: 1, ..usual }),
-        ("self-scheduling, a turn", NodeDescent { tasks: counted, turns: 1, ..usual }),
+        ("self-scheduling, a few turns", NodeDescent { tasks: counted, turns: 9, ..usual }),
         ("self-scheduling, a small stack", NodeDescent { tasks: counted, stack: 9, ..usual }),
     ];
     if device.check_native().is_ok() {
@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
             }
             self.round(own, round);
         }
-        panic!("pairs are left after {ROUNDS} rounds");
+        panic!("pairs are left after {ROUNDS} rounds: {own:?}");
     }
 
     fn round(&mut self, own: NodeDescent, round: u32) {
@@ -115,39 +115,29 @@ impl<'a> Search<'a> {
         let Self { control, nodes, pairs, front, .. } = &*self;
         let (control, nodes) = (control.clone(), nodes.clone());
         let (pairs, front) = (pairs.clone(), front.clone());
+        macro_rules! go {
+            ($($kernel:tt)*) => {{
+                let done = run(self.device, $($kernel)*, &p, 1 << WORKERS);
+                (self.control, self.nodes) = (done.control, done.nodes);
+                (self.pairs, self.front) = (done.pairs, done.front);
+            }};
+        }
         match (self.oriented.clone(), own.batches > 0) {
-            (None, true) => {
-                let kernel = StealPairs { a_nodes, b_nodes, control, nodes, pairs, front };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
-                (self.control, self.nodes) = (done.control, done.nodes);
-                (self.pairs, self.front) = (done.pairs, done.front);
-            }
-            (Some(oriented), true) => {
-                let kernel =
-                    StealPairsOriented { a_nodes, b_nodes, oriented, control, nodes, pairs, front };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
-                (self.control, self.nodes) = (done.control, done.nodes);
-                (self.pairs, self.front) = (done.pairs, done.front);
-            }
-            (None, false) => {
-                let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
-                (self.control, self.nodes) = (done.control, done.nodes);
-                (self.pairs, self.front) = (done.pairs, done.front);
-            }
+            (None, false) => go!(PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front }),
+            (None, true) => go!(StealPairs { a_nodes, b_nodes, control, nodes, pairs, front }),
             (Some(oriented), false) => {
-                let kernel = PairWorkersOriented {
+                go!(PairWorkersOriented {
                     a_nodes,
                     b_nodes,
                     oriented,
                     control,
                     nodes,
                     pairs,
-                    front,
-                };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
-                (self.control, self.nodes) = (done.control, done.nodes);
-                (self.pairs, self.front) = (done.pairs, done.front);
+                    front
+                })
+            }
+            (Some(oriented), true) => {
+                go!(StealPairsOriented { a_nodes, b_nodes, oriented, control, nodes, pairs, front })
             }
         }
     }
@@ -234,10 +224,10 @@ fn rule(larger: u32) -> Descent {
 /// once.
 fn check_workers(device: &Device) {
     let mut batches = [0; 3];
-    let some = boxes(700, 0.04);
+    let some = boxes(350, 0.04);
     let crowd = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 40];
     for all in [&some[..], &some[..2], &some[..1], &crowd] {
-        let (a, b) = (&some[..300], all);
+        let (a, b) = (&some[..150], all);
         let want = [brute::pairs(a, b), brute::self_pairs(all)];
         for (kind, of) in [(0, [a, &[], b]), (1, [&[], all, &[]])] {
             let trees = Trees::new(device, kind, of);
@@ -249,6 +239,7 @@ fn check_workers(device: &Device) {
                 tasks[..4].copy_from_slice(&search.word(0).to_le_bytes());
                 let n = below(&trees, rule(larger), entries(&tasks));
                 let n_rounds = search.run(own);
+                assert!(read::<u32>(&search.nodes)[0] <= ROOM, "{name}: more tasks than room");
                 check_pairs(name, want[kind as usize].clone(), entries(&search.pairs));
                 assert_eq!(search.expanded(), n, "{name}: pairs expanded");
                 if own.batches > 0 {
@@ -256,7 +247,7 @@ fn check_workers(device: &Device) {
                 }
                 let several = n > 2 * THREADS as u64 && (own.turns == 1 || own.stack < 10);
                 assert!(!several || n_rounds > 2, "{name}: {n_rounds} rounds");
-                if own.idle == 0 && own.stack == STACK && own.turns > 1 {
+                if own.idle == 0 && own.stack == STACK && own.turns > 9 {
                     assert!(n_rounds <= 1, "{name}: {n_rounds} rounds, and all have room");
                 }
             }

@@ -16,3 +16,5 @@ pub mod pair_workers;
 pub mod ploc;
 pub mod radix_tree;
 pub mod split_lists;
+mod stolen_batches;
+mod worker;

@@ -12,234 +12,28 @@
 //! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
 
 use super::pair_descent::fate;
-use super::pair_workers::{
+use super::stolen_batches::{
+    FRUITLESS, FULL, HAND, N_TAKEN, NO_SLOT, POPPED, SEEKS, SOURCE, STOLEN, TO_PUSH, copy_batch,
+    count_batches, found, give_back, look, look_at_hands, pop, reach_out, read_batch, reserve_slot,
+    take_from_hand, words_of,
+};
+use super::worker::{
     Child, ENDS, EXPANDED, FROM_STACK, FROM_TASKS, LEAF, NEXT, Round, SPILL_BASE, STOPS, TOP,
-    TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan, put_away, spill, take,
+    TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, put_away, spill, take,
     write_task,
 };
 use crate::records::ObbWords;
-use crate::workgroup::{
-    DeviceWords, add, barrier, barrier_of_buffers, get, get_uniform, group, load, lower_shared, set,
-};
+use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, group, set};
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::only_reaching;
-use ccd_core::broad_phase::pair_descent::{NodePair, children, expand};
-use ccd_core::broad_phase::pair_workers::{STACK, THREADS, counts, deques, idle, stolen, thieves};
+use ccd_core::broad_phase::pair_descent::{children, expand};
+use ccd_core::broad_phase::pair_workers::{counts, thieves};
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::layout::{Node, NodeDescent, Params};
 use ccd_core::model::method::Descent;
-use ccd_core::scheduling::stealing::{HANDS, Workers};
+use ccd_core::scheduling::stealing::HANDS;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
-
-/// Words that the threads of a worker share about batches: how many pairs of one were taken, from
-/// where, whose deque, which slot; the first hand that holds something; where a batch is pushed to;
-/// how often it has looked for work since it had some.
-const N_TAKEN: u32 = 0;
-const SOURCE: u32 = 1;
-const OWNER: u32 = 2;
-const SLOT: u32 = 3;
-const HAND: u32 = 4;
-const TO_PUSH: u32 = 5;
-const FRUITLESS: u32 = 6;
-/// Three words that the worker counts, as [`stolen`] has them.
-const COUNTED: u32 = 8;
-const POPPED: u32 = COUNTED;
-const STOLEN: u32 = COUNTED + 1;
-const FULL: u32 = COUNTED + 2;
-type Batch = [u32; 11];
-
-/// No slot.
-const NO_SLOT: u32 = u32::MAX;
-/// A state of a worker, besides those of `pair_workers`: it looks at other workers.
-const SEEKS: u32 = STOPS + 1;
-
-/// The deques, behind all counters.
-#[inline(always)]
-fn words_of<'a>(control: &'a mut [u32], workers: Workers) -> DeviceWords<'a> {
-    DeviceWords::behind(control, deques(workers.n))
-}
-
-/// The first thread says which batch was taken; `source`: [`POPPED`] or [`STOLEN`].
-#[inline(always)]
-fn say(
-    batch: &mut Batch,
-    workers: Workers,
-    words: &DeviceWords,
-    source: u32,
-    owner: u32,
-    slot: u32,
-) {
-    set(batch, SOURCE, source);
-    set(batch, OWNER, owner);
-    set(batch, SLOT, slot);
-    set(batch, N_TAKEN, workers.deque(owner).items(words, slot));
-    set(batch, source, get(batch, source) + 1);
-}
-
-/// The first thread takes a batch from the worker's own deque; whether it could.
-#[inline(always)]
-fn pop(batch: &mut Batch, workers: Workers, me: u32, control: &mut [u32]) -> u32 {
-    let words = &words_of(control, workers);
-    let mut any = 0;
-    if let Some(slot) = workers.deque(me).try_pop(words) {
-        say(batch, workers, words, POPPED, me, slot);
-        any = 1;
-    }
-    any
-}
-
-/// The first thread takes the next batch of a hand that holds one.
-#[inline(always)]
-fn take_from_hand(batch: &mut Batch, workers: Workers, me: u32, control: &mut [u32]) {
-    let words = &words_of(control, workers);
-    let hand = get(batch, HAND);
-    if hand < HANDS {
-        if workers.holds(words, me, hand) {
-            let owner = workers.victim(words, me, hand);
-            let slot = workers.next_slot(words, me, hand);
-            say(batch, workers, words, STOLEN, owner, slot);
-        }
-    }
-}
-
-/// The first thread says what its worker does in this turn.
-#[inline(always)]
-fn look(
-    own: &NodeDescent,
-    round: Round,
-    turn: u32,
-    shared: &mut [u32; 17],
-    batch: &mut Batch,
-    control: &mut [u32],
-) -> u32 {
-    let workers = thieves(own);
-    let mut next = plan(own, round, turn, shared, control);
-    set(batch, N_TAKEN, 0);
-    set(batch, SOURCE, 0);
-    set(batch, HAND, HANDS);
-    set(batch, TO_PUSH, NO_SLOT);
-    let busy = get(shared, FROM_STACK) + get(shared, FROM_TASKS);
-    if busy + own.batch <= THREADS {
-        if pop(batch, workers, round.me, control) != 0 {
-            next = WORKS;
-        }
-    }
-    if next == ENDS {
-        let fruitless = get(batch, FRUITLESS);
-        // A round without tasks has no work; if all are idle, nobody makes any.
-        let patience = if round.tasks == 0 { 0 } else { own.patience };
-        let over = fruitless >= patience || load(control, idle(round.number)) == workers.n;
-        // A pop fails also if a thief was there, so that the deque is looked at once more.
-        if !(over && workers.deque(round.me).is_empty(&words_of(control, workers))) {
-            next = SEEKS;
-            set(batch, FRUITLESS, fruitless + 1);
-            if fruitless == 0 {
-                add(control, idle(round.number), 1);
-            }
-        }
-    } else {
-        found(round, batch, control);
-    }
-    next
-}
-
-/// The first thread, when the worker has work: it is idle no more.
-#[inline(always)]
-fn found(round: Round, batch: &mut Batch, control: &mut [u32]) {
-    if get(batch, FRUITLESS) > 0 {
-        set(batch, FRUITLESS, 0);
-        add(control, idle(round.number), u32::MAX);
-    }
-}
-
-/// Every thread says whether its hand holds something; a number of [`HAND`] is that of the first.
-#[inline(always)]
-fn look_at_hands(batch: &mut Batch, workers: Workers, me: u32, lane: u32, control: &mut [u32]) {
-    if lane < HANDS {
-        if workers.holds(&words_of(control, workers), me, lane) {
-            lower_shared(batch, HAND, lane);
-        }
-    }
-}
-
-/// Where no hand holds anything: a thread steals a range of one other worker's deque; of tasks, it
-/// only looks whether there are some.
-#[inline(always)]
-fn reach_out(
-    own: &NodeDescent,
-    batch: &mut Batch,
-    victim: u32,
-    me: u32,
-    lane: u32,
-    control: &mut [u32],
-) {
-    let workers = thieves(own);
-    let words = &words_of(control, workers);
-    let mut any = 0;
-    if victim != me {
-        if own.most == 0 {
-            any = workers.deque(victim).len(words);
-        } else if workers.steal_to_hand(words, me, lane, victim, own.most) {
-            any = 1;
-        }
-    }
-    if any > 0 {
-        lower_shared(batch, HAND, lane);
-    }
-}
-
-/// The first thread, when the stack has many pairs: a slot for a batch of its bottom.
-#[inline(always)]
-fn reserve_slot(
-    own: &NodeDescent,
-    me: u32,
-    shared: &[u32; 17],
-    batch: &mut Batch,
-    control: &mut [u32],
-) {
-    if get(shared, TOP) >= own.push {
-        let workers = thieves(own);
-        match workers.deque(me).reserve(&words_of(control, workers)) {
-            Some(slot) => set(batch, TO_PUSH, slot),
-            None => set(batch, FULL, get(batch, FULL) + 1),
-        }
-    }
-}
-
-/// Thread `lane` copies a pair of the stack's bottom to the slot and puts one of its top there.
-#[inline(always)]
-fn copy_batch(
-    own: &NodeDescent,
-    me: u32,
-    lane: u32,
-    shared: &[u32; 17],
-    batch: &Batch,
-    stack: &mut [u32; 2 * STACK as usize],
-    control: &mut [u32],
-) {
-    let (workers, slot) = (thieves(own), get(batch, TO_PUSH));
-    let (to, from) = (2 * lane, 2 * (get(shared, TOP) - own.batch + lane));
-    let pair = [get(stack, to), get(stack, to + 1)];
-    workers.deque(me).write(&words_of(control, workers), slot, lane, pair);
-    set(stack, to, get(stack, from));
-    set(stack, to + 1, get(stack, from + 1));
-}
-
-/// The pair that a thread takes from the batch.
-#[inline(always)]
-fn read_batch(batch: &Batch, workers: Workers, i: u32, control: &mut [u32]) -> NodePair {
-    let words = &words_of(control, workers);
-    workers.deque(get(batch, OWNER)).read(words, get(batch, SLOT), i)
-}
-
-/// The first thread says that all have read the batch.
-#[inline(always)]
-fn give_back(batch: &Batch, workers: Workers, control: &mut [u32]) {
-    if get(batch, SOURCE) == STOLEN {
-        workers.deque(get(batch, OWNER)).give_back(&words_of(control, workers), 1);
-    }
-}
 
 /// Of the children of a pair, those that meet.
 macro_rules! meeting {
@@ -261,7 +55,7 @@ macro_rules! kernel {
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             #[spirv(workgroup)] state: &mut [u32; 1],
-            #[spirv(workgroup)] shared: &mut [u32; 17],
+            #[spirv(workgroup)] shared: &mut [u32; 18],
             #[spirv(workgroup)] batch: &mut [u32; 11],
             #[spirv(workgroup)] stack: &mut [u32; 2048],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
@@ -425,9 +219,7 @@ macro_rules! kernel {
                 make_room_for_rest(&own, round, shared, control, nodes);
                 add(control, counts(me), get(shared, TURNS));
                 add(control, counts(me) + 1, get(shared, EXPANDED));
-                for i in 0..3 {
-                    add(control, stolen(workers.n) + i as usize, get(batch, COUNTED + i));
-                }
+                count_batches(batch, workers, control);
             }
             barrier();
             leave_rest(&own, round, lane, shared, stack, control, nodes);
