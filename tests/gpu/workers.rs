@@ -54,7 +54,6 @@ fn rules(device: &Device) -> Vec<(&'static str, NodeDescent)> {
     if device.check_native().is_ok() {
         let steals = NodeDescent { tasks: counted, patience: 32, ..usual };
         let steals = NodeDescent { batches: 16, batch: 64, most: 0, push: 128, ..steals };
-        // Deques of which there is little, and pairs that are pushed as soon as they can be.
         let little = NodeDescent { batches: 2, batch: 4, push: 8, ..steals };
         all.extend([
             ("stealing", steals),
@@ -253,9 +252,8 @@ fn check_workers(device: &Device) {
             }
         }
     }
-    println!("batches popped, stolen, without room: {batches:?}");
     let native = device.check_native().is_ok();
-    assert!(batches.iter().all(|&n| (n > 0) == native), "{batches:?} batches");
+    assert!(batches.iter().all(|&n| (n > 0) == native), "popped, stolen, no room: {batches:?}");
 }
 
 /// Lists that are too short count what they lack, and nothing is written beyond their ends; what is
