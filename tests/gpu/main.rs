@@ -22,6 +22,7 @@ mod scalars;
 mod scenes;
 mod sequences;
 mod sorts;
+mod stealing;
 mod support;
 mod tangential;
 mod trees;
@@ -108,6 +109,7 @@ fn main() {
             descent::TESTS,
             workers::TESTS,
             oriented::TESTS,
+            stealing::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

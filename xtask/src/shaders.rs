@@ -148,13 +148,13 @@ mod build {
     }
 
     /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not
-    /// in their language.
+    /// in their language; native ones have no WGSL.
     fn check_with_tint(root: &Path) -> Result<(), String> {
         let dawn = dawn(root);
         let manifest = std::fs::read_to_string(root.join(MANIFEST)).map_err(|e| e.to_string())?;
         let manifest: Value = serde_json::from_str(&manifest).map_err(|e| e.to_string())?;
         let kernels: Vec<&Value> = manifest["kernels"].as_array().into_iter().flatten().collect();
-        let portable = kernels.iter().filter(|k| k["wide"] == false);
+        let portable = kernels.iter().filter(|k| k["wide"] == false && k["native"] == false);
         let files: Vec<_> = portable
             .filter_map(|k| k["name"].as_str())
             .map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl")))
@@ -167,7 +167,7 @@ mod build {
         match status {
             Ok(status) if status.success() => {
                 println!(
-                    "Tint accepts {} of {} kernels, all that do without f64",
+                    "Tint accepts {} of {} kernels, all portable ones that do without f64",
                     files.len(),
                     kernels.len()
                 );
@@ -223,8 +223,13 @@ mod build {
                 .map_err(|e| format!("{name}: naga: {e}"))?;
             let row = describe(&name, &module, &spirv);
             check_barriers(&name, &row)?;
+            let native = row["native"] == true;
             kernels.push(row);
-            let wgsl = crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?;
+            let wgsl = if native {
+                NO_WGSL.into()
+            } else {
+                crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?
+            };
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), format!("{GENERATED}\n{wgsl}").into_bytes());
         }
@@ -235,6 +240,9 @@ mod build {
         products.insert(".gitattributes".into(), ATTRIBUTES.into());
         Ok(products)
     }
+
+    /// What a native kernel has instead of WGSL.
+    const NO_WGSL: &str = "// None: it needs acquire and release between workgroups.\n";
 
     /// Compares with the barriers of the kernel table, which are those written in ccd-shaders. A
     /// copy of one may stand where not all threads of a workgroup come by, and no validator sees
@@ -281,6 +289,7 @@ mod build {
             "bindings": bindings.into_values().collect::<Vec<_>>(),
             "shared_bytes": shared,
             "wide": wide,
+            "native": TABLE.iter().any(|kernel| kernel.name == name && kernel.native),
             "barriers": count_barriers(spirv),
         })
     }
