@@ -27,7 +27,7 @@
 use crate::threads::Own;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::model::report::FrontCounts;
-use ccd_core::model::scheduling::FrontOptions;
+use ccd_core::model::scheduling::{FrontOptions, Shrink};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -52,6 +52,8 @@ pub struct Front {
     is_kept: bool,
     /// Whether it has been too large for its memory since the trees were built.
     is_too_large: bool,
+    /// Whether the kept list is too deep, and is lifted by the step that begins with it.
+    is_lifted: bool,
     kept: List,
     next: List,
     /// Pairs of the last front that began at the roots.
@@ -85,12 +87,18 @@ impl Fronts {
         &self.fronts[at]
     }
 
-    /// A step is over: what was written is kept, if it may be.
-    pub fn end(&mut self, at: usize) {
+    /// Whether the next step lifts the front of these sets, if their trees are still the same.
+    pub fn lifts(&self, sets: [Option<usize>; 2]) -> bool {
+        self.fronts.iter().any(|front| front.sets == sets && front.is_kept && front.is_lifted)
+    }
+
+    /// A step is over: what was written is kept, if it may be. `can_lift`: the tree of pairs lifts
+    /// fronts.
+    pub fn end(&mut self, at: usize, can_lift: bool) {
         let others = self.fronts.iter().enumerate().filter(|&(i, _)| i != at);
         let used: usize = others.map(|(_, front)| front.bytes()).sum();
         let most = (self.options.memory as usize) << 20;
-        self.fronts[at].end(&self.options, most.saturating_sub(used));
+        self.fronts[at].end(&self.options, most.saturating_sub(used), can_lift);
     }
 
     /// What the fronts of the last step were.
@@ -110,6 +118,7 @@ impl Front {
             builds: [0; 2],
             is_kept: false,
             is_too_large: false,
+            is_lifted: false,
             kept: List::default(),
             next: List::default(),
             at_roots: 0,
@@ -124,6 +133,11 @@ impl Front {
         self.is_kept.then_some(&self.kept)
     }
 
+    /// Whether that is lifted.
+    pub fn is_lifted(&self) -> bool {
+        self.is_lifted
+    }
+
     /// The front to be written, unless it would be too large.
     pub fn next(&self) -> Option<&List> {
         (!self.is_too_large).then_some(&self.next)
@@ -136,13 +150,15 @@ impl Front {
     fn begin(&mut self, builds: [u64; 2], n_workers: usize) {
         if self.builds != builds {
             (self.builds, self.is_kept, self.is_too_large) = (builds, false, false);
+            self.is_lifted = false;
         }
         self.begun = if self.is_kept { self.kept.n_pairs() } else { 0 };
         self.next.clear(n_workers);
     }
 
-    fn end(&mut self, options: &FrontOptions, most_bytes: usize) {
+    fn end(&mut self, options: &FrontOptions, most_bytes: usize, can_lift: bool) {
         let was_kept = std::mem::replace(&mut self.is_kept, false);
+        let was_lifted = std::mem::replace(&mut self.is_lifted, false);
         if self.is_too_large {
             return;
         }
@@ -159,7 +175,8 @@ impl Front {
             return;
         }
         let n = self.next.n_pairs();
-        if was_kept {
+        // One that was lifted is as if it had begun at the roots.
+        if was_kept && !was_lifted {
             self.age += 1;
             let percent = |n: u64, p: u32| n as u128 * p as u128;
             let whole = n as u128 * 100;
@@ -170,7 +187,10 @@ impl Front {
                 self.reference = n;
             }
             if too_deep || unchanged {
-                return;
+                self.is_lifted = can_lift && options.shrink == Shrink::Lift;
+                if !self.is_lifted {
+                    return;
+                }
             }
         } else {
             (self.at_roots, self.reference, self.age) = (n, n, 0);
