@@ -245,7 +245,7 @@ fn small_trees_are_lifted_to_what_the_roots_give() {
 #[test]
 fn blocks_are_lifted_to_what_the_roots_give() {
     let mut n_lifted = 0;
-    for (n, m) in [(9, None), (4500, None), (700, Some(80)), (80, Some(4500))] {
+    for (n, m) in [(9, None), (3000, None), (700, Some(80)), (80, Some(3000))] {
         for n_moving in [n.max(m.unwrap_or(n)), n / 3] {
             n_lifted += check(BroadPhaseMethod::Blocks, n, m, n_moving, 3);
         }

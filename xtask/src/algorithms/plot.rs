@@ -1,6 +1,5 @@
 //! Bars of times, one group a method, one colour a place, as SVG.
 
-use super::measure::Place;
 use plotters::prelude::*;
 use std::path::Path;
 
@@ -16,8 +15,8 @@ pub struct Bars {
 }
 
 impl Bars {
-    pub fn new(title: &str, unit: &str, places: &[Place]) -> Self {
-        let places = places.iter().map(|place| place.name().to_owned()).collect();
+    /// No groups yet. `places`: what each colour stands for.
+    pub fn new(title: &str, unit: &str, places: Vec<String>) -> Self {
         Self { title: title.into(), unit: unit.into(), places, groups: Vec::new() }
     }
 
