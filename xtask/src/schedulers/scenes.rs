@@ -180,7 +180,4 @@ impl Scene {
         format!("**{}**: {} triangles, {n} {what}", self.name, self.mesh.faces().len())
     }
 
-    pub fn file_name(&self) -> String {
-        self.name.replace([' ', ','], "-").replace("--", "-")
-    }
 }
