@@ -60,7 +60,8 @@ struct Outlet<'o, 'r, 'a> {
     worker: usize,
     rows: &'o mut Gathered<'r, 'a>,
     n_expanded: &'o mut u64,
-    times: &'o mut WorkerTimes,
+    /// Of this worker, if the clock is asked.
+    times: Option<&'o WorkerTimes>,
 }
 
 impl Scheduled {
@@ -140,18 +141,19 @@ impl PairSource for Scheduled {
             return;
         }
         let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
+        let timed = times.is_some();
         let lift = descent.fronts.as_ref().is_some_and(|fronts| part == 1 && fronts.lifts(sets));
         source.descend(threads, sides, lift, &mut |pairs| {
             descent.run(workers.len(), sets, pairs, part, times, &mut |job| {
                 threads.each_with(workers, buffers, &|worker, Own(own)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
-                    own.work(K::ORDERED, &mut hand_on, job);
+                    own.work(K::ORDERED, timed, &mut hand_on, job);
                 });
             });
         });
         if let Some(times) = times {
-            times.add_workers(buffers.iter().map(|Own(own)| own.times));
+            times.add_workers(buffers.iter().map(|Own(own)| &own.times));
         }
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
@@ -197,7 +199,7 @@ impl Descent {
             let lift = front.is_some_and(|front| front.is_lifted());
             resume(tree, kept, written, lift, [pieces, resumed], launch);
             resumed.gather(tasks);
-            watch.lap(|times| &mut times.front);
+            watch.lap(|times| &mut times.shared_out);
         } else {
             tasks.extend_from_slice(roots);
             let mut writer = written.map(|list| list.writer(0));
@@ -217,7 +219,6 @@ impl Descent {
             every(part, tasks);
             watch.lap(|times| &mut times.split);
         }
-        let timed = watch.times.is_some();
         schedule.run(n_workers, tasks, &mut |job| {
             launch(&|outlet| {
                 let Outlet { worker, rows, n_expanded, times } = outlet;
@@ -226,10 +227,9 @@ impl Descent {
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
                     tree.expand(pairs, out, &mut traces);
                 };
-                if timed {
-                    times.job(*worker, job, &mut expand);
-                } else {
-                    job(&mut Hand::new(*worker, &mut expand));
+                match times {
+                    Some(times) => times.job(*worker, job, &mut expand),
+                    None => job(&mut Hand::new(*worker, &mut expand)),
                 }
                 **n_expanded += traces.n_expanded;
             });
@@ -238,7 +238,7 @@ impl Descent {
         if let Some((fronts, at)) = of {
             fronts.end(at, tree.lifts());
         }
-        watch.lap(|times| &mut times.front);
+        watch.lap(|times| &mut times.keep);
     }
 }
 
@@ -280,7 +280,11 @@ fn resume(
             }
             piece.clear();
             kept.piece(k, &mut piece);
-            tree.resume(&piece, &mut out, &mut traces, lift);
+            let mut resume = || tree.resume(&piece, &mut out, &mut traces, lift);
+            match outlet.times {
+                Some(times) => times.front(resume),
+                None => resume(),
+            }
         }
         *outlet.n_expanded += traces.n_expanded;
     });
@@ -305,10 +309,21 @@ fn prepare(buffers: &mut Vec<Own<Buffers>>, n_workers: usize) {
 
 impl Buffers {
     /// Does work whose rows are handed on, or kept if they are to be put in order.
-    fn work(&mut self, keep: bool, hand_on: &mut (dyn FnMut(&[Row]) + Send), work: Work) {
+    fn work(
+        &mut self,
+        keep: bool,
+        timed: bool,
+        hand_on: &mut (dyn FnMut(&[Row]) + Send),
+        work: Work,
+    ) {
         let Self { worker, list, all, n_expanded, times } = self;
         let mut keep_them = |rows: &[Row]| all.extend_from_slice(rows);
-        let mut rows = Rows::new(list, if keep { &mut keep_them } else { hand_on });
+        let times = timed.then_some(&*times);
+        let mut timed = |rows: &[Row]| match times {
+            Some(times) => times.rows(|| hand_on(rows)),
+            None => hand_on(rows),
+        };
+        let mut rows = Rows::new(list, if keep { &mut keep_them } else { &mut timed });
         let mut gathered = Gathered::new(&mut rows);
         work(&mut Outlet { worker: *worker, rows: &mut gathered, n_expanded, times });
         gathered.finish();

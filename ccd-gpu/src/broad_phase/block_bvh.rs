@@ -5,7 +5,7 @@ use super::pair_source::boxes_of;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, SceneBounds};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;
@@ -211,6 +211,14 @@ impl Tree {
     /// Pairs of nodes of level 1.
     pub fn block_pairs(&self, kind: usize) -> &List {
         self.pairs[kind].first().unwrap_or(&self.start[kind])
+    }
+
+    /// Pairs of nodes of level 1, as far as a descent finds them, from the headers of
+    /// [`Tree::lists`].
+    pub fn work(&self, headers: &[Header]) -> u64 {
+        let firsts = [(0, &self.pairs[0]), (self.pairs[0].len(), &self.pairs[1])];
+        let there = firsts.into_iter().filter(|(_, lists)| !lists.is_empty());
+        there.filter_map(|(first, _)| headers.get(first)).map(|header| header.wanted as u64).sum()
     }
 
     /// Calls `run` with the parameters of each dispatch over the pairs of `input`.

@@ -5,7 +5,7 @@ use super::pair_source::{PairSource, Search};
 use crate::bind::ListCandidates;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::layout::Frame;
 use wgpu::BufferUsages as U;
@@ -52,8 +52,10 @@ impl PairSource for BlockSource {
         let Self { tree, none } = self;
         // Boxes alone: no topology, no bodies.
         let frame = &Frame { flags: 0, ..*search.frame };
-        recorder.stage("codes");
-        tree.sort(recorder, frame, search.n_bounding);
+        if !search.keeps_order {
+            recorder.stage("codes");
+            tree.sort(recorder, frame, search.n_bounding);
+        }
         recorder.stage("build");
         tree.fit(recorder, frame, none, none);
         recorder.stage("block pairs");
@@ -62,6 +64,10 @@ impl PairSource for BlockSource {
         for &kind in search.kinds {
             self.list(recorder, frame, kind, search.pairs[kind as usize]);
         }
+    }
+
+    fn work(&self, headers: &[Header]) -> Option<u64> {
+        Some(self.tree.work(headers))
     }
 
     fn lists(&self) -> Vec<&List> {

@@ -6,10 +6,12 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::Aabb;
 use ccd_core::layout::Frame;
+use ccd_core::model::report::FrontCounts;
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// What is looked for in one recording.
@@ -23,6 +25,10 @@ pub struct Search<'a> {
     pub n_bounding: u32,
     /// By kind: where pairs of ids go.
     pub pairs: [&'a List; 2],
+    /// Whether the order of boxes, and what is built in that order, is that of the search before,
+    /// which was complete: boxes have moved, and nothing else has changed. Never in the first
+    /// search, nor in one that follows an error.
+    pub keeps_order: bool,
 }
 
 /// Finds overlapping boxes on a device.
@@ -49,6 +55,13 @@ pub trait PairSource: Send + Sync {
         Vec::new()
     }
 
+    /// Pairs of nodes that the last search took up, as the headers of [`PairSource::lists`] say: by
+    /// their number it is seen how good an order still is. `None` if the source has no order that
+    /// outlasts motion, and sorts in every search.
+    fn work(&self, _headers: &[Header]) -> Option<u64> {
+        None
+    }
+
     /// Words that kernels leave for [`PairSource::check`], and how many.
     fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
         None
@@ -58,6 +71,36 @@ pub trait PairSource: Send + Sync {
     /// the lists hold nothing.
     fn check(&self, _frame: &Frame, _words: &[u32]) -> Result<(), Error> {
         Ok(())
+    }
+
+    /// Bytes of buffers that [`PairSource::settle`] wants to see when a search is over.
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        Vec::new()
+    }
+
+    /// A search is over, and its results were read: `counted` are the words of
+    /// [`PairSource::counters`]. If a list was too short it is not `complete`: that list has grown,
+    /// and the search runs again. Returns whether buffers were replaced.
+    ///
+    /// A search that is recorded without this call is not one after which order is kept.
+    fn settle(
+        &mut self,
+        _: &Device,
+        _counted: &[Vec<u32>],
+        _complete: bool,
+    ) -> Result<bool, Error> {
+        Ok(false)
+    }
+
+    /// What fronts the last search left; `None` without any.
+    fn front(&self) -> Option<FrontCounts> {
+        None
+    }
+
+    /// Where workers count what they do, by kind of pairs: buffer, first byte, workers, of which
+    /// each has two words, see [`WorkerCounts`](crate::WorkerCounts).
+    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        Vec::new()
     }
 }
 

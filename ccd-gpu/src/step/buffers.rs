@@ -39,10 +39,13 @@ pub struct Buffers {
     /// that.
     pub order: Option<ContactOrder>,
     pub to_order: u32,
+    /// Whether the next frame keeps the order of boxes.
+    pub keeps_order: bool,
     /// The keys of the earliest times of impact, by kind: a buffer each, so that no kind waits for
     /// the other.
     pub earliest: [wgpu::Buffer; 2],
-    /// Candidates of the sample by which the earliest time is bounded, by kind.
+    /// Of the sample by which the earliest time is bounded: candidates by kind, then pairs of nodes
+    /// from which it was taken.
     pub sample: wgpu::Buffer,
     pub never: wgpu::Buffer,
 }
@@ -94,8 +97,9 @@ impl Buffers {
             ],
             order: None,
             to_order: 0,
+            keeps_order: false,
             earliest: [fixed("time of impact", &[0; 4])?, fixed("time of impact", &[0; 4])?],
-            sample: fixed("candidates of a sample", &[0; 8])?,
+            sample: fixed("numbers of a sample", &[0; 16])?,
             never: fixed("no time of impact", &[0xff; 16])?,
         })
     }

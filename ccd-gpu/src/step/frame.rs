@@ -3,12 +3,14 @@
 
 use super::buffers::Buffers;
 use super::contact_order::{self, ContactOrder};
+use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
 use super::{Goal, SAMPLE, cpu_fallback};
+use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, read_header, read_pairs};
-use crate::readback::{Plan, Readback, word};
+use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, PerKind};
@@ -32,6 +34,7 @@ pub struct Frames {
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
     /// last time.
     at_once: u32,
+    order: KeptOrder,
 }
 
 /// What a frame gave.
@@ -40,6 +43,8 @@ pub struct Found {
     pub earliest: u32,
     /// Candidates of the sample.
     pub sampled: u64,
+    /// Whether boxes were sorted, rather than kept in the order of the frame before.
+    pub sorted: bool,
     pub candidates: PerKind,
     pub filtered: PerKind,
     /// If pairs of triangles were looked for.
@@ -59,6 +64,7 @@ impl Frames {
             grown: 0,
             expected: 0,
             at_once: 0,
+            order: KeptOrder::default(),
         })
     }
 
@@ -72,11 +78,13 @@ impl Frames {
         self.buffers = Buffers::new(device, mesh, options)?;
         self.bench = Bench::new(device)?;
         self.readback = Readback::default();
+        self.order.forget();
         Ok(())
     }
 
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
+        self.order.forget();
         for list in self.buffers.lists_mut().into_vec() {
             *list = list.resized(device, entries)?;
         }
@@ -122,6 +130,9 @@ impl Frames {
         }
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
+        // Nobody knows what becomes of the encoder.
+        self.order.forget();
+        self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
         let frame = buffers.describe(options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
@@ -145,6 +156,15 @@ impl Frames {
                 Some(found) => return Ok(found),
                 None => self.grown += 1,
             }
+        }
+    }
+
+    /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
+    pub fn worker_counts(&mut self, device: &Device) -> Result<Vec<WorkerCounts>, Error> {
+        let Self { buffers, bench, readback, .. } = self;
+        match buffers.source.listed() {
+            Some(source) => worker_counts::read(device, bench, readback, source),
+            None => Ok(Vec::new()),
         }
     }
 
@@ -202,14 +222,21 @@ impl Frames {
         contacts: &mut Vec<Contact>,
     ) -> Result<Option<Found>, Error> {
         let guess = self.plan_contacts(device, goal)?;
+        // Without an order until this frame has come to a good end.
+        let mut order = std::mem::take(&mut self.order);
+        let kept = order.holds();
         let Self { buffers, bench, readback, .. } = self;
+        buffers.keeps_order = kept;
         let frame = buffers.describe(options);
         let mut plan = Plan::default();
         let of_earliest = [plan.part(4), plan.part(4)];
-        let of_sample = plan.part(8);
+        let of_sample = plan.part(16);
         let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
+        let counters = buffers.source.counters();
+        let of_counters: Vec<_> =
+            counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let wide = device.info().wide;
@@ -222,6 +249,9 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            for (part, (counters, of)) in of_counters.iter().zip(&counters) {
+                recorder.read(&reading, *part, counters, of.start);
+            }
             if let Some((words, _)) = buffers.source.survey() {
                 recorder.read(&reading, of_survey, words, 0);
             }
@@ -235,19 +265,24 @@ impl Frames {
                 _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
-        let mut found = Found::default();
-        let (headers, survey) = reading.with(device, |bytes| {
+        let mut found = Found { sorted: !kept, ..Found::default() };
+        let mut sampled_of = 0;
+        let (headers, survey, counted) = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
-            found.sampled =
-                word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+            let [vf, ee, nodes_vf, nodes_ee] =
+                [0, 1, 2, 3].map(|i| word(of_sample.of(bytes), i) as u64);
+            found.sampled = vf + ee;
+            sampled_of = nodes_vf + nodes_ee;
             let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
             let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(of_counts.of(bytes)));
-            Ok::<_, Error>((headers, survey))
+            let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
+            let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
+            Ok::<_, Error>((headers, survey, counted))
         })??;
         buffers.source.check(&frame, &survey)?;
         self.stages = bench.times(&stages)?;
@@ -264,9 +299,18 @@ impl Frames {
             contacts.clear();
         }
         all_grew?;
+        if buffers.source.settle(device, &counted, !grown)? {
+            bench.forget();
+        }
         if grown {
             return Ok(None);
         }
+        let of_lists = buffers.source.work(&headers.source);
+        order.took(
+            kept,
+            if goal == Goal::Earliest { of_lists.and(Some(sampled_of)) } else { of_lists },
+        );
+        self.order = order;
         let [vf, ee] = &headers.survivors;
         found.filtered = PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 };
         found.candidates = if goal == Goal::Candidates {

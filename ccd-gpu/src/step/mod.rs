@@ -5,6 +5,7 @@ pub mod buffers;
 pub mod contact_order;
 pub mod cpu_fallback;
 pub mod frame;
+mod kept_order;
 pub mod lists;
 mod passes;
 pub mod source;

@@ -25,15 +25,17 @@ impl Buffers {
         for earliest in &self.earliest {
             recorder.copy(&self.never, 0, earliest, 0, 4);
         }
-        self.source.clear(recorder);
+        self.source.clear(recorder, self.keeps_order);
         recorder.stage("boxes");
         let paths = &self.positions.paths;
         self.sweep(recorder, frame, paths, self.positions.boxes);
-        self.source.order(recorder, frame);
+        if !self.keeps_order {
+            self.source.order(recorder, frame);
+        }
         self.source.fit(recorder, frame, &self.edges, &self.faces);
         match goal {
             Goal::Candidates => {
-                self.source.find(recorder, frame);
+                self.source.find(recorder, frame, self.keeps_order);
                 for kind in [0, 1] {
                     recorder.stage(LIST[kind]);
                     self.list(recorder, frame, kind);
@@ -59,6 +61,10 @@ impl Buffers {
         self.contacts(recorder, frame, paths, SAMPLE, wide);
         recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
         recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
+        // Shorter paths say nothing about the order.
+        for (to, list) in [8, 12].into_iter().zip(self.source.sampled()) {
+            recorder.copy(list.buffer(), 0, &self.sample, to, 4);
+        }
         let error = frame.path_error + swept_box::end_error(self.positions.reach);
         let cut = Frame {
             path_error: error,
@@ -110,7 +116,7 @@ impl Buffers {
         step: u32,
         wide: bool,
     ) {
-        self.source.find(recorder, frame);
+        self.source.find(recorder, frame, self.keeps_order);
         for kind in [0, 1] {
             recorder.stage(FILTER[kind]);
             self.filter(recorder, frame, paths, kind, step);

@@ -12,7 +12,7 @@ use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Dispatch, Frame, Params, Plain};
@@ -20,6 +20,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use std::ops::Range;
 
 /// The source of a session.
 pub enum Source {
@@ -63,7 +64,7 @@ impl Source {
             _ if choice == BroadPhaseMethod::Blocks => {
                 return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
             }
-            _ => Finder::Features(method::source(device, choice, count)?),
+            _ => Finder::Features(method::source(device, choice, options.scheduling, count)?),
         };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
         let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
@@ -131,6 +132,37 @@ impl Source {
         }
     }
 
+    /// The source of pairs that are listed.
+    pub fn listed(&self) -> Option<&dyn PairSource> {
+        match self {
+            Self::Blocks(_) => None,
+            Self::Listed(listed) => Some(listed.source()),
+        }
+    }
+
+    /// Bytes of buffers that [`Source::settle`] wants to see.
+    pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.listed().map(PairSource::counters).unwrap_or_default()
+    }
+
+    /// The results of a search were read; see [`PairSource::settle`].
+    pub fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        match self {
+            Self::Blocks(_) => Ok(false),
+            Self::Listed(Listed { finder: Finder::Features(source), .. }) => {
+                source.settle(device, counted, complete)
+            }
+            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => {
+                source.settle(device, counted, complete)
+            }
+        }
+    }
+
     /// Words by which [`Source::check`] refuses boxes, and how many.
     pub fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
         match self {
@@ -147,9 +179,26 @@ impl Source {
         }
     }
 
-    /// What must be zero before [`Source::order`], besides the headers of lists.
-    pub fn clear(&self, recorder: &mut Recorder) {
+    /// The lists whose headers [`Source::work`] adds up, where a sample is taken from them.
+    pub fn sampled(&self) -> Vec<&List> {
         match self {
+            Self::Blocks(tree) => tree.pairs.iter().filter_map(|lists| lists.first()).collect(),
+            Self::Listed(_) => Vec::new(),
+        }
+    }
+
+    /// As [`PairSource::work`].
+    pub fn work(&self, headers: &[Header]) -> Option<u64> {
+        match self {
+            Self::Blocks(tree) => Some(tree.work(headers)),
+            Self::Listed(listed) => listed.source().work(headers),
+        }
+    }
+
+    /// What must be zero besides the headers of lists.
+    pub fn clear(&self, recorder: &mut Recorder, keeps_order: bool) {
+        match self {
+            Self::Blocks(_) if keeps_order => {}
             Self::Blocks(tree) => tree.clear_bounds(recorder),
             Self::Listed(listed) => listed.source().clear(recorder),
         }
@@ -177,7 +226,7 @@ impl Source {
     }
 
     /// Pairs of blocks, or of boxes, of both kinds.
-    pub fn find(&self, recorder: &mut Recorder, frame: &Frame) {
+    pub fn find(&self, recorder: &mut Recorder, frame: &Frame, keeps_order: bool) {
         match self {
             Self::Blocks(tree) => {
                 recorder.stage("block pairs");
@@ -186,7 +235,13 @@ impl Source {
             Self::Listed(listed) => {
                 let pairs = &listed.pairs;
                 let n_bounding = frame.count[0];
-                let search = Search { frame, kinds: &[0, 1], n_bounding, pairs: pairs.each_ref() };
+                let search = Search {
+                    frame,
+                    kinds: &[0, 1],
+                    n_bounding,
+                    pairs: pairs.each_ref(),
+                    keeps_order,
+                };
                 listed.source().find(recorder, &search);
             }
         }

@@ -11,7 +11,7 @@ use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{Header, List};
 use crate::readback::word;
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
@@ -20,12 +20,13 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
-use ccd_core::model::report::TriangleCounts;
+use ccd_core::model::report::{FrontCounts, TriangleCounts};
 use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::triangle_pairs::free_regions::{FreeRegions, NONE};
 use ccd_core::triangle_pairs::near_tests::NearTests;
 use ccd_core::triangle_pairs::orphans::OrphanSets;
 use ccd_core::triangle_pairs::representatives::Triangles;
+use std::ops::Range;
 use std::thread;
 use wgpu::BufferUsages as U;
 
@@ -109,7 +110,7 @@ impl TrianglePairs {
         let room = n.saturating_mul(16).max(4096);
         Ok(Self {
             boxes: boxes_of(device, count)?,
-            source: method::source(device, options.broad_phase, frame.count)?,
+            source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
             pairs: List::new(device, "overlapping triangles", 2, room)?,
             triangles: sent("triangles", bytemuck::cast_slice(&records))?,
@@ -210,7 +211,8 @@ impl PairSource for TrianglePairs {
         recorder.each(&bind::SweepTriangles { triangles, boxes, swept }, &p, n);
         let kinds: Vec<u32> = kinds_of(frame.count).collect();
         let pairs = [&self.pairs; 2];
-        source.find(recorder, &Search { frame, kinds: &kinds, n_bounding: n, pairs });
+        let keeps_order = search.keeps_order;
+        source.find(recorder, &Search { frame, kinds: &kinds, n_bounding: n, pairs, keeps_order });
         recorder.stage("expand");
         let (input, [vf, ee]) = (self.pairs.buffer(), search.pairs.map(List::buffer));
         let kernel = bind::ExpandTriangles { triangles, regions, boxes, input, vf, ee, counts };
@@ -232,8 +234,33 @@ impl PairSource for TrianglePairs {
         self.source.lists_mut().into_iter().chain([&mut self.pairs]).collect()
     }
 
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.source.counters()
+    }
+
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        self.source.settle(device, counted, complete)
+    }
+
+    fn front(&self) -> Option<FrontCounts> {
+        self.source.front()
+    }
+
+    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        self.source.worker_counts()
+    }
+
     fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
         self.source.survey()
+    }
+
+    fn work(&self, headers: &[Header]) -> Option<u64> {
+        self.source.work(headers)
     }
 
     /// The frame is that of features.

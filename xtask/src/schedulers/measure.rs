@@ -4,8 +4,8 @@
 use super::scenes::{Counts, Scene};
 use crate::algorithms::measure::median;
 use ccd::{
-    BroadPhaseMethod, Error, FrontCounts, Options, Report, Scheduling, Session, Traversal,
-    TreeOptions, Volume, gpu,
+    BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Report, Scheduling, Session,
+    Traversal, TreeOptions, Volume, gpu,
 };
 use std::time::{Duration, Instant};
 
@@ -65,10 +65,10 @@ pub struct Shares {
     pub traversal: f64,
     /// What schedulers do themselves, and waiting.
     pub balancing: f64,
-    /// Pairs of features filtered and decided.
+    /// What takes pairs of leaves: triangles expanded to features, features filtered and decided.
     pub intersection: f64,
-    /// Of the workers' time while tasks are shared out, the part in which they expand; unknown
-    /// where that is not counted.
+    /// Of the workers' time while pairs are shared out, the part in which they have some: on a GPU
+    /// of the turns of all their threads; unknown where that is not counted.
     pub utilisation: Option<f64>,
 }
 
@@ -239,9 +239,9 @@ impl Runner {
     }
 
     /// Of the last step, which was watched.
-    fn shares(&self) -> Shares {
+    fn shares(&mut self) -> Result<Shares, String> {
         match self {
-            Self::Cpu(session) => of_cpu(session),
+            Self::Cpu(session) => Ok(of_cpu(session)),
             Self::Gpu(session) => of_gpu(session),
         }
     }
@@ -252,22 +252,24 @@ fn of_cpu(session: &Session) -> Shares {
     let times = session.report().times;
     let descents = session.descent_times().unwrap_or_default();
     let n = session.threads() as f64;
-    let (refit, front) = (times.boxes + times.build, descents.front);
+    let (refit, front) = (times.boxes + times.build, descents.keep + descents.front / n);
     let balancing = (descents.scheduling + descents.waiting) / n;
-    let traversal = times.total - refit - front - balancing - times.narrow;
-    let all = n * descents.shared_out;
+    // Rows are handed on to what expands triangles, and filters and decides features.
+    let intersection = (descents.rows / n).max(times.narrow);
+    let traversal = times.total - refit - front - balancing - intersection;
+    let (all, waits) = (n * descents.shared_out, descents.scheduling + descents.waiting);
     Shares {
         refit,
         front,
         traversal: traversal.max(0.0),
         balancing,
-        intersection: times.narrow,
-        utilisation: (all > 0.0).then(|| descents.expanding / all),
+        intersection,
+        utilisation: (all > 0.0).then(|| 1.0 - waits / all),
     }
 }
 
 /// By the names of the device's stages.
-fn of_gpu(session: &gpu::Session) -> Shares {
+fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
     let mut shares = Shares::default();
     for &(name, ms) in session.stages() {
         let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
@@ -283,13 +285,22 @@ fn of_gpu(session: &gpu::Session) -> Shares {
             &mut shares.refit
         } += ms;
     }
-    shares.utilisation = utilisation(session);
-    shares
+    shares.utilisation = utilisation(session)?;
+    Ok(shares)
 }
 
-/// How busy the workgroups of the last step were: no session counts that yet.
-fn utilisation(_session: &gpu::Session) -> Option<f64> {
-    None
+/// Of all turns of all threads, if every worker went on for as long as the last, those that
+/// expanded a pair; `None` without workers.
+fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, String> {
+    let n_kinds = if session.options().pipeline == Pipeline::Features { 2 } else { 1 };
+    let counts = session.worker_counts().map_err(|e| e.to_string())?;
+    let (mut expanded, mut turns) = (0, 0);
+    for kind in counts.chunks((counts.len() / n_kinds).max(1)) {
+        let last = kind.iter().map(|worker| worker.turns as u64).max().unwrap_or(0);
+        expanded += kind.iter().map(|worker| worker.expanded as u64).sum::<u64>();
+        turns += last * kind.len() as u64 * gpu::WorkerCounts::THREADS as u64;
+    }
+    Ok((turns > 0).then(|| expanded as f64 / turns as f64))
 }
 
 /// Steps a scene by all of these in turn; `None`: the place does not have it. Every step has the
@@ -344,7 +355,7 @@ pub fn measure(
                 measured.n_rebuilt += report.rebuilt as usize;
                 measured.steps.push(runner.ms());
             } else if !warm {
-                let parts = runner.shares();
+                let parts = runner.shares().map_err(why)?;
                 let none = Shares { utilisation: Some(0.0), ..Shares::default() };
                 let before = if n_watched == 0 { none } else { measured.shares };
                 measured.shares = before.plus(parts);

@@ -59,7 +59,7 @@ pub fn all(all: &[Results], places: &[(usize, &str)], folder: &Path) -> Result<S
         for name in names(&chart.groups) {
             let of = |structure| chart.cell(k, structure, name);
             bars.add(name, Structure::ALL.map(|s| of(s).map(Measured::ms)).into());
-            if let Some(m) = of(TREE).filter(|_| name.contains("front")) {
+            if let Some(m) = of(TREE).filter(|_| name.ends_with(", front")) {
                 stacks.push((name.to_owned(), m.shares.parts()));
             }
         }

@@ -179,5 +179,4 @@ impl Scene {
         };
         format!("**{}**: {} triangles, {n} {what}", self.name, self.mesh.faces().len())
     }
-
 }

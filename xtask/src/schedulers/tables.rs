@@ -176,7 +176,8 @@ pub fn shares(all: &[Results], places: &[(usize, &str)]) -> String {
             let columns =
                 ["%", "refit", "front", "traversal", "balancing", "intersection", "workers busy"];
             text += &head(columns);
-            for name in names(&results.groups).into_iter().filter(|name| name.contains("front")) {
+            for name in names(&results.groups).into_iter().filter(|name| name.ends_with(", front"))
+            {
                 let Some(m) = results.cell(k, TREE, name) else { continue };
                 let percent = |x: f64| format!(" {:.0} |", 100.0 * x);
                 let total = m.shares.total().max(1e-9);
