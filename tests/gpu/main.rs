@@ -18,6 +18,7 @@ mod poison;
 mod queries;
 mod scalars;
 mod scenes;
+mod sequences;
 mod sorts;
 mod support;
 mod tangential;
@@ -25,6 +26,7 @@ mod trees;
 mod triangles;
 mod twin;
 mod units;
+mod workers;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -94,11 +96,13 @@ fn main() {
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
+            workers::TESTS,
             oriented::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
             scenes::TESTS,
+            sequences::TESTS,
             tangential::TESTS,
             units::TESTS,
         ];

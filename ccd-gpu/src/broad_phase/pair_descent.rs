@@ -56,7 +56,9 @@ impl PairDescent {
             // About as many as pairs that overlap; a list that is too short grows.
             let n = count[sets(kind)[1]].saturating_mul(4).max(4096);
             let front = match scheduling.front {
-                scheduling::Front::On(options) => Some(Front::new(device, options, 2 * n)?),
+                scheduling::Front::On(options) => {
+                    Some(Front::new(device, options, (2 * n).max(nodes * nodes))?)
+                }
                 _ => None,
             };
             let schedule = scheduler::new(device, scheduling, n)?;

@@ -58,7 +58,7 @@ impl Rule {
     pub const SELF_SCHEDULING: Self = Self { tasks: NodeDescent::TASKS_COUNTED, ..Self::STATIC };
     /// Nothing stays on a stack, so that a round is a level.
     pub const FRONTIER: Self =
-        Self { piece: THREADS, stack: 0, rounds: 64, ..Self::SELF_SCHEDULING };
+        Self { piece: THREADS, stack: 0, rounds: 16, ..Self::SELF_SCHEDULING };
 }
 
 /// The tasks of two rounds, and what all rounds count.
