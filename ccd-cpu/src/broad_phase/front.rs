@@ -22,7 +22,13 @@
 //! Cost: a test a pair of the front. A descent from the roots expands about half as many pairs as
 //! its front has, so that beginning at a front saves what the expansions cost beyond those tests,
 //! and has all of its work at hand at once; but a front never gets shorter by itself. It is given
-//! up as [`FrontOptions`] says.
+//! up as [`FrontOptions`] says, or lifted:
+//!
+//! ```text
+//!     [2, 4]                each pair that is apart looks for the highest above it whose boxes are:
+//!     /    \                all of them below [2, 4] come to it, and one by first children alone,
+//!  (3, 5) (3, 6)            (3, 5), which is the one to write it
+//! ```
 
 use crate::threads::Own;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};

@@ -92,9 +92,14 @@ fn drawn(
     plots: &Path,
 ) -> Result<String, String> {
     let shown = ["kept", "dropped beyond 110", "lifted beyond 110"];
-    let Some(at) = all.iter().position(|scene| scene.name == "funnel") else {
-        return Ok(String::new());
+    // Where a front that is kept grows most.
+    let growth = |at: &usize| {
+        let fronts = columns[*at][1].iter().flat_map(|m| &m.fronts).map(|front| front.pairs);
+        let (least, most) = (fronts.clone().min().unwrap_or(0), fronts.max().unwrap_or(0));
+        most as f64 / least.max(1) as f64
     };
+    let grown = |a: &usize, b: &usize| growth(a).total_cmp(&growth(b));
+    let Some(at) = (0..all.len()).max_by(grown) else { return Ok(String::new()) };
     let mut lines = Vec::new();
     for part in shown {
         let found = settings.iter().position(|(name, _)| name.starts_with(part));
