@@ -25,9 +25,9 @@
 //! up as [`FrontOptions`] says, or lifted:
 //!
 //! ```text
-//!     [2, 4]                each pair that is apart looks for the highest above it whose boxes are:
-//!     /    \                all of them below [2, 4] come to it, and one by first children alone,
-//!  (3, 5) (3, 6)            (3, 5), which is the one to write it
+//!     [2, 4]          each pair that is apart looks for the highest above whose boxes are:
+//!     /    \          all of them below [2, 4] come to it, one by first children alone,
+//!  (3, 5) (3, 6)      (3, 5), which is the one to write it
 //! ```
 
 use crate::threads::Own;

@@ -37,9 +37,9 @@ pub struct Effort {
 
 /// Steps before those that are timed: a front has room after the first, is made in the second, and
 /// begun with in the third.
-pub const WARM: usize = 3;
+pub const WARM: usize = 2;
 /// Steps after those, in which it is asked where time goes.
-pub const WATCHED: usize = 3;
+pub const WATCHED: usize = 2;
 
 /// What was measured of one scheduler.
 #[derive(Clone, Debug, Default)]

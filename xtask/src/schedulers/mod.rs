@@ -30,7 +30,7 @@ pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
     let effort = if options.quick {
         Effort { steps: 2, enough: Duration::ZERO }
     } else {
-        Effort { steps: 12, enough: Duration::from_secs(3) }
+        Effort { steps: 12, enough: Duration::from_millis(1500) }
     };
     let is_small = |name: &str| ["BART64", "BART256", "BART1024", "funnel"].contains(&name);
     let wanted = |name: &str| {

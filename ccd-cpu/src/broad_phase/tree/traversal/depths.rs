@@ -2,10 +2,10 @@
 //! another one came, where both nodes of a pair are split.
 //!
 //! ```text
-//!   (0, 0)                  both nodes are split for as long as both have children, so that in a
-//!   (1, 4)  (1, 7) ..       pair the less deep one, if there is one, is a leaf: above (2, 9) there
-//!   (2, 5)  (2, 6)          is (2, 6), where 2 was a leaf already, and above (2, 6) there is (1, 4)
-//!           (2, 9) ..
+//!   (0, 0)               both nodes are split for as long as both have children, so that
+//!   (1, 4)  (1, 7) ..    in a pair the less deep one, if there is one, is a leaf: above
+//!   (2, 5)  (2, 6)       (2, 9) there is (2, 6), where 2 was a leaf already, and above
+//!           (2, 9) ..    (2, 6) there is (1, 4)
 //! ```
 
 use super::Trees;
