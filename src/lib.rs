@@ -48,8 +48,7 @@
 //! on is listed in the README; how it is done, in ARCHITECTURE.md.
 //!
 //! # Features
-//! `cli` (default) builds the command; a library wants `default-features = false`. `gpu` adds the
-//! GPU backend, `io` the readers, `scenes` generated scenes.
+//! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated scenes.
 #![deny(unsafe_code)]
 
 pub mod any;

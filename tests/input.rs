@@ -52,6 +52,8 @@ fn sizes_indices_and_distances_are_checked() {
         let error = session(Options { min_distance: value, ..Options::default() }).unwrap_err();
         assert!(matches!(error, Error::MinDistance { .. }), "{error}");
     }
+    let error = session(Options { threads: 100_000, ..Options::default() }).unwrap_err();
+    assert_eq!(error, Error::Threads { count: 100_000, limit: 1024 });
     assert!(matches!(
         Mesh::new(1 << 31, &[]),
         Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })
@@ -202,7 +204,9 @@ fn obj_lines_that_cannot_be_understood_are_refused() {
     check("v 1 1e999 3", "`1e999` is not a finite number");
     check("v 1,2,3", "three coordinates");
     check("v 1 2 3\u{b}v 4 5 6", "not text");
-    check("v 1 2 \\", "goes on");
+    check("v 1 2 \\\n", "three coordinates");
+    check("v 1 2 \\\n x", "`x` is not a number");
+    check("v 1 2#3", "three coordinates");
     check("vertex 1 2 3", "`vertex`");
     check("1 2 3", "`1`");
     check("f 1 2", "fewer than 3");
@@ -223,6 +227,26 @@ fn obj_lines_that_cannot_be_understood_are_refused() {
         read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap().positions.len(),
         4
     );
+}
+
+#[test]
+fn obj_is_read_whatever_editor_wrote_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let read = |text: &[u8]| read_frame(&write(dir.path(), "a.obj", text));
+    let plain = read(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let others: [&[u8]; 5] = [
+        b"\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        b"# W\xfcrfel\no W\xfcrfel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        b"v 0 0 0#a\nv 1 0 0 # b\nv 0 1 0 #\nf 1 2 3#1 2 3\n",
+        b"v 0 0 \\\n0\nv 1 0 0\nv \\\r\n0 \\\r\n1 0\r\nf 1 2 \\\n3",
+        b"v 0 0 \\\r0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+    ];
+    for text in others {
+        let name = String::from_utf8_lossy(text);
+        assert_eq!(read(text).unwrap_or_else(|e| panic!("{name:?}: {e}")), plain, "{name:?}");
+    }
+    let error = read(b"v 0 0 0\nv 1 0 \\").unwrap_err().to_string();
+    assert!(error.contains("line 2: goes on"), "{error}");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Where work runs: in the calling thread, on rayon's current pool, or on a pool of a wanted size.
 
 use ccd_core::Error;
+use ccd_core::model::options::Options;
 use rayon::prelude::*;
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
@@ -24,8 +25,13 @@ impl Threads {
             0 => Ok(Self { pool: None, count: rayon::current_num_threads() }),
             1 => Ok(Self { pool: None, count: 1 }),
             _ => {
+                let limit = Options::MAX_THREADS;
+                let refused = Error::Threads { count, limit };
+                if count > limit {
+                    return Err(refused);
+                }
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-                Ok(Self { pool: Some(pool.map_err(|_| Error::Threads { count })?), count })
+                Ok(Self { pool: Some(pool.map_err(|_| refused)?), count })
             }
         }
     }

@@ -22,12 +22,6 @@ pub enum Error {
          an application writes on the device: turn cones off"
     )]
     PathsUnseen,
-    /// Oriented boxes were asked for where shaders reach the driver as WGSL.
-    #[error(
-        "oriented boxes need the native path (SPIR-V): a compiler of WGSL may go on with a centre \
-         or an axis before it is rounded, and what is stored then holds less than was computed"
-    )]
-    Contracted,
     /// A scheduler or a front was chosen for blocks.
     #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
     OfTrees {

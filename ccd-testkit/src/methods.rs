@@ -1,7 +1,7 @@
 //! How far a method of the broad phase is from the default tree: what tests that cannot afford
 //! every combination of a tree's choices go by.
 
-use ccd::{BroadPhaseMethod, TreeOptions, Volume};
+use ccd::{BroadPhaseMethod, TreeOptions};
 
 /// Whether a tree has another builder, another traversal, other volumes than by default; `None`: it
 /// is no tree.
@@ -18,9 +18,4 @@ pub fn differences(method: BroadPhaseMethod) -> Option<[bool; 3]> {
 /// Whether a method is no tree, or the default one but for one choice.
 pub fn is_near_default(method: BroadPhaseMethod) -> bool {
     differences(method).is_none_or(|all| all.iter().filter(|&&differs| differs).count() < 2)
-}
-
-/// Whether a method has oriented boxes, which a GPU has on the native path alone.
-pub fn is_oriented(method: BroadPhaseMethod) -> bool {
-    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
 }

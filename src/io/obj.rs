@@ -4,7 +4,9 @@
 //! Read here and not by a crate: contact lists name vertices by the file's own numbers, in `f64`,
 //! and the maintained readers either renumber vertices per group or round to `f32`.
 //!
-//! Lines end with LF, CRLF or CR, also in turn. A word that begins with `#` starts a comment.
+//! Lines end with LF, CRLF or CR, also in turn; one that ends with `\` goes on in the next. `#`
+//! starts a comment. Names and comments may be in any encoding that has ASCII's numbers, such as
+//! UTF-8, with or without a mark at its beginning, and Latin-1.
 //! - `v x y z`, with a weight (`v x y z 1`), a colour (`v x y z r g b`) or a colour with alpha
 //!   (seven numbers), all finite. A weight other than 1 is refused: it scales the point in some
 //!   programs and means nothing outside of rational surfaces in others.
@@ -53,10 +55,15 @@ const PASSED_OVER: [&str; 34] = [
     "maplib",
 ];
 
+/// What some editors put before the text of a file in UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let mut reader = std::io::BufReader::new(std::fs::File::open(path)?);
     let mut frame = Frame::default();
     let mut chunk = Vec::new();
+    // What is there of a statement that goes on in the next line, and where it began.
+    let (mut begun, mut first) = (Vec::new(), 0);
     let (mut line, mut any) = (0, false);
     loop {
         chunk.clear();
@@ -65,11 +72,26 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         }
         let text = chunk.strip_suffix(b"\n").unwrap_or(&chunk);
         let text = text.strip_suffix(b"\r").unwrap_or(text);
+        let text = if line == 0 { text.strip_prefix(MARK).unwrap_or(text) } else { text };
         for text in text.split(|&byte| byte == b'\r') {
             line += 1;
-            any |=
-                statement(text, &mut frame).map_err(|what| ReadErrorKind::Line { line, what })?;
+            if begun.is_empty() {
+                first = line;
+            }
+            if let Some(text) = text.strip_suffix(b"\\") {
+                begun.extend_from_slice(text);
+                begun.push(b' ');
+                continue;
+            }
+            begun.extend_from_slice(text);
+            any |= statement(&begun, &mut frame)
+                .map_err(|what| ReadErrorKind::Line { line: first, what })?;
+            begun.clear();
         }
+    }
+    if !begun.is_empty() {
+        let what = "goes on (`\\`), but the file ends".into();
+        return Err(ReadErrorKind::Line { line: first, what });
     }
     if !any {
         return Err(ReadErrorKind::Header("the file holds no statement of OBJ".into()));
@@ -79,15 +101,13 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
 
 /// Takes one line; whether it is more than a comment. `Err` says what is wrong with it.
 fn statement(text: &[u8], frame: &mut Frame) -> Result<bool, String> {
-    let text = std::str::from_utf8(text).map_err(|_| "is not text")?;
-    if text.contains(|c: char| c.is_control() && c != '\t') {
+    if text.iter().any(|&byte| byte.is_ascii_control() && byte != b'\t') {
         return Err("is not text".into());
     }
-    let words: Vec<&str> = text.split_whitespace().take_while(|w| !w.starts_with('#')).collect();
+    let text = String::from_utf8_lossy(text);
+    let text = text.split('#').next().unwrap_or_default();
+    let words: Vec<&str> = text.split_whitespace().collect();
     let Some((&keyword, words)) = words.split_first() else { return Ok(false) };
-    if words.last().is_some_and(|w| w.ends_with('\\')) {
-        return Err("goes on in the next line (`\\`), which is not read".into());
-    }
     match keyword {
         "v" => frame.positions.push(vertex(words)?),
         "f" => push_polygon(&mut frame.faces, &corners(words, 3, frame.positions.len())?),

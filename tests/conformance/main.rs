@@ -22,17 +22,17 @@ use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{
     Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Scheduling,
-    State, TreeOptions, Volume,
+    State,
 };
 use ccd_testkit::compare::{agree, step_text};
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
-use rows::{WGSL, WHOLE, is_emulated, methods, not_too_slow, of_place, pipelines, schedulings};
+use rows::{WHOLE, is_emulated, methods, not_too_slow, pipelines, schedulings};
 use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
 use std::sync::Arc;
 
 fn main() {
-    let paths = [("gpu-passthrough", gpu::Path::Passthrough), (WGSL, gpu::Path::Wgsl)];
+    let paths = [("gpu-passthrough", gpu::Path::Passthrough), ("gpu-wgsl", gpu::Path::Wgsl)];
     let places: Vec<(&str, &str, Result<Choice, Missing>)> =
         std::iter::once(("cpu", "cpu", Ok(Choice::default())))
             .chain(paths.map(|(name, path)| {
@@ -45,8 +45,8 @@ fn main() {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
             let emulated = choice.as_ref().is_ok_and(is_emulated);
-            let methods = methods(source, backend, place, emulated);
-            let left_out = of_place(backend, place).count() - methods.len();
+            let methods = methods(source, backend, emulated);
+            let left_out = ccd::every(backend).count() - methods.len();
             if left_out > 0 {
                 let why = format!("{left_out} more methods: {WHOLE}=1");
                 let name = format!("whole/{scene}/{place}");
@@ -97,8 +97,6 @@ fn main() {
             }
         }
     }
-    let wgsl = &places[2].2;
-    trials.push(row_of("refused/obb".into(), GENERATED[0].1, wgsl, check_refused));
     // A device of its own, which this row loses.
     let own = open(gpu::Path::Wgsl).map(|device| Choice::of_device(&device, true));
     let lost = |choice: &Choice| check_lost(choice).map(|()| Completion::Completed);
@@ -194,18 +192,6 @@ fn taken<T>(
         Err(e @ Error::Input(ccd::Error::TooMany { .. })) if n > limit => Ok(Err(e.to_string())),
         Err(e @ Error::Input(ccd::Error::CrowdedCells { .. })) if may => Ok(Err(e.to_string())),
         Err(e) => Err(e.to_string()),
-    }
-}
-
-/// Oriented boxes are refused on the path on which their bounds do not hold.
-fn check_refused(choice: &Choice) -> Result<Completion, String> {
-    let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(Volume::Obb));
-    let boxes = [Aabb { min: [0.0; 3], max: [1.0; 3] }; 3];
-    let mut broad = BroadPhase::new(choice, 2, method).map_err(|e| e.to_string())?;
-    match broad.self_pairs(&boxes) {
-        Err(e) if e.to_string().contains("native path") => Ok(Completion::Completed),
-        Err(e) => Err(e.to_string()),
-        Ok(pairs) => Err(format!("not refused: {} pairs", pairs.len())),
     }
 }
 

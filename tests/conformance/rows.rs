@@ -5,10 +5,7 @@ use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
 use ccd::{BroadPhaseMethod, Catalogued, Pipeline, Scheduling, Traversal, TreeOptions, Volume};
-use ccd_testkit::methods::{differences, is_near_default, is_oriented};
-
-/// The path on which there are no oriented boxes.
-pub const WGSL: &str = "gpu-wgsl";
+use ccd_testkit::methods::{differences, is_near_default};
 
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
@@ -19,25 +16,14 @@ const MAX_EDGES_EMULATED: usize = 50_000;
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// The methods of a backend by which a scene is run.
-pub fn methods(
-    source: Source,
-    backend: &'static str,
-    place: &str,
-    emulated: bool,
-) -> Vec<BroadPhaseMethod> {
+pub fn methods(source: Source, backend: &'static str, emulated: bool) -> Vec<BroadPhaseMethod> {
     let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
         _ => !emulated || has_a_row(*method),
     };
-    of_place(backend, place).filter(|method| whole || chosen(method)).collect()
-}
-
-/// The methods of a backend, as far as this path to a GPU has them.
-pub fn of_place(backend: &'static str, place: &str) -> impl Iterator<Item = BroadPhaseMethod> {
-    let all = place != WGSL;
-    ccd::every(backend).filter(move |&method| all || !is_oriented(method))
+    ccd::every(backend).filter(|method| whole || chosen(method)).collect()
 }
 
 /// Whether a method is no tree, or the default one but for one choice; or another traversal of

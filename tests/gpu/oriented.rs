@@ -3,14 +3,14 @@
 
 use crate::descent::Trees;
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, not_run, read, room, rounds_like_a_cpu, run, zeros};
+use crate::support::{bytes, entries, read, room, rounds_like_a_cpu, run, zeros};
 use crate::trees::{radix_tree, wide_tree};
 use crate::twin::Twin;
+use ccd::gpu::Device;
 use ccd::gpu::bind::{
     CutPairsOriented, ExpandPairsOriented, OrientFar, OrientNear, TraverseFullOriented,
     TraverseHalfOriented,
 };
-use ccd::gpu::{Device, Path};
 use ccd::{Aabb, Pair};
 use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
 use ccd_core::broad_phase::pair_workers::words;
@@ -225,19 +225,7 @@ fn same_bits(a: &Obb, b: &Obb) -> bool {
     words(a) == words(b)
 }
 
-/// Through WGSL the bounds do not hold, and the library refuses such trees.
-fn is_refused(device: &Device) -> bool {
-    let refused = device.info().path == Path::Wgsl;
-    if refused {
-        not_run("oriented boxes need the native path");
-    }
-    refused
-}
-
 fn check_nodes(device: &Device) {
-    if is_refused(device) {
-        return;
-    }
     let mut n_controls = 0;
     for (name, boxes) in scenes() {
         let tree = Oriented::over(device, &boxes);
@@ -348,9 +336,6 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
 }
 
 fn check_traversals(device: &Device) {
-    if is_refused(device) {
-        return;
-    }
     let loose: Vec<Aabb> = slanted(300, 0.3);
     let exact = rounds_like_a_cpu(device);
     for (name, boxes) in scenes().into_iter().filter(|(name, _)| exact || *name != SUBNORMAL) {

@@ -2,7 +2,7 @@
 //! candidates are those of the CPU's default.
 
 use ccd::gpu::{Device, Path, Session};
-use ccd::scenes::{Sequence, cloth_on_ball, interpenetrating, n_body};
+use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating};
 use ccd::{
     BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
     Traversal, TreeOptions, Volume,
@@ -63,8 +63,8 @@ fn run(
 fn check_sequences(device: &Device) {
     let scenes = [
         ("interpenetrating", interpenetrating(64), 6),
-        ("n-body", n_body(12, 3), 8),
-        ("cloth on ball", cloth_on_ball(12), 8),
+        ("funnel", funnel(10), 6),
+        ("cloth on ball", cloth_on_ball(12), 6),
     ];
     let volumes = match device.info().path {
         Path::Passthrough => &[Volume::Aabb, Volume::Obb][..],
@@ -97,7 +97,7 @@ fn check_sequences(device: &Device) {
 /// Fronts that may hardly grow, that must change, or that have no memory; lists that are made short
 /// in the middle.
 fn check_given_up(device: &Device) {
-    let scene = n_body(12, 3);
+    let scene = interpenetrating(64);
     let (frames, want) = steps(&scene, 8);
     let on = FrontOptions::default();
     let kept = |options: FrontOptions, short: bool| {

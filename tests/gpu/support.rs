@@ -9,7 +9,7 @@ use ccd_core::kernel::TABLE;
 use ccd_core::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
-use ccd_testkit::methods::{is_near_default, is_oriented};
+use ccd_testkit::methods::is_near_default;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
@@ -107,10 +107,8 @@ pub fn same(a: f32, b: f32) -> bool {
 /// Every method that the device has; where threads of this machine do the work of a GPU, of trees
 /// those that differ from the default in one choice.
 pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
-    let native = device.info().path == gpu::Path::Passthrough;
     let emulated = device.info().adapter.device_type == DeviceType::Cpu;
-    let here = move |method| native || !is_oriented(method);
-    ccd::every("gpu").filter(move |&m| here(m) && (!emulated || is_near_default(m)))
+    ccd::every("gpu").filter(move |&method| !emulated || is_near_default(method))
 }
 
 /// Whether quotients and roots of `f32` are those of a CPU: a GPU's are off by some units in the

@@ -187,8 +187,9 @@ fn measure_scene(
     let (x0, x1) = (&t0.positions, &t1.positions);
     let want = ccd::step(&mesh, x0, x1, &ccd::Options::default())?;
     let trees = bytes_of_trees(&mesh);
-    let mut session = Session::new(device, mesh, ccd::Options::default())?;
     let _ = writeln!(text, "\n### {}\n", scene.name);
+    measure_sources(device, &mesh, [x0, x1], want.candidates, runs, text)?;
+    let mut session = Session::new(device, mesh, ccd::Options::default())?;
     let peer = PEERS.iter().find(|p| p.scene == scene.name);
     let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
         session.set_timing(timing)?;
@@ -241,6 +242,45 @@ fn measure_scene(
         "",
         &toi.map_or("none".into(), |t| format!("{t:e}")),
     );
+    Ok(())
+}
+
+/// Candidates of a scene by methods other than the default, whose stages are of one kind of pairs
+/// each.
+fn measure_sources(
+    device: &Device,
+    mesh: &Mesh,
+    [x0, x1]: [&[[f64; 3]]; 2],
+    want: ccd::PerKind,
+    runs: usize,
+    text: &mut String,
+) -> Result<(), ccd::gpu::Error> {
+    let bytes = bytes_of_trees(mesh) + 8.0 * want.total() as f64;
+    for (name, broad_phase) in [
+        ("sweep-and-prune", BroadPhaseMethod::SweepAndPrune),
+        ("uniform-grid", BroadPhaseMethod::UniformGrid),
+        ("tree", BroadPhaseMethod::TREE),
+    ] {
+        let options = ccd::Options { broad_phase, ..ccd::Options::default() };
+        let mut session = Session::new(device, mesh.clone(), options)?;
+        let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+            session.set_timing(timing)?;
+            session.candidates_on_device(x0, x1)?;
+            Ok(session.stages().to_vec())
+        });
+        match measured {
+            Ok(measured) => {
+                assert_eq!(session.report().candidates, want, "candidates by {name}");
+                let title = format!("candidates by {name}");
+                row(text, &title, &measured, bytes, "", "as below");
+            }
+            // The grid, of cells that are too full.
+            Err(ccd::gpu::Error::Input(e)) => {
+                let _ = writeln!(text, "- candidates by {name}: {e}.");
+            }
+            Err(e) => return Err(e),
+        }
+    }
     Ok(())
 }
 

@@ -35,9 +35,8 @@ enum Task {
     Tidy,
     /// Mutations of ccd-core that its tests must notice, one at a time
     Mutants {
-        /// Only those whose name contains this
-        #[arg(default_value = "")]
-        name: String,
+        /// Only those whose name contains one of these
+        names: Vec<String>,
     },
     /// Model checks of the deques that workers steal from: all interleavings, within bounds that
     /// docs/SCHEDULING.md states; the printed algorithms must be refuted
@@ -155,7 +154,7 @@ fn main() -> ExitCode {
     let result = match Task::parse() {
         Task::Ci => ci::run(root),
         Task::Tidy => tidy::run(root),
-        Task::Mutants { name } => mutants::run(root, &name),
+        Task::Mutants { names } => mutants::run(root, &names),
         Task::Loom { name, here } => loom_task(root, &name, here),
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),

@@ -50,13 +50,14 @@ enum Outcome {
     Broken(String),
 }
 
-/// Tries the mutants whose name contains `name`.
-pub fn run(root: &Path, name: &str) -> Result<(), String> {
+/// Tries the mutants whose name contains one of `names`; all, if there are none.
+pub fn run(root: &Path, names: &[String]) -> Result<(), String> {
     let all = mutants()?;
-    let chosen: Vec<&Mutant> = all.iter().filter(|m| m.name.contains(name)).collect();
-    if chosen.is_empty() {
+    if let Some(name) = names.iter().find(|n| !all.iter().any(|m| m.name.contains(*n))) {
         return Err(format!("no mutant is called {name}"));
     }
+    let wanted = |m: &&Mutant| names.is_empty() || names.iter().any(|n| m.name.contains(n));
+    let chosen: Vec<&Mutant> = all.iter().filter(wanted).collect();
     let copy = root.join("target/mutants/copy");
     prepare(root, &copy)?;
     // All texts first: a list that is out of date costs no hour.

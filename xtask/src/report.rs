@@ -372,7 +372,7 @@ fn scaling(out: &mut String, ours: &[Ours]) {
 fn kernels(root: &Path, out: &mut String) -> Result<(), String> {
     crate::ci::command(
         root,
-        &["cargo", "bench", "-p", "ccd", "--bench", "kernels", "--", "--quick", "--noplot"],
+        &["cargo", "bench", "-p", "meshccd", "--bench", "kernels", "--", "--quick", "--noplot"],
     )?;
     let _ = writeln!(
         out,

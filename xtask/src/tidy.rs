@@ -32,7 +32,7 @@ const UNSAFE_FILES: [&str; 12] = [
 /// A word, and the only places where it may stand.
 const OWNERS: [(&str, &[&str]); 3] = [
     ("rayon", &["ccd-cpu/", "xtask/"]),
-    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "src/cli/", "tests/"]),
+    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "ccd-cli/", "tests/"]),
     ("spirv_std", &["ccd-shaders/"]),
 ];
 

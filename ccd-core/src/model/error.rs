@@ -113,10 +113,12 @@ pub enum Error {
         /// How many there may be.
         limit: u64,
     },
-    /// A thread pool of the wanted size could not be started.
+    /// A thread pool of the wanted size is too large, or could not be started.
     Threads {
         /// Threads asked for.
         count: usize,
+        /// Most that are possible.
+        limit: usize,
     },
 }
 
@@ -189,7 +191,9 @@ impl core::fmt::Display for Error {
                      {limit}: use `blocks`"
                 )
             }
-            Error::Threads { count } => write!(f, "cannot start {count} threads"),
+            Error::Threads { count, limit } => {
+                write!(f, "cannot start {count} threads; at most {limit} are possible")
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ pub struct Options {
     /// more.
     pub min_distance: f64,
     /// Threads of work on a CPU: 0 for those of rayon's current pool, 1 for the calling one alone,
-    /// more for a pool of the session's own.
+    /// more for a pool of the session's own, up to [`Options::MAX_THREADS`].
     pub threads: usize,
     /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
     pub bodies: Option<Bodies>,
@@ -30,6 +30,9 @@ pub struct Options {
 }
 
 impl Options {
+    /// Most threads of a session or of a broad phase.
+    pub const MAX_THREADS: usize = 1024;
+
     /// Checks the options for steps of `mesh`.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;

@@ -1,8 +1,9 @@
 //! Boxes, margins, tables and separating axes: what must hold for every number, checked in a wider
 //! arithmetic.
 
+use crate::common::ascent::Ascent;
 use crate::common::random::Random;
-use ccd_core::broad_phase::swept_box::swept;
+use ccd_core::broad_phase::swept_box::{end, swept};
 use ccd_core::math::vec3::sub;
 use ccd_core::model::quantization::{Scan, margin, slack_at};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
@@ -128,6 +129,37 @@ fn positions_in_a_table_are_as_near_as_it_says() {
         let (x, y) = (number(&mut random), number(&mut random));
         check_table(x.min(y), x.max(y) + 1e-9);
     }
+}
+
+/// Of positions so far from the origin that a few numbers of `f64` lie between them, at the end of
+/// a shortened step: the error beyond that of rounding to `f32`, as a part of the term for
+/// recentring.
+fn recentred(x: &[f64]) -> f64 {
+    let part = |x: f64| 0.5 + 0.5 * x;
+    // Places are whole spacings of f64 above `low`, 2^-52 each; sums of them are exact.
+    let ulp = f64::EPSILON;
+    let low = 1.0 + ((1u64 << 20) as f64 * 0.999 * part(x[0])).floor() / (1u64 << 20) as f64;
+    let width = 2f64.powi((1.0 + 29.0 * part(x[1])).floor() as i32);
+    let place = |x: f64| (width * part(x)).round();
+    let until = ((1 << 16) as f64 * part(x[4])).round() / (1 << 16) as f64;
+    let (p, q) = (place(x[2]), place(x[3]));
+    let mut scan = Scan::NONE;
+    scan.take([low; 3]);
+    scan.take([low + width * ulp; 3]);
+    let table = scan.table(false);
+    let at = end([low + p * ulp; 3], [low + q * ulp; 3], until);
+    let want = ((p + (q - p) * until) * ulp - (table.origin[0] - low)) * table.scale;
+    let error = (table.place(at)[0] as f64 - want).abs();
+    assert!(error <= table.error as f64, "{error:e}, but {table:?} at {x:?}");
+    let reach = 0.5 * width * ulp;
+    let rounded = 1.01 * f32::UNIT as f64 * reach * table.scale;
+    (error - rounded) / (16.0 * f64::UNIT * scan.greatest() * table.scale)
+}
+
+#[test]
+fn ends_of_shortened_steps_in_a_table() {
+    let ascent = Ascent { n_inputs: 5, flush: false, ratio: recentred };
+    ascent.check("recentred", 41, [20, 1000], 0.062);
 }
 
 #[test]

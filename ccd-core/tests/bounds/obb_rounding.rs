@@ -127,7 +127,9 @@ fn boxes_in_a_box() {
                     + 64.0 * MIN_NORMAL;
                 let sign = if dot(axes[k], d) < 0.0 { -1.0 } else { 1.0 };
                 let far = add(d, farthest(&a, scale(axes[k], sign)));
-                1.0 + (dot(axes[k], far).abs() - b.half[k].0) / bound
+                // What is there for centres that are two numbers is left out.
+                let half = b.half[k].0 - 16.0 * UNIT * sum_abs(d);
+                1.0 + (dot(axes[k], far).abs() - half) / bound
             };
             (0..3).map(worst).fold(f64::NEG_INFINITY, f64::max)
         };
@@ -137,6 +139,54 @@ fn boxes_in_a_box() {
             [2, 300],
             documented,
         );
+    }
+}
+
+/// A sum of terms in the order that `by` sorts them in.
+fn summed(mut terms: Vec<(f64, Adversarial)>) -> Adversarial {
+    terms.sort_by(|x, y| x.0.total_cmp(&y.0));
+    terms.into_iter().map(|(_, term)| term).reduce(|sum, term| sum + term).unwrap()
+}
+
+/// A centre that is kept as one sum and gone on with as another.
+#[test]
+fn boxes_in_a_box_around_two_centres() {
+    for (name, far, near, documented) in
+        [("centres", 1.0, 0.0, 0.9), ("near centres", 0.0, 1.0, 0.55), ("both", 1.0, 0.1, 0.8)]
+    {
+        let ratio = |x: &[f64]| {
+            let (axes, x) = (frame(x), &x[FRAME..]);
+            let at = |i: usize| -> V { std::array::from_fn(|k| far * x[3 * i + k]) };
+            let (a, b, steps) = (at(0), at(1), [0, 1, 2].map(|i| near * x[6 + i]));
+            let part = |i: usize, k: usize| Adversarial(axes[i][k]) * Adversarial(steps[i]);
+            let terms = |k: usize, from: usize, other: Option<f64>| {
+                let mut terms: Vec<_> = (0..3).map(|i| (x[from + i], part(i, k))).collect();
+                terms.push((x[from + 3], Adversarial(a[k])));
+                terms.extend(other.map(|b| (x[from + 4], -Adversarial(b))));
+                terms
+            };
+            let kept: V = std::array::from_fn(|k| summed(terms(k, 9, None)).0);
+            // Such that the differences from the centre are those sums.
+            let small = |centre| Obb { centre, axes: identity(), half: [64.0 * MIN_NORMAL; 3] };
+            let (first, second) = (wrap_box(&small(a)), wrap_box(&small(b)));
+            let went_on: [V; 2] = [(a, 13), (b, 18)].map(|(other, from)| {
+                std::array::from_fn(|k| other[k] + summed(terms(k, from, Some(other[k]))).0)
+            });
+            let pick = (x[23] > 0.0) as usize;
+            let outer = Obb::reaching_two(wrap(went_on[pick]), axes.map(wrap), &first, &second);
+            let inner = [a, b][pick];
+            let worst = |k: usize| {
+                let d = sub(inner, kept);
+                let greatest = std::array::from_fn(|k| a[k].abs().max(b[k].abs()));
+                let bound = 12.0 * UNIT * size_along(axes[k], greatest)
+                    + 16.0 * UNIT * sum_abs(sub(a, kept))
+                    + 8.0 * UNIT * size_along(axes[k], d)
+                    + 64.0 * MIN_NORMAL;
+                1.0 + (dot(axes[k], d).abs() - outer.half[k].0) / bound
+            };
+            (0..3).map(worst).fold(f64::NEG_INFINITY, f64::max)
+        };
+        Ascent { n_inputs: FRAME + 24, flush: false, ratio }.check(name, 37, [3, 300], documented);
     }
 }
 
@@ -197,7 +247,7 @@ fn check_counts<R: Real>() {
     let outer = Obb::reaching_two([number(0.0); 3], axes, &inner, &inner);
     for k in 0..3 {
         let (h, x) = (outer.half[k].to_f64(), p[k].abs());
-        let needed = 59.0 * u * 3.5 + 6.0 * u * x;
+        let needed = 60.0 * u * 3.5 + 7.0 * u * x + 11.0 * u * x + 15.6 * u * 8.25;
         let h = h - x - inner.half[k].to_f64();
         // The sum that this is in the end of is rounded.
         assert!(h >= needed * nearly - 2.0 * u * x, "{h:e}, but {needed:e}");

@@ -2,7 +2,7 @@
 //! What a method is stands in `ccd_core::broad_phase::key_intervals`.
 
 use super::block_bvh::groups;
-use super::pair_source::{PairSource, Search, boxes_of, frame_of};
+use super::pair_source::{PAIRS, PairSource, Search, boxes_of, frame_of};
 use crate::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
     SurveySides,
@@ -25,6 +25,9 @@ use wgpu::BufferUsages as U;
 /// Pieces of work that one dispatch takes at most, 2^17 tests each: some milliseconds of a small
 /// device, so that no driver thinks that it hangs.
 const DISPATCH_LIMIT: u32 = 1 << 14;
+
+/// Stages in which intervals are cut into pieces of work.
+const WORK: [&str; 2] = ["work vertex-face", "work edge-edge"];
 
 /// Boxes of each thread of a survey.
 const SURVEY_SHARE: u32 = 32;
@@ -181,10 +184,12 @@ impl PairSource for IntervalSource {
         if self.method == UNIFORM_GRID {
             self.survey_cells(recorder, frame);
         }
-        recorder.stage("work");
-        search.kinds.iter().for_each(|&kind| self.work(recorder, frame, kind));
-        recorder.stage("pairs");
         for &kind in search.kinds {
+            recorder.stage(search.stage("work", WORK, kind));
+            self.work(recorder, frame, kind);
+        }
+        for &kind in search.kinds {
+            recorder.stage(search.stage("pairs", PAIRS, kind));
             self.pairs(recorder, frame, kind, search.pairs[kind as usize]);
         }
     }

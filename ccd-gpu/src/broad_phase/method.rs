@@ -4,12 +4,11 @@ use super::block_pairs::BlockSource;
 use super::key_intervals::IntervalSource;
 use super::pair_source::PairSource;
 use super::tree::TreeSource;
-use crate::adapter::Path;
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::{BroadPhaseMethod, Volume};
+use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::scheduling::{Scheduler, Scheduling};
 
 /// Refuses a choice that this backend does not have.
@@ -21,7 +20,8 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     }
 }
 
-/// Refuses a way to share out work that the method or this backend does not have.
+/// Refuses a way to share out pairs of nodes that the method or this backend does not have, with the
+/// reason.
 pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
     choice.check(method)?;
     if let Some(name) = choice.lacking("gpu") {
@@ -45,9 +45,6 @@ pub fn source(
 ) -> Result<Box<dyn PairSource>, Error> {
     check(choice)?;
     check_scheduling(choice, scheduling)?;
-    if device.info().path == Path::Wgsl && is_oriented(choice) {
-        return Err(Error::Contracted);
-    }
     let by_keys = |method| IntervalSource::new(device, method, count);
     Ok(match choice {
         BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
@@ -62,8 +59,4 @@ pub fn source(
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
     })
-}
-
-fn is_oriented(choice: BroadPhaseMethod) -> bool {
-    matches!(choice, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb)
 }

@@ -31,6 +31,16 @@ pub struct Search<'a> {
     pub keeps_order: bool,
 }
 
+impl Search<'_> {
+    /// The name of a stage: of a kind of pairs where several are looked for, else of all.
+    pub fn stage(&self, all: &'static str, kinds: [&'static str; 2], kind: u32) -> &'static str {
+        if self.kinds.len() > 1 { kinds[kind as usize] } else { all }
+    }
+}
+
+/// Stages in which pairs are found.
+pub const PAIRS: [&str; 2] = ["pairs vertex-face", "pairs edge-edge"];
+
 /// Finds overlapping boxes on a device.
 pub trait PairSource: Send + Sync {
     /// The boxes of all sets, one set after the other. The caller writes them.

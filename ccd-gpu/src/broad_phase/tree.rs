@@ -10,7 +10,7 @@ use super::block_bvh::Tree;
 use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
-use super::pair_source::{PairSource, Search, kinds_of};
+use super::pair_source::{PAIRS, PairSource, Search, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -139,8 +139,8 @@ impl PairSource for TreeSource {
             recorder.stage("oriented");
             trees.iter().flatten().for_each(|tree| oriented.fit(recorder, frame, blocks, tree));
         }
-        recorder.stage("pairs");
         for &kind in search.kinds {
+            recorder.stage(search.stage("pairs", PAIRS, kind));
             self.traverse(recorder, frame, kind, search);
         }
     }

@@ -1,6 +1,6 @@
 //! Oriented boxes around points and around two boxes; their bounds are derived in [`super`].
 
-use super::{Obb, absolute, along, greater, reach};
+use super::{Obb, absolute, along, greater, lesser, reach};
 use crate::math::real::{Num, Real};
 use crate::math::symmetric_eigen::symmetric_eigen;
 use crate::math::vec3::{add, max_abs, scale, sub, sum_abs};
@@ -96,10 +96,15 @@ impl<T: Real> Obb<T> {
     }
 
     /// The box with this centre and these axes that reaches as far as the two do; the axes
-    /// orthonormal as in [`Obb`].
+    /// orthonormal as in [`Obb`]. The centre may be that of `a` and a multiple of each axis, summed
+    /// in one way where it is kept and in another where it is subtracted.
     #[inline]
     pub fn reaching_two(centre: [T; 3], axes: [[T; 3]; 3], a: &Self, b: &Self) -> Self {
+        let far = greater(absolute(a.centre), absolute(b.centre));
+        let off = sum_abs(sub(a.centre, centre)) * (T::UNIT * T::splat(16.0));
+        let off = add(scale(sizes(&axes, far), T::UNIT * T::splat(12.0)), [off; 3]);
         let (of_a, of_b) = (a.beyond(centre, &axes), b.beyond(centre, &axes));
+        let (of_a, of_b) = (add(of_a, off), add(of_b, off));
         if !(all_finite(of_a) && all_finite(of_b)) {
             return Self::everything();
         }
@@ -174,11 +179,6 @@ fn sizes<N: Num>(axes: &[[N; 3]; 3], span: [N; 3]) -> [N; 3] {
 #[inline(always)]
 fn combine<N: Num>(axes: &[[N; 3]; 3], x: [N; 3]) -> [N; 3] {
     add(add(scale(axes[0], x[0]), scale(axes[1], x[1])), scale(axes[2], x[2]))
-}
-
-#[inline(always)]
-fn lesser<N: Num>(a: [N; 3], b: [N; 3]) -> [N; 3] {
-    [a[0].min(b[0]), a[1].min(b[1]), a[2].min(b[2])]
 }
 
 #[inline(always)]

@@ -65,7 +65,7 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
         "face 2 refers to vertex 69",
     );
     check_refused(&["check", a, &write("dir.txt", "x")], ".ply or .obj");
-    check_refused(&["sequence", a], "2 values");
+    check_refused(&["sequence", a], "two frames or more");
     check_refused(&["queries", &write("none.csv", "1,1\n")], "vertex-face");
     check_refused(&["check", a, a, "--contacts", "/nowhere/out.csv"], "/nowhere/out.csv");
     assert_eq!(ccd(&["--help"]).status.code(), Some(0));

@@ -1,12 +1,16 @@
-//! Arguments, dispatch, exit codes.
+//! The `ccd` command, see `ccd --help`: arguments, dispatch, exit codes.
+#![deny(unsafe_code)]
 
 mod backend;
 mod bench;
+mod bodies;
 mod boxes;
 mod check;
 mod cloth;
 mod demo;
+mod frames;
 mod info;
+mod manual;
 mod method;
 mod output;
 mod picture;
@@ -40,7 +44,8 @@ enum Command {
         ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png")]
     Check(check::Check),
     /// Contacts over many frames of a mesh, one step from each frame to the next
-    #[command(after_help = "EXAMPLES:\n  ccd sequence frames/*.ply --picture times.png")]
+    #[command(after_help = "EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
+        ccd sequence 'frames/*.ply' --json-lines")]
     Sequence(sequence::Sequence),
     /// Elemental queries from files, compared with the answers in them
     #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 \
@@ -64,6 +69,10 @@ enum Command {
     #[command(after_help = "EXAMPLES:\n  ccd bench --backend cpu\n  \
         ccd bench --backend gpu --large\n  ccd bench --size 0.5 --size 2")]
     Bench(bench::Bench),
+    /// Completions for a shell, on standard output
+    Completions(manual::Completions),
+    /// The manual as man pages
+    Man(manual::Man),
 }
 
 /// The coordinates that a step starts from.
@@ -91,6 +100,8 @@ struct StepOptions {
     backend: backend::BackendOptions,
     #[command(flatten)]
     method: method::MethodOptions,
+    #[command(flatten)]
+    bodies: bodies::BodyOptions,
     /// Contact means a distance of at most D, in the unit of the coordinates
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
     min_distance: f64,
@@ -103,7 +114,7 @@ struct StepOptions {
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
-    /// Write contacts as CSV: kind,a,b,toi,state (sequence: frame first)
+    /// Write contacts as CSV: kind,a,b,toi,state (sequence: frame first); `-` is standard output
     #[arg(long, value_name = "OUT.csv")]
     contacts: Option<PathBuf>,
     /// Write a picture (check: the mesh with its contacts; sequence: times and contacts a frame)
@@ -115,10 +126,29 @@ struct StepOptions {
 }
 
 impl StepOptions {
+    /// Opens what will be written, before any work: contacts, if they are wanted. A picture that
+    /// cannot be written is refused here, too.
+    fn contact_file(&self, frames: bool) -> Result<Option<output::ContactFile<'_>>, Failure> {
+        if let Some(path) = &self.picture {
+            output::create(path, "png")?;
+        }
+        let path = self.contacts.as_deref();
+        if self.json && path.is_some_and(output::is_stdout) {
+            return Err(Failure("--json and `--contacts -` both go to standard output".into()));
+        }
+        path.map(|path| output::ContactFile::create(path, frames)).transpose()
+    }
+
+    /// Whether text is printed: not beside JSON, nor where contacts go to standard output.
+    fn prints_text(&self) -> bool {
+        !self.json && !self.contacts.as_deref().is_some_and(output::is_stdout)
+    }
+
     /// A session for a mesh where the options want it.
     fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
         let options = ccd::Options {
             min_distance: self.min_distance,
+            bodies: self.bodies.of(&mesh)?,
             threads: self.threads,
             broad_phase: self.method.method()?,
             pipeline: self.method.pipeline()?,
@@ -160,8 +190,7 @@ fn in_file(path: &std::path::Path, e: impl std::fmt::Display) -> Failure {
 /// Whether there was a contact.
 type Outcome = Result<bool, Failure>;
 
-/// Runs the command; the exit status.
-pub fn main() -> ExitCode {
+fn main() -> ExitCode {
     let cli = Cli::parse();
     let (outcome, fail_on_contact) = match &cli.command {
         Command::Check(c) => (c.run(), c.options.fail_on_contact),
@@ -172,14 +201,23 @@ pub fn main() -> ExitCode {
         Command::Info(c) => (c.run(), false),
         Command::List(c) => (c.run(), false),
         Command::Bench(c) => (c.run(), false),
+        Command::Completions(c) => (c.run(), false),
+        Command::Man(c) => (c.run(), false),
     };
     match outcome {
         Ok(true) if fail_on_contact => ExitCode::from(1),
         Ok(_) => ExitCode::SUCCESS,
         Err(failure) => {
-            let style = anstyle::Style::new().bold().fg_color(Some(anstyle::AnsiColor::Red.into()));
-            anstream::eprintln!("{style}error:{style:#} {failure}");
+            complain(&failure);
             ExitCode::from(2)
         }
     }
+}
+
+/// Says why the command ends.
+fn complain(failure: &Failure) {
+    use std::io::Write;
+    let style = anstyle::Style::new().bold().fg_color(Some(anstyle::AnsiColor::Red.into()));
+    // If nobody can be told, the exit status says it.
+    let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {failure}");
 }

@@ -6,6 +6,7 @@ mod meshes;
 mod methods;
 mod refusals;
 mod rows;
+mod streams;
 
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use serde_json::Value;
@@ -30,6 +31,11 @@ const ANYWHERE: &[(&str, fn())] = &[
         methods::combinations_that_mean_nothing_are_refused,
     ),
     ("bench_checks_its_answers", bench::bench_checks_its_answers),
+    ("contacts_go_to_standard_output", streams::contacts_go_to_standard_output),
+    ("output_that_fails_is_no_panic", streams::output_that_fails_is_no_panic),
+    ("sequences_are_folders_and_patterns", streams::sequences_are_folders_and_patterns),
+    ("bodies_select_contacts", streams::bodies_select_contacts),
+    ("shells_and_man_have_something_to_read", streams::shells_and_man_have_something_to_read),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[

@@ -261,7 +261,7 @@ impl List {
             let of = "of blocks, and of trees by pairs of nodes";
             print::<Scheduler>(&format!("Schedulers {of}, --scheduler NAME"), &all.schedulers);
             print::<Front>(&format!("Fronts {of}, --front NAME"), &all.fronts);
-            println!("* what is used without the option");
+            output::say!("* what is used without the option");
         }
         output::flush();
         Ok(false)
@@ -270,11 +270,11 @@ impl List {
 
 fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
     let of_default = T::default().row().name;
-    println!("{title}");
+    output::say!("{title}");
     for Entry { name, about, source, backends } in entries {
         let source = source.map_or(String::new(), |source| format!(" [{source}]"));
         let mark = if *name == of_default { '*' } else { ' ' };
-        println!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
+        output::say!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
     }
-    println!();
+    output::say!("");
 }

@@ -1,8 +1,8 @@
 //! `ccd sequence`: a session over many frames.
 
 use super::check::{mesh_of, same_topology, step};
-use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
-use super::{Failure, Outcome, StepOptions, plot};
+use super::output::{self, Counts, MeshSize, TimesMs};
+use super::{Failure, Outcome, StepOptions, frames, plot};
 use ccd::any::Session;
 use ccd::io::{Frame, read_frame};
 use clap::Args;
@@ -12,9 +12,13 @@ use std::time::Instant;
 
 #[derive(Args)]
 pub struct Sequence {
-    /// Frames of one mesh in order (.ply or .obj), two or more
-    #[arg(required = true, num_args = 2.., value_name = "FRAMES")]
+    /// Frames of one mesh (.ply or .obj), two or more: files in order, or folders and patterns,
+    /// whose files are taken by name, f2 before f10
+    #[arg(required = true, value_name = "FRAMES")]
     frames: Vec<PathBuf>,
+    /// Print a JSON object a line: one for each step as soon as it is done, then the summary
+    #[arg(long, conflicts_with = "json")]
+    json_lines: bool,
     #[command(flatten)]
     pub options: StepOptions,
 }
@@ -22,6 +26,8 @@ pub struct Sequence {
 #[derive(Serialize)]
 struct Step {
     frame: usize,
+    /// The file of the step's end.
+    file: String,
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
@@ -54,24 +60,32 @@ struct Summary {
 
 impl Sequence {
     pub fn run(&self) -> Outcome {
+        let mut file = self.options.contact_file(true)?;
+        let (frames, is_unsorted) = frames::expand(&self.frames)?;
+        if is_unsorted {
+            eprintln!("ccd: the frames are not in the order of the numbers in their names");
+        }
         let load_start = Instant::now();
-        let mut before: Frame = read_frame(&self.frames[0])?;
-        let mut session = self.options.session(mesh_of(&self.frames[0], &before)?)?;
+        let mut before: Frame = read_frame(&frames[0])?;
+        let mut session = self.options.session(mesh_of(&frames[0], &before)?)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
-        let mut file = match &self.options.contacts {
-            Some(path) => Some(ContactFile::create(path, true)?),
-            None => None,
-        };
-        let bar = output::progress(self.frames.len() - 1, "steps");
+        let bar = output::progress(frames.len() - 1, "steps");
         let mut steps: Vec<Step> = Vec::new();
-        if !self.options.json {
+        let is_text = self.options.prints_text() && !self.json_lines;
+        if is_text {
             output::line("mesh", MeshSize::from(session.mesh()));
-            println!(
-                "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}",
-                "frame", "vf", "ee", "undecided", "earliest", "step", "trees"
+            output::say!(
+                "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}  to",
+                "frame",
+                "vf",
+                "ee",
+                "undecided",
+                "earliest",
+                "step",
+                "trees"
             );
         }
-        for (i, paths) in self.frames.windows(2).enumerate() {
+        for (i, paths) in frames.windows(2).enumerate() {
             let start = Instant::now();
             let after = read_frame(&paths[1])?;
             same_topology((&paths[0], &before), (&paths[1], &after))?;
@@ -80,6 +94,7 @@ impl Sequence {
             let report = session.report();
             let row = Step {
                 frame: i,
+                file: paths[1].display().to_string(),
                 candidates: report.candidates.into(),
                 contacts: report.n_contacts().into(),
                 undecided: report.undecided,
@@ -90,7 +105,9 @@ impl Sequence {
             if let Some(file) = &mut file {
                 file.write(i, &report.contacts)?;
             }
-            if !self.options.json {
+            if self.json_lines {
+                bar.suspend(|| output::json(&row))?;
+            } else if is_text {
                 bar.suspend(|| print(&row));
             }
             steps.push(row);
@@ -117,7 +134,9 @@ impl Sequence {
             let (mesh, adapter, threads) =
                 (session.mesh().into(), place.adapter(), place.threads());
             output::json(&Json { mesh, backend, adapter, precision, threads, steps, summary })?;
-        } else {
+        } else if self.json_lines {
+            output::json(&summary)?;
+        } else if self.options.prints_text() {
             let text = format!(
                 "{} steps, {} of them free; {} contacts, {} undecided",
                 summary.steps, summary.free_steps, summary.contacts, summary.undecided
@@ -158,14 +177,15 @@ fn summarise(steps: &[Step]) -> Summary {
 fn print(s: &Step) {
     let toi = s.toi.map_or("-".into(), |t| format!("{t:.6e}"));
     let trees = if s.rebuilt { "built" } else { "refit" };
-    println!(
-        "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}",
+    output::say!(
+        "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}  {}",
         s.frame,
         s.contacts.vf,
         s.contacts.ee,
         s.undecided,
         toi,
         output::milliseconds(step_ms(s)),
-        trees
+        trees,
+        s.file
     );
 }

@@ -83,9 +83,15 @@ impl Queries {
         if self.json {
             output::json(&Json { files, total })?;
         } else {
-            println!(
+            output::say!(
                 "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file",
-                "queries", "hits", "misses", "undecided", "false pos", "false neg", "ns each"
+                "queries",
+                "hits",
+                "misses",
+                "undecided",
+                "false pos",
+                "false neg",
+                "ns each"
             );
             files.iter().for_each(|f| print(&f.counts, &f.file));
             print(&total, "total");
@@ -100,7 +106,7 @@ fn per_query(ns: f64, n: usize) -> f64 {
 }
 
 fn print(c: &Counts, name: &str) {
-    println!(
+    output::say!(
         "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8.0}  {name}",
         c.queries,
         c.hits,

@@ -58,7 +58,7 @@ impl InfoCommand {
         if self.json {
             output::json(&json(info, adapters))?;
         } else {
-            println!("{info}");
+            output::say!("{info}");
             for (i, a) in adapters.iter().enumerate() {
                 output::line(
                     if i == 0 { "there are" } else { "" },

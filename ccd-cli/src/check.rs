@@ -1,6 +1,6 @@
 //! `ccd check`: contacts between two frames.
 
-use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
+use super::output::{self, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, Precision, StepOptions, in_file, picture};
 use ccd::Mesh;
 use ccd::any::{Error, Place, Session};
@@ -38,6 +38,7 @@ struct Json<'a> {
 
 impl Check {
     pub fn run(&self) -> Outcome {
+        let file = self.options.contact_file(false)?;
         let start = Instant::now();
         let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
         let mesh = mesh_of(&self.t0, &t0)?;
@@ -47,8 +48,8 @@ impl Check {
         let mut session = self.options.session(mesh)?;
         step(&mut session, self.options.precision, (&self.t0, &t0), (&self.t1, &t1))?;
         let (mesh, report) = (session.mesh(), session.report());
-        if let Some(path) = &self.options.contacts {
-            ContactFile::create(path, false)?.write(0, &report.contacts)?;
+        if let Some(mut file) = file {
+            file.write(0, &report.contacts)?;
         }
         if let Some(path) = &self.options.picture {
             picture::write(path, mesh, &t0.positions, &report.contacts)?;
@@ -68,7 +69,7 @@ impl Check {
                 threads: place.threads(),
                 times_ms: TimesMs::new(load, report),
             })?;
-        } else {
+        } else if self.options.prints_text() {
             print(&session, load);
         }
         output::flush();

@@ -3,13 +3,38 @@
 use super::{Failure, in_file};
 use ccd::{Contact, Kind, Mesh, PerKind, Report, State};
 use serde::Serialize;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
+
+/// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
+macro_rules! say {
+    ($($text:tt)*) => {
+        $crate::output::print(format_args!($($text)*))
+    };
+}
+pub(crate) use say;
+
+/// Prints a line to standard output.
+pub fn print(text: std::fmt::Arguments) {
+    if let Err(e) = writeln!(anstream::stdout(), "{text}") {
+        ended(&e);
+    }
+}
+
+/// Nothing can be printed any more. A reader that has gone away has seen what it wanted; all else
+/// is an error.
+fn ended(e: &std::io::Error) -> ! {
+    if e.kind() == ErrorKind::BrokenPipe {
+        std::process::exit(0);
+    }
+    super::complain(&Failure(format!("standard output: {e}")));
+    std::process::exit(2)
+}
 
 /// A line of text output: a bold name, and what it says.
 pub fn line(name: &str, text: impl std::fmt::Display) {
     let bold = anstyle::Style::new().bold();
-    anstream::println!("{bold}{name:<11}{bold:#} {text}");
+    say!("{bold}{name:<11}{bold:#} {text}");
 }
 
 /// Numbers of both kinds of pairs.
@@ -97,23 +122,57 @@ pub fn thousands(n: usize) -> String {
 /// Prints an object as one line of JSON.
 pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;
-    println!("{text}");
+    say!("{text}");
     Ok(())
+}
+
+/// Refuses a path that ends otherwise than in what is written to it.
+pub fn check_extension(path: &Path, extension: &str) -> Result<(), Failure> {
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension)) {
+        return Ok(());
+    }
+    Err(in_file(path, format_args!("is written as .{extension}; a name that ends so is expected")))
+}
+
+/// Whether a path means standard output.
+pub fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Creates a file, so that one that cannot be written is known before any work.
+pub fn create(path: &Path, extension: &str) -> Result<std::fs::File, Failure> {
+    check_extension(path, extension)?;
+    std::fs::File::create(path).map_err(|e| in_file(path, e))
 }
 
 /// Contacts as CSV, one file for one step or, with frame numbers, for many.
 pub struct ContactFile<'a> {
     path: &'a Path,
-    writer: csv::Writer<std::fs::File>,
+    writer: csv::Writer<Box<dyn Write>>,
     frames: bool,
 }
 
 impl<'a> ContactFile<'a> {
+    /// Opens the file, or standard output for `-`, and writes the names of columns.
     pub fn create(path: &'a Path, frames: bool) -> Result<Self, Failure> {
-        let mut writer = csv::Writer::from_path(path).map_err(|e| in_file(path, e))?;
+        let to: Box<dyn Write> = if is_stdout(path) {
+            Box::new(std::io::stdout())
+        } else {
+            Box::new(create(path, "csv")?)
+        };
+        let mut file = Self { path, writer: csv::Writer::from_writer(to), frames };
         let header = ["frame", "kind", "a", "b", "toi", "state"];
-        writer.write_record(&header[usize::from(!frames)..]).map_err(|e| in_file(path, e))?;
-        Ok(Self { path, writer, frames })
+        let written = file.writer.write_record(&header[usize::from(!frames)..]);
+        written.map_err(|e| file.failure(e))?;
+        Ok(file)
+    }
+
+    /// Why a row could not be written.
+    fn failure(&self, e: csv::Error) -> Failure {
+        match e.kind() {
+            csv::ErrorKind::Io(e) if is_stdout(self.path) => ended(e),
+            _ => in_file(self.path, e),
+        }
     }
 
     pub fn write(&mut self, frame: usize, contacts: &[Contact]) -> Result<(), Failure> {
@@ -130,11 +189,10 @@ impl<'a> ContactFile<'a> {
                 format!("{:?}", c.toi),
                 state(c.state).into(),
             ];
-            self.writer
-                .write_record(&row[usize::from(!self.frames)..])
-                .map_err(|e| in_file(self.path, e))?;
+            let written = self.writer.write_record(&row[usize::from(!self.frames)..]);
+            written.map_err(|e| self.failure(e))?;
         }
-        self.writer.flush().map_err(|e| in_file(self.path, e))
+        self.writer.flush().map_err(|e| self.failure(e.into()))
     }
 }
 
@@ -153,7 +211,9 @@ pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
     indicatif::ProgressBar::new(n as u64).with_style(style).with_message(what)
 }
 
-/// Flushes standard output, ignoring a reader that has gone away.
+/// Flushes standard output.
 pub fn flush() {
-    let _ = std::io::stdout().flush();
+    if let Err(e) = std::io::stdout().flush() {
+        ended(&e);
+    }
 }

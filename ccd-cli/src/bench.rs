@@ -130,9 +130,13 @@ impl Bench {
                 };
                 output::line("", format_args!("with uploads and results read back; {stamps}"));
             }
-            println!(
+            output::say!(
                 "\n{:<34} {:<15} {:>30} {:>9} {:>9}",
-                "scene", "what", "answer", "time", "device"
+                "scene",
+                "what",
+                "answer",
+                "time",
+                "device"
             );
         }
         let mut rows = Vec::new();
@@ -306,7 +310,7 @@ impl Bench {
         let Timed { answer, median_ms, min_ms, device_ms } = timed;
         if !self.json {
             let ms = output::milliseconds;
-            println!(
+            output::say!(
                 "{scene:<34} {what:<15} {answer:>30} {:>9} {:>9}",
                 ms(median_ms),
                 device_ms.map_or("-".into(), ms)

@@ -1,0 +1,113 @@
+//! Which vertices belong together, and which of them do not move.
+
+use super::{Failure, in_file};
+use ccd::{Bodies, Mesh};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Options that select pairs by the bodies of their features.
+#[derive(Args)]
+pub struct BodyOptions {
+    /// The body of each vertex: whole numbers from 0, separated by white space or commas. Without
+    /// it the connected parts of the mesh are the bodies, numbered in the order of their first
+    /// vertices
+    #[arg(long, value_name = "FILE")]
+    bodies: Option<PathBuf>,
+    /// Leave out contacts within one body
+    #[arg(long)]
+    no_self_contact: bool,
+    /// Bodies that do not move: contacts between two of them are left out
+    #[arg(long, value_name = "BODY", value_delimiter = ',')]
+    fixed: Vec<u32>,
+}
+
+impl BodyOptions {
+    /// The bodies of a mesh, if any option speaks of them.
+    pub fn of(&self, mesh: &Mesh) -> Result<Option<Bodies>, Failure> {
+        if self.bodies.is_none() && !self.no_self_contact && self.fixed.is_empty() {
+            return Ok(None);
+        }
+        let of_vertex = match &self.bodies {
+            Some(path) => read(path, mesh.n_vertices())?,
+            None => parts(mesh),
+        };
+        let most = of_vertex.iter().max().copied();
+        let mut fixed = vec![false; most.map_or(0, |most| most as usize + 1)];
+        for &body in &self.fixed {
+            match fixed.get_mut(body as usize) {
+                Some(fixed) => *fixed = true,
+                None => {
+                    let there = most
+                        .map_or("there is none".into(), |most| format!("the last one is {most}"));
+                    return Err(Failure(format!("--fixed: there is no body {body}; {there}")));
+                }
+            }
+        }
+        Ok(Some(Bodies::new(&of_vertex, &fixed, !self.no_self_contact)))
+    }
+}
+
+/// The most bodies of a file, so that a number that is none of a body is told from one.
+const MOST_BODIES: u32 = 1 << 24;
+
+fn read(path: &Path, n_vertices: usize) -> Result<Vec<u32>, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|e| in_file(path, e))?;
+    let mut bodies = Vec::with_capacity(n_vertices);
+    for (line, words) in text.lines().enumerate() {
+        let separator = |c: char| c.is_whitespace() || c == ',';
+        for word in words.split(separator).filter(|word| !word.is_empty()) {
+            let body = word.parse().ok().filter(|&body: &u32| body < MOST_BODIES);
+            bodies.push(body.ok_or_else(|| {
+                let (line, word) = (line + 1, word.chars().take(20).collect::<String>());
+                let what =
+                    format!("line {line}: `{word}` is no body; 0 to {} are", MOST_BODIES - 1);
+                in_file(path, what)
+            })?);
+        }
+    }
+    if bodies.len() != n_vertices {
+        let n = bodies.len();
+        return Err(in_file(path, format_args!("{n} bodies for {n_vertices} vertices")));
+    }
+    Ok(bodies)
+}
+
+/// The connected part that each vertex belongs to.
+fn parts(mesh: &Mesh) -> Vec<u32> {
+    let mut parent: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
+    let root = |parent: &mut Vec<u32>, mut v: u32| {
+        while parent[v as usize] != v {
+            parent[v as usize] = parent[parent[v as usize] as usize];
+            v = parent[v as usize];
+        }
+        v
+    };
+    for &[v, w] in mesh.edges() {
+        let (v, w) = (root(&mut parent, v), root(&mut parent, w));
+        // The first vertex of a part is its root.
+        parent[v.max(w) as usize] = v.min(w);
+    }
+    let mut n = 0;
+    let mut parts = vec![0; parent.len()];
+    for v in 0..parent.len() {
+        let root = root(&mut parent, v as u32) as usize;
+        if root == v {
+            parts[v] = n;
+            n += 1;
+        } else {
+            parts[v] = parts[root];
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn connected_parts_are_numbered_by_their_first_vertices() {
+        let mesh = Mesh::new(8, &[[0, 5, 2], [6, 3, 1], [5, 2, 4]]).unwrap();
+        assert_eq!(parts(&mesh), [0, 1, 0, 1, 0, 0, 1, 2]);
+    }
+}
