@@ -91,8 +91,8 @@ pub enum Shrink {
     Drop,
     /// It is lifted: the next step begins with it, and replaces every pair that is apart by the
     /// highest pair above it that is, so that it leaves what a step from the roots would. Where
-    /// what is above a pair depends on where boxes were before (`larger` in a traversal), it is
-    /// dropped.
+    /// what is above a pair depends on where boxes were before (`larger` in a traversal), and on a
+    /// GPU, it is dropped.
     Lift,
 }
 
