@@ -87,12 +87,12 @@ pub use ccd_core::model::method::{
 pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
-pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling};
+pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, MAX_LOOSENESS, Pairs, Session, TreeStatistics,
-    earliest_toi, step,
+    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, MAX_LOOSENESS, Pairs, Session,
+    TreeStatistics, earliest_toi, step,
 };

@@ -4,7 +4,7 @@
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 use ccd::{
     BroadPhaseMethod, Digest, Front, FrontOptions, Mesh, Options, Scheduler, Scheduling, Session,
-    Traversal, TreeOptions, Volume,
+    Shrink, Traversal, TreeOptions, Volume,
 };
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Trial};
@@ -32,11 +32,11 @@ fn check(name: &str, mesh: &Mesh, n_frames: usize, frame: impl Fn(usize) -> Vec<
         ..Options::default()
     };
     let session = |options| Session::new(mesh.clone(), options).expect("a session");
-    // Rules of either kind, and a front that is kept for as long as it can be.
+    // Rules of either kind: lifted in every other step, or now and then, or dropped.
     let fronts = [
-        FrontOptions::default(),
+        FrontOptions::default().rebuild(1, u32::MAX).shrink(Shrink::Lift),
+        FrontOptions::default().growth(102).rebuild(4, 101).shrink(Shrink::Lift),
         FrontOptions::default().rebuild(4, 101),
-        FrontOptions::default().growth(u32::MAX),
     ];
     let schedulers = [Scheduler::LazyStealing, Scheduler::Frontier, Scheduler::SelfScheduling];
     let of = |k: usize| {

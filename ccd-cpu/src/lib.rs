@@ -18,6 +18,7 @@ mod sort;
 mod step;
 mod threads;
 
+pub use broad_phase::descent_times::DescentTimes;
 pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::tree::TreeStatistics;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};

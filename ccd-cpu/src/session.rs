@@ -1,6 +1,7 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
+use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::milliseconds;
@@ -71,6 +72,18 @@ impl Session {
     /// What the last step found.
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// From now on, whether the clock is asked where the time of descents goes, which costs time
+    /// itself: two looks for every list of pairs that is expanded.
+    pub fn set_timed(&mut self, timed: bool) {
+        self.method.set_timed(timed);
+    }
+
+    /// Where it went since [`Session::set_timed`]: if a scheduler was chosen, by
+    /// [`Options::scheduling`], that is not the default's.
+    pub fn descent_times(&self) -> Option<DescentTimes> {
+        self.method.descent_times()
     }
 
     /// Takes what the last step found out of the session.

@@ -14,6 +14,8 @@ mod markdown;
 mod mutants;
 #[cfg(feature = "report")]
 mod report;
+#[cfg(feature = "algorithms")]
+mod schedulers;
 mod shaders;
 mod tidy;
 #[cfg(feature = "shaders")]
@@ -70,6 +72,12 @@ enum Task {
         /// one, and write the tables and plots of docs/ALGORITHMS.md (needs the data)
         #[arg(long, conflicts_with = "gpu")]
         algorithms: bool,
+        /// Measure every scheduler with a front and without one over sequences instead, on the CPU
+        /// and on the GPU if there is one, and write the tables and plots of docs/SCHEDULING.md
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms"])]
+        schedulers: bool,
+        #[command(flatten)]
+        of_schedulers: SchedulersOptions,
         /// Only these measurements of the GPU
         #[arg(long, requires = "gpu", value_enum, value_delimiter = ',')]
         only: Vec<Part>,
@@ -80,6 +88,44 @@ enum Task {
         #[arg(long, value_enum)]
         only: Option<compile_times::Part>,
     },
+}
+
+/// What the report of schedulers measures.
+#[derive(Clone, Debug, clap::Args)]
+struct SchedulersOptions {
+    /// Numbers of threads
+    #[arg(long, requires = "schedulers", value_delimiter = ',', default_values_t = [1, 2])]
+    threads: Vec<usize>,
+    /// Only scenes whose name contains one of these
+    #[arg(long, requires = "schedulers", value_delimiter = ',')]
+    scenes: Vec<String>,
+    /// Few steps of the smaller scenes
+    #[arg(long, requires = "schedulers")]
+    quick: bool,
+    /// No measurement of when fronts are given up
+    #[arg(long, requires = "schedulers")]
+    no_rules: bool,
+    /// Leave the GPU out
+    #[arg(long, requires = "schedulers")]
+    no_gpu: bool,
+    /// The folder with SCHEDULING.md and the folder of plots, scheduling
+    #[arg(long, requires = "schedulers", default_value = "docs")]
+    folder: std::path::PathBuf,
+}
+
+impl SchedulersOptions {
+    /// As they are written on a command line.
+    #[cfg(not(feature = "algorithms"))]
+    fn args(&self) -> Vec<String> {
+        let mut args: Vec<String> =
+            self.threads.iter().map(|threads| format!("--threads={threads}")).collect();
+        args.extend(self.scenes.iter().map(|scene| format!("--scenes={scene}")));
+        let flags =
+            [(self.quick, "--quick"), (self.no_rules, "--no-rules"), (self.no_gpu, "--no-gpu")];
+        args.extend(flags.into_iter().filter(|flag| flag.0).map(|flag| flag.1.to_owned()));
+        args.push(format!("--folder={}", self.folder.display()));
+        args
+    }
 }
 
 /// What the report of the GPU measures.
@@ -112,6 +158,9 @@ fn main() -> ExitCode {
         Task::Loom { name, here } => loom_task(root, &name, here),
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),
+        Task::Report { schedulers: true, of_schedulers, .. } => {
+            schedulers_task(root, &of_schedulers)
+        }
         Task::Report { runs, gpu: true, out, only, .. } => {
             gpu_task(root, runs, &root.join(out), &only)
         }
@@ -165,6 +214,20 @@ fn algorithms_task(root: &Path, runs: usize) -> Result<(), String> {
     let runs = runs.to_string();
     let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "algorithms", "--"];
     ci::command(root, &[&build[..], &["report", "--algorithms", "--runs", &runs]].concat())
+}
+
+#[cfg(feature = "algorithms")]
+fn schedulers_task(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
+    schedulers::run(root, options)
+}
+
+/// Without what it measures: builds itself again with it.
+#[cfg(not(feature = "algorithms"))]
+fn schedulers_task(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
+    let args = options.args();
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "algorithms", "--"];
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    ci::command(root, &[&build[..], &["report", "--schedulers"], &args].concat())
 }
 
 #[cfg(feature = "gpu-report")]

@@ -82,7 +82,21 @@ impl Front {
     pub const ON: Self = Self::On(FrontOptions::DEFAULT);
 }
 
-/// When a front is given up, so that a step begins at the roots, and leaves a new one.
+/// What becomes of a front that is too deep; see [`FrontOptions`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Shrink {
+    /// It is dropped: the next step begins at the roots, and leaves a new one.
+    #[default]
+    Drop,
+    /// It is lifted: the next step begins with it, and replaces every pair that is apart by the
+    /// highest pair above it that is, so that it leaves what a step from the roots would. Where
+    /// what is above a pair depends on where boxes were before (`larger` in a traversal), and on a
+    /// GPU, it is dropped.
+    Lift,
+}
+
+/// When a front is given up: as [`Shrink`] says.
 ///
 /// Pairs that meet are replaced by those below them; pairs that separate stay where they are, so
 /// that a front only gets deeper. One that is too deep is more work than it saves.
@@ -96,6 +110,8 @@ pub struct FrontOptions {
     /// it did not change much, so that it is taken to be deeper than the scene asks for, `rt`
     /// there. 0: never.
     pub threshold: u32,
+    /// What giving up means.
+    pub shrink: Shrink,
     /// The front is given up once it is this many times as large, in percent, as the last one that
     /// began at the roots: 100 or more.
     pub growth: u32,
@@ -105,7 +121,8 @@ pub struct FrontOptions {
 }
 
 impl FrontOptions {
-    const DEFAULT: Self = Self { period: 16, threshold: 0, growth: 150, memory: 512 };
+    const DEFAULT: Self =
+        Self { period: 16, threshold: 0, growth: 150, memory: 512, shrink: Shrink::Drop };
     /// Most MiB of a front: 64 GiB.
     pub const MAX_MEMORY: u32 = 1 << 16;
 
@@ -117,6 +134,11 @@ impl FrontOptions {
     /// The same with this bound of its growth in percent.
     pub const fn growth(self, growth: u32) -> Self {
         Self { growth, ..self }
+    }
+
+    /// The same with this way to give it up.
+    pub const fn shrink(self, shrink: Shrink) -> Self {
+        Self { shrink, ..self }
     }
 
     /// The same with this bound of its memory in MiB.

@@ -101,7 +101,13 @@ impl PairSource for BlockSource {
 }
 
 impl PairsOfNodes for BlockSource {
-    fn descend(&mut self, _threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
+    fn descend(
+        &mut self,
+        _threads: &Threads,
+        sides: Sides,
+        _lift: bool,
+        run: &mut dyn FnMut(Pairs),
+    ) {
         let pairs = BlockPairs::new(&mut self.trees, sides);
         let builds = [pairs.a.build(), pairs.b.build()];
         run(Pairs { tree: &pairs, roots: &[pairs.root().packed()], builds });
@@ -188,6 +194,26 @@ impl FrontTree for BlockPairs<'_> {
         }
         let lane = |tree: &BlockBvh, i: usize| get_lane(&tree.level(level)[i / WIDTH], i % WIDTH);
         lane(self.a, a).overlaps(&lane(self.b, b))
+    }
+
+    #[inline(always)]
+    fn lifts(self) -> bool {
+        true
+    }
+
+    /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too.
+    #[inline(always)]
+    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)> {
+        let BlockPair { level, a, b } = BlockPair::unpacked(pair);
+        let width = WIDTH as u32;
+        let parent = BlockPair { level: level + 1, a: a / width, b: b / width };
+        let is_root = level as usize + 1 >= self.a.height();
+        (!is_root).then_some((parent.packed(), a % width == 0 && b % width == 0))
+    }
+
+    #[inline(always)]
+    fn boxes_apart(self, pair: NodePair) -> bool {
+        !self.meets(pair)
     }
 
     #[inline(always)]

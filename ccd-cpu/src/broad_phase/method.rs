@@ -2,6 +2,7 @@
 
 use crate::broad_phase::block_pairs::BlockSource;
 use crate::broad_phase::brute_force::BruteForce;
+use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::pair_source::{
     Order, PairSink, PairSource, PairsOfNodes, Row, RowSource, Rows, Scratch, Sides,
@@ -71,6 +72,21 @@ impl Method {
     pub fn front(&self) -> Option<FrontCounts> {
         match self {
             Self::Scheduled(source) => source.front(),
+            _ => None,
+        }
+    }
+
+    /// See [`Scheduled::set_timed`].
+    pub fn set_timed(&mut self, timed: bool) {
+        if let Self::Scheduled(source) = self {
+            source.set_timed(timed);
+        }
+    }
+
+    /// Where the time of descents went, if a scheduler was chosen and the clock is asked.
+    pub fn descent_times(&self) -> Option<DescentTimes> {
+        match self {
+            Self::Scheduled(source) => source.times(),
             _ => None,
         }
     }

@@ -18,8 +18,11 @@ mod block_bvh;
 mod block_pairs;
 mod brute_force;
 mod descend;
+pub mod descent_times;
 mod front;
 pub mod leaf_boxes;
+#[cfg(test)]
+mod lift_tests;
 pub mod method;
 mod morton_order;
 pub mod pair_list;

@@ -2,6 +2,7 @@
 //! one: what joins both into a source of pairs.
 
 use crate::broad_phase::descend::{Descend, Traces};
+use crate::broad_phase::descent_times::{DescentTimes, WorkerTimes};
 use crate::broad_phase::front::{Fronts, List};
 use crate::broad_phase::method::HandOn;
 use crate::broad_phase::pair_source::{
@@ -16,6 +17,7 @@ use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{Front, Scheduling};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::time::Instant;
 
 /// Finds pairs by a scheduler.
 #[derive(Debug)]
@@ -25,6 +27,8 @@ pub struct Scheduled {
     buffers: Vec<Own<Buffers>>,
     /// Rows in order, for sinks that want one.
     rows: Vec<Row>,
+    /// Where the time of all descents went since this was set, if it is.
+    times: Option<DescentTimes>,
 }
 
 /// What is the same whatever takes the pairs.
@@ -48,6 +52,7 @@ struct Buffers {
     /// All rows that it found, if they are to be put in order.
     all: Vec<Row>,
     n_expanded: u64,
+    times: WorkerTimes,
 }
 
 /// Where a worker's rows go.
@@ -55,6 +60,8 @@ struct Outlet<'o, 'r, 'a> {
     worker: usize,
     rows: &'o mut Gathered<'r, 'a>,
     n_expanded: &'o mut u64,
+    /// Of this worker, if the clock is asked.
+    times: Option<&'o WorkerTimes>,
 }
 
 impl Scheduled {
@@ -72,7 +79,17 @@ impl Scheduled {
             resumed: Lists::default(),
             n_split: 0,
         };
-        Ok(Self { source, descent, buffers: Vec::new(), rows: Vec::new() })
+        Ok(Self { source, descent, buffers: Vec::new(), rows: Vec::new(), times: None })
+    }
+
+    /// From now on, whether the clock is asked where the time of descents goes; from zero.
+    pub fn set_timed(&mut self, timed: bool) {
+        self.times = timed.then(DescentTimes::default);
+    }
+
+    /// Where it went since then, if it is asked.
+    pub fn times(&self) -> Option<DescentTimes> {
+        self.times
     }
 
     /// Pairs of nodes that the last search expanded.
@@ -84,6 +101,18 @@ impl Scheduled {
     /// What fronts the last step left, if any are kept.
     pub fn front(&self) -> Option<FrontCounts> {
         self.descent.fronts.as_ref().map(Fronts::counts)
+    }
+
+    /// The pairs of the only front, sorted, and whether the next step lifts it.
+    #[cfg(test)]
+    pub fn kept(&self) -> (Vec<NodePair>, bool) {
+        let front = self.descent.fronts.as_ref().expect("fronts").at(0);
+        let mut all = Vec::new();
+        if let Some(list) = front.kept() {
+            (0..list.n_pieces()).for_each(|k| list.piece(k, &mut all));
+        }
+        all.sort_unstable();
+        (all, front.is_lifted())
     }
 
     /// The source itself.
@@ -105,22 +134,27 @@ impl PairSource for Scheduled {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        let Self { source, descent, buffers, rows } = self;
+        let Self { source, descent, buffers, rows, times } = self;
         descent.n_split = 0;
         prepare(buffers, workers.len());
         if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
             return;
         }
         let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
-        source.descend(threads, sides, &mut |pairs| {
-            descent.run(workers.len(), sets, pairs, part, &mut |job| {
+        let timed = times.is_some();
+        let lift = descent.fronts.as_ref().is_some_and(|fronts| part == 1 && fronts.lifts(sets));
+        source.descend(threads, sides, lift, &mut |pairs| {
+            descent.run(workers.len(), sets, pairs, part, times, &mut |job| {
                 threads.each_with(workers, buffers, &|worker, Own(own)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
-                    own.work(K::ORDERED, &mut hand_on, job);
+                    own.work(K::ORDERED, timed, &mut hand_on, job);
                 });
             });
         });
+        if let Some(times) = times {
+            times.add_workers(buffers.iter().map(|Own(own)| &own.times));
+        }
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
             let run = |k: usize, worker: &mut K::Worker, _: &mut Own<Buffers>| {
@@ -145,8 +179,10 @@ impl Descent {
         sets: [Option<usize>; 2],
         pairs: Pairs,
         part: usize,
+        times: &mut Option<DescentTimes>,
         launch: &mut dyn FnMut(Work),
     ) {
+        let mut watch = Watch { times, last: Instant::now() };
         let Self { schedule, fronts, tasks, next, pieces, resumed, n_split } = self;
         let Pairs { tree, roots, builds } = pairs;
         // A sample leaves no front, and must not begin at one: tasks are to be the same as ever.
@@ -160,8 +196,10 @@ impl Descent {
         if let Some(kept) = front.and_then(|front| front.kept()) {
             pieces.prepare(n_workers);
             resumed.prepare(n_workers);
-            resume(tree, kept, written, [pieces, resumed], launch);
+            let lift = front.is_some_and(|front| front.is_lifted());
+            resume(tree, kept, written, lift, [pieces, resumed], launch);
             resumed.gather(tasks);
+            watch.lap(|times| &mut times.shared_out);
         } else {
             tasks.extend_from_slice(roots);
             let mut writer = written.map(|list| list.writer(0));
@@ -179,21 +217,43 @@ impl Descent {
                 }
             }
             every(part, tasks);
+            watch.lap(|times| &mut times.split);
         }
         schedule.run(n_workers, tasks, &mut |job| {
             launch(&|outlet| {
-                let Outlet { worker, rows, n_expanded } = outlet;
+                let Outlet { worker, rows, n_expanded, times } = outlet;
                 let front = written.map(|list| list.writer(*worker));
                 let mut traces = Traces { rows, front, n_expanded: 0 };
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
                     tree.expand(pairs, out, &mut traces);
                 };
-                job(&mut Hand::new(*worker, &mut expand));
+                match times {
+                    Some(times) => times.job(*worker, job, &mut expand),
+                    None => job(&mut Hand::new(*worker, &mut expand)),
+                }
                 **n_expanded += traces.n_expanded;
             });
         });
+        watch.lap(|times| &mut times.shared_out);
         if let Some((fronts, at)) = of {
-            fronts.end(at);
+            fronts.end(at, tree.lifts());
+        }
+        watch.lap(|times| &mut times.keep);
+    }
+}
+
+/// Adds what went by since it last did, if the clock is asked at all.
+struct Watch<'t> {
+    times: &'t mut Option<DescentTimes>,
+    last: Instant,
+}
+
+impl Watch<'_> {
+    fn lap(&mut self, of: impl FnOnce(&mut DescentTimes) -> &mut f64) {
+        if let Some(times) = self.times {
+            let now = Instant::now();
+            *of(times) += (now - self.last).as_secs_f64() * 1e3;
+            self.last = now;
         }
     }
 }
@@ -204,6 +264,7 @@ fn resume(
     tree: &dyn Descend,
     kept: &List,
     written: Option<&List>,
+    lift: bool,
     [pieces, resumed]: [&Lists; 2],
     launch: &mut dyn FnMut(Work),
 ) {
@@ -219,7 +280,11 @@ fn resume(
             }
             piece.clear();
             kept.piece(k, &mut piece);
-            tree.resume(&piece, &mut out, &mut traces);
+            let mut resume = || tree.resume(&piece, &mut out, &mut traces, lift);
+            match outlet.times {
+                Some(times) => times.front(resume),
+                None => resume(),
+            }
         }
         *outlet.n_expanded += traces.n_expanded;
     });
@@ -237,19 +302,30 @@ fn every(part: usize, tasks: &mut Vec<NodePair>) {
 fn prepare(buffers: &mut Vec<Own<Buffers>>, n_workers: usize) {
     buffers.resize_with(n_workers, Own::default);
     for (worker, Own(own)) in buffers.iter_mut().enumerate() {
-        (own.worker, own.n_expanded) = (worker, 0);
+        (own.worker, own.n_expanded, own.times) = (worker, 0, WorkerTimes::default());
         own.all.clear();
     }
 }
 
 impl Buffers {
     /// Does work whose rows are handed on, or kept if they are to be put in order.
-    fn work(&mut self, keep: bool, hand_on: &mut (dyn FnMut(&[Row]) + Send), work: Work) {
-        let Self { worker, list, all, n_expanded } = self;
+    fn work(
+        &mut self,
+        keep: bool,
+        timed: bool,
+        hand_on: &mut (dyn FnMut(&[Row]) + Send),
+        work: Work,
+    ) {
+        let Self { worker, list, all, n_expanded, times } = self;
         let mut keep_them = |rows: &[Row]| all.extend_from_slice(rows);
-        let mut rows = Rows::new(list, if keep { &mut keep_them } else { hand_on });
+        let times = timed.then_some(&*times);
+        let mut timed = |rows: &[Row]| match times {
+            Some(times) => times.rows(|| hand_on(rows)),
+            None => hand_on(rows),
+        };
+        let mut rows = Rows::new(list, if keep { &mut keep_them } else { &mut timed });
         let mut gathered = Gathered::new(&mut rows);
-        work(&mut Outlet { worker: *worker, rows: &mut gathered, n_expanded });
+        work(&mut Outlet { worker: *worker, rows: &mut gathered, n_expanded, times });
         gathered.finish();
         rows.flush();
     }

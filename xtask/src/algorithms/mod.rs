@@ -4,9 +4,9 @@
 //! A table stands between two comments, `<!-- NAME -->` and `<!-- end -->`. Every answer is
 //! checked: pairs against the default method, and that against the known count where there is one.
 
-mod measure;
+pub mod measure;
 mod pipelines;
-mod plot;
+pub mod plot;
 mod scenes;
 
 use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
@@ -44,7 +44,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
 }
 
 /// The text with another table between the comments of this name.
-fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
+pub fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
     let begin = format!("<!-- {name} -->\n");
     let (head, rest) = text.split_once(&begin).ok_or(format!("no place for `{name}`"))?;
     let (_, tail) = rest.split_once("<!-- end -->").ok_or(format!("`{name}` has no end"))?;
@@ -66,6 +66,10 @@ impl Report {
     fn machine(&self) -> String {
         let names: Vec<&str> = self.places.iter().map(Place::name).collect();
         format!("Places: {}. Medians of {} runs.\n", names.join("; "), self.runs)
+    }
+
+    fn place_names(&self) -> Vec<String> {
+        self.places.iter().map(|place| place.name().to_owned()).collect()
     }
 
     /// A method at every place; `None` where it is not.
@@ -100,7 +104,7 @@ impl Report {
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
             text += &self.head(&["ms, build and search"]);
-            let mut bars = Bars::new(&case.name, "ms", &self.places);
+            let mut bars = Bars::new(&case.name, "ms", self.place_names());
             for row in BroadPhaseMethod::ROWS {
                 let (cells, values) = self.row(row.value, case, |m| m.build + m.search)?;
                 let _ = writeln!(text, "| {} |{cells}", row.name);
@@ -121,7 +125,7 @@ impl Report {
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
             text += &self.head(&["ms, search alone"]);
-            let mut bars = Bars::new(&case.name, "ms, search alone", &self.places);
+            let mut bars = Bars::new(&case.name, "ms, search alone", self.place_names());
             for traversal in rungs {
                 let method = tree(Builder::Lbvh, traversal);
                 let (cells, values) = self.row(method, case, |m| m.search)?;
@@ -238,7 +242,7 @@ impl Report {
 }
 
 /// Three significant digits.
-fn digits(x: f64) -> String {
+pub fn digits(x: f64) -> String {
     let places = (2 - x.abs().max(1e-9).log10().floor() as i32).clamp(0, 4) as usize;
     format!("{x:.places$}")
 }

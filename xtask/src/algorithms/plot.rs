@@ -1,6 +1,5 @@
 //! Bars of times, one group a method, one colour a place, as SVG.
 
-use super::measure::Place;
 use plotters::prelude::*;
 use std::path::Path;
 
@@ -16,8 +15,8 @@ pub struct Bars {
 }
 
 impl Bars {
-    pub fn new(title: &str, unit: &str, places: &[Place]) -> Self {
-        let places = places.iter().map(|place| place.name().to_owned()).collect();
+    /// No groups yet. `places`: what each colour stands for.
+    pub fn new(title: &str, unit: &str, places: Vec<String>) -> Self {
         Self { title: title.into(), unit: unit.into(), places, groups: Vec::new() }
     }
 
@@ -36,16 +35,17 @@ impl Bars {
         let all = || self.groups.iter().flat_map(|group| group.1.iter().flatten().copied());
         let (low, high) = (all().fold(f64::MAX, f64::min), all().fold(0.0, f64::max));
         let n = self.places.len();
-        let size = (900, 120 + 24 * (self.groups.len() * (n + 1)) as u32);
+        // Above the bars there is room for the legend.
+        let (rows, above) = (self.groups.len() * (n + 1), n + 1);
+        let size = (900, 120 + 24 * (rows + above) as u32);
         let root = SVGBackend::new(path, size).into_drawing_area();
         root.fill(&WHITE)?;
-        let rows = self.groups.len() * (n + 1);
         let mut chart = ChartBuilder::on(&root)
             .caption(format!("{}, {}", self.title, self.unit), ("sans-serif", 20))
             .margin(10)
             .x_label_area_size(30)
             .y_label_area_size(180)
-            .build_cartesian_2d((low / 2.0..high * 2.0).log_scale(), 0f64..rows as f64)?;
+            .build_cartesian_2d((low / 2.0..high * 2.0).log_scale(), 0f64..(rows + above) as f64)?;
         let name_of = |row: &f64| {
             let k = *row as usize / (n + 1);
             let middle = *row as usize % (n + 1) == n / 2;
@@ -55,7 +55,7 @@ impl Bars {
         chart
             .configure_mesh()
             .disable_y_mesh()
-            .y_labels(rows + 1)
+            .y_labels(rows + above + 1)
             .y_label_formatter(&name_of)
             .label_style(("sans-serif", 14))
             .draw()?;
@@ -72,7 +72,7 @@ impl Bars {
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
+            .position(SeriesLabelPosition::UpperRight)
             .background_style(WHITE)
             .border_style(RGBColor(200, 200, 200))
             .label_font(("sans-serif", 14))

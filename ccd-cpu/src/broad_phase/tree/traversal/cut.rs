@@ -20,6 +20,7 @@
 //! as much. On a GPU neighbouring threads have nothing in common.
 
 use super::binary_pairs::BinaryPairs;
+use super::depths::Depths;
 use super::{Traverse, Trees};
 use crate::broad_phase::descend::Descend;
 use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
@@ -40,6 +41,7 @@ pub struct Cut {
     heap: BinaryHeap<(usize, u32)>,
     /// All pairs of the cuts, for a scheduler.
     pairs: Vec<NodePair>,
+    depths: Depths,
 }
 
 impl Cut {
@@ -51,6 +53,7 @@ impl Cut {
             cuts: Default::default(),
             heap: BinaryHeap::new(),
             pairs: Vec::new(),
+            depths: Depths::default(),
         }
     }
 
@@ -93,9 +96,10 @@ impl Traverse for Cut {
         &mut self,
         trees: Trees,
         (_, b): Sides,
+        lift: bool,
         run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
-        let Self { cuts: [first, second], pairs, .. } = self;
+        let Self { cuts: [first, second], pairs, depths, .. } = self;
         pairs.clear();
         match b {
             Some(_) => {
@@ -106,7 +110,11 @@ impl Traverse for Cut {
                 pairs.extend(second.iter().enumerate().flat_map(from));
             }
         }
-        run(&BinaryPairs::new(trees, b.is_none(), self.descent), pairs);
+        if lift {
+            depths.fill(trees, [first, second]);
+        }
+        let tree = BinaryPairs::new(trees, b.is_none(), self.descent);
+        run(&tree.with_depths(depths), pairs);
     }
 
     fn task(&self, k: usize, trees: Trees, (_, b): Sides, scratch: &mut Scratch, rows: &mut Rows) {

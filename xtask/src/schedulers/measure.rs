@@ -1,0 +1,377 @@
+//! All schedulers on one scene at one place, in turn on every frame, so that a machine that is
+//! busy for a while is so for all of them.
+
+use super::scenes::{Counts, Scene};
+use crate::algorithms::measure::median;
+use ccd::{
+    BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Report, Scheduling, Session,
+    Traversal, TreeOptions, Volume, gpu,
+};
+use std::time::{Duration, Instant};
+
+/// Where sessions run.
+pub enum Place {
+    /// So many threads.
+    Cpu { threads: usize },
+    /// The first GPU that there is.
+    Gpu { device: gpu::Device, name: String },
+}
+
+/// What is descended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Structure {
+    /// Binary trees, by pairs of nodes.
+    Tree(Volume),
+    /// Blocks.
+    Blocks,
+}
+
+/// How long, and how often.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Steps that are timed, at most; two at least.
+    pub steps: usize,
+    /// After so long a time no further step is timed.
+    pub enough: Duration,
+}
+
+/// Steps before those that are timed: a front has room after the first, is made in the second, and
+/// begun with in the third.
+pub const WARM: usize = 2;
+/// Steps after those, in which it is asked where time goes.
+pub const WATCHED: usize = 2;
+
+/// What was measured of one scheduler.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// Milliseconds of every step that was timed; on a GPU by its timestamps.
+    pub steps: Vec<f64>,
+    /// Fronts that these steps left.
+    pub fronts: Vec<FrontCounts>,
+    /// How many of them built trees anew.
+    pub n_rebuilt: usize,
+    /// Where the time of the steps after them went.
+    pub shares: Shares,
+}
+
+/// Milliseconds of a step, and how busy workers were.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shares {
+    /// Boxes, and trees refitted or built.
+    pub refit: f64,
+    /// Fronts tested and kept.
+    pub front: f64,
+    /// Pairs of nodes expanded.
+    pub traversal: f64,
+    /// What schedulers do themselves, and waiting.
+    pub balancing: f64,
+    /// What takes pairs of leaves: triangles expanded to features, features filtered and decided.
+    pub intersection: f64,
+    /// Of the workers' time while pairs are shared out, the part in which they have some: on a GPU
+    /// of the turns of all their threads; unknown where that is not counted.
+    pub utilisation: Option<f64>,
+}
+
+impl Shares {
+    pub fn parts(&self) -> [f64; 5] {
+        [self.refit, self.front, self.traversal, self.balancing, self.intersection]
+    }
+
+    pub fn total(&self) -> f64 {
+        self.parts().iter().sum()
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let sum = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a + b);
+        Self {
+            refit: self.refit + other.refit,
+            front: self.front + other.front,
+            traversal: self.traversal + other.traversal,
+            balancing: self.balancing + other.balancing,
+            intersection: self.intersection + other.intersection,
+            utilisation: sum(self.utilisation, other.utilisation),
+        }
+    }
+
+    fn times(self, k: f64) -> Self {
+        Self {
+            refit: self.refit * k,
+            front: self.front * k,
+            traversal: self.traversal * k,
+            balancing: self.balancing * k,
+            intersection: self.intersection * k,
+            utilisation: self.utilisation.map(|u| u * k),
+        }
+    }
+}
+
+impl Measured {
+    /// The middle one of all steps.
+    pub fn ms(&self) -> f64 {
+        median(self.steps.iter().copied())
+    }
+
+    /// Pairs of a front, on average; 0 if there was none.
+    pub fn front_pairs(&self) -> f64 {
+        self.fronts.iter().map(|f| f.pairs as f64).sum::<f64>() / self.fronts.len().max(1) as f64
+    }
+
+    /// Steps that began at a front.
+    pub fn n_begun(&self) -> usize {
+        self.fronts.iter().filter(|front| front.begun > 0).count()
+    }
+
+    /// Most memory that fronts took, in MiB.
+    pub fn front_mib(&self) -> f64 {
+        self.fronts.iter().map(|f| f.bytes).max().unwrap_or(0) as f64 / (1 << 20) as f64
+    }
+}
+
+impl Place {
+    /// The GPU, if there is one.
+    pub fn gpu() -> Option<Self> {
+        match gpu::Device::open(&gpu::DeviceOptions::default()) {
+            Ok(device) => {
+                let name = device.info().adapter.name.clone();
+                Some(Self::Gpu { device, name })
+            }
+            Err(why) => {
+                println!("without a GPU: {why}");
+                None
+            }
+        }
+    }
+
+    pub fn backend(&self) -> &'static str {
+        match self {
+            Self::Cpu { .. } => "cpu",
+            Self::Gpu { .. } => "gpu",
+        }
+    }
+
+    pub fn name(&self) -> String {
+        match self {
+            Self::Cpu { threads: 1 } => "1 thread".into(),
+            Self::Cpu { threads } => format!("{threads} threads"),
+            Self::Gpu { name, .. } => name.clone(),
+        }
+    }
+}
+
+impl Structure {
+    pub const ALL: [Self; 3] = [Self::Tree(Volume::Aabb), Self::Tree(Volume::Obb), Self::Blocks];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tree(Volume::Aabb) => "tree",
+            Self::Tree(_) => "oriented",
+            Self::Blocks => "blocks",
+        }
+    }
+
+    /// From the roots where a backend has that, else from a cut.
+    pub fn method(self, backend: &str) -> BroadPhaseMethod {
+        let Self::Tree(volume) = self else { return BroadPhaseMethod::Blocks };
+        let of = |traversal| {
+            BroadPhaseMethod::Tree(TreeOptions::default().volume(volume).traversal(traversal))
+        };
+        let from_roots = of(Traversal::SIMULTANEOUS);
+        if from_roots.lacking(backend).is_none() { from_roots } else { of(Traversal::CUT) }
+    }
+}
+
+/// A session at either place.
+enum Runner {
+    Cpu(Box<Session>),
+    Gpu(Box<gpu::Session>),
+}
+
+impl Runner {
+    /// `None`: this place does not have it.
+    fn new(place: &Place, scene: &Scene, options: Options) -> Result<Option<Self>, String> {
+        let mesh = scene.mesh.clone();
+        match place {
+            Place::Cpu { threads } => {
+                match Session::new(mesh, Options { threads: *threads, ..options }) {
+                    Ok(session) => Ok(Some(Self::Cpu(Box::new(session)))),
+                    Err(Error::Method { .. }) => Ok(None),
+                    Err(e) => Err(e.to_string()),
+                }
+            }
+            Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
+                Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
+                Err(gpu::Error::Input(Error::Method { .. }) | gpu::Error::OfTrees { .. }) => {
+                    Ok(None)
+                }
+                Err(e) => Err(e.to_string()),
+            },
+        }
+    }
+
+    fn watch(&mut self) -> Result<(), String> {
+        match self {
+            Self::Cpu(session) => session.set_timed(true),
+            Self::Gpu(session) => {
+                session.set_timing(gpu::Timing::Stages).map_err(|e| e.to_string())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn begin(&mut self) -> Result<(), String> {
+        match self {
+            Self::Cpu(_) => Ok(()),
+            Self::Gpu(session) => session.set_timing(gpu::Timing::Whole).map_err(|e| e.to_string()),
+        }
+    }
+
+    fn step(&mut self, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Result<&Report, String> {
+        match self {
+            Self::Cpu(session) => session.step(x0, x1).map_err(|e| e.to_string()),
+            Self::Gpu(session) => session.step(x0, x1).map_err(|e| e.to_string()),
+        }
+    }
+
+    /// Of the last step.
+    fn ms(&self) -> f64 {
+        match self {
+            Self::Cpu(session) => session.report().times.total,
+            Self::Gpu(session) => session.stages().iter().map(|stage| stage.1).sum(),
+        }
+    }
+
+    /// Of the last step, which was watched.
+    fn shares(&mut self) -> Result<Shares, String> {
+        match self {
+            Self::Cpu(session) => Ok(of_cpu(session)),
+            Self::Gpu(session) => of_gpu(session),
+        }
+    }
+}
+
+/// Of workers in parallel, what the clock would show if they shared everything evenly.
+fn of_cpu(session: &Session) -> Shares {
+    let times = session.report().times;
+    let descents = session.descent_times().unwrap_or_default();
+    let n = session.threads() as f64;
+    let (refit, front) = (times.boxes + times.build, descents.keep + descents.front / n);
+    let balancing = (descents.scheduling + descents.waiting) / n;
+    // Rows are handed on to what expands triangles, and filters and decides features.
+    let intersection = (descents.rows / n).max(times.narrow);
+    let traversal = times.total - refit - front - balancing - intersection;
+    let (all, waits) = (n * descents.shared_out, descents.scheduling + descents.waiting);
+    Shares {
+        refit,
+        front,
+        traversal: traversal.max(0.0),
+        balancing,
+        intersection,
+        utilisation: (all > 0.0).then(|| 1.0 - waits / all),
+    }
+}
+
+/// By the names of the device's stages.
+fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
+    let mut shares = Shares::default();
+    for &(name, ms) in session.stages() {
+        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+        *if has(&["front"]) {
+            &mut shares.front
+        } else if has(&["balanc"]) {
+            &mut shares.balancing
+        } else if has(&["pairs", "work"]) {
+            &mut shares.traversal
+        } else if has(&["filter", "decide", "expand", "neighbours", "list", "contacts"]) {
+            &mut shares.intersection
+        } else {
+            &mut shares.refit
+        } += ms;
+    }
+    shares.utilisation = utilisation(session)?;
+    Ok(shares)
+}
+
+/// Of all turns of all threads, if every worker went on for as long as the last, those that
+/// expanded a pair; `None` without workers.
+fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, String> {
+    let n_kinds = if session.options().pipeline == Pipeline::Features { 2 } else { 1 };
+    let counts = session.worker_counts().map_err(|e| e.to_string())?;
+    let (mut expanded, mut turns) = (0, 0);
+    for kind in counts.chunks((counts.len() / n_kinds).max(1)) {
+        let last = kind.iter().map(|worker| worker.turns as u64).max().unwrap_or(0);
+        expanded += kind.iter().map(|worker| worker.expanded as u64).sum::<u64>();
+        turns += last * kind.len() as u64 * gpu::WorkerCounts::THREADS as u64;
+    }
+    Ok((turns > 0).then(|| expanded as f64 / turns as f64))
+}
+
+/// Steps a scene by all of these in turn; `None`: the place does not have it. Every step has the
+/// pairs of the default, or this fails.
+pub fn measure(
+    place: &Place,
+    scene: &Scene,
+    structure: Structure,
+    all: &[Scheduling],
+    effort: Effort,
+) -> Result<Vec<Option<Measured>>, String> {
+    let broad_phase = structure.method(place.backend());
+    let options = |&scheduling: &Scheduling| Options { broad_phase, scheduling, ..scene.options() };
+    let failed = |scheduling: &Scheduling, why: String| {
+        format!("{}, {}, {broad_phase}, {scheduling}: {why}", scene.name, place.name())
+    };
+    let mut runners = Vec::new();
+    for scheduling in all {
+        let runner = Runner::new(place, scene, options(scheduling));
+        let runner = runner.map_err(|e| failed(scheduling, e))?;
+        runners.push(runner.map(|runner| (runner, Measured::default())));
+    }
+    let n_steps = scene.frames.len() - 1;
+    let (mut start, mut n_timed, mut n_watched) = (Instant::now(), 0, 0);
+    for (i, (x, want)) in scene.frames.windows(2).zip(&scene.counts).enumerate() {
+        let warm = i < WARM;
+        let left = n_steps - i;
+        let is_timed = !warm
+            && left > WATCHED
+            && n_watched == 0
+            && n_timed < effort.steps
+            && (n_timed < 2 || start.elapsed() < effort.enough);
+        if i == WARM {
+            start = Instant::now();
+        }
+        for (runner, scheduling) in runners.iter_mut().zip(all) {
+            let Some((runner, measured)) = runner else { continue };
+            let why = |e| failed(scheduling, e);
+            if i == 0 {
+                runner.begin().map_err(why)?;
+            } else if !warm && !is_timed {
+                // From zero before each step.
+                runner.watch().map_err(why)?;
+            }
+            let report = runner.step(&x[0], &x[1]).map_err(why)?;
+            let found = Counts::of(report);
+            if found != *want {
+                return Err(failed(scheduling, format!("step {i}: {found:?}, right is {want:?}")));
+            }
+            if is_timed {
+                measured.fronts.extend(report.front);
+                measured.n_rebuilt += report.rebuilt as usize;
+                measured.steps.push(runner.ms());
+            } else if !warm {
+                let parts = runner.shares().map_err(why)?;
+                let none = Shares { utilisation: Some(0.0), ..Shares::default() };
+                let before = if n_watched == 0 { none } else { measured.shares };
+                measured.shares = before.plus(parts);
+            }
+        }
+        n_timed += is_timed as usize;
+        n_watched += (!warm && !is_timed) as usize;
+        if n_watched == WATCHED {
+            break;
+        }
+    }
+    let done = |(_, measured): (Runner, Measured)| Measured {
+        shares: measured.shares.times(1.0 / n_watched.max(1) as f64),
+        ..measured
+    };
+    Ok(runners.into_iter().map(|runner| runner.map(done)).collect())
+}

@@ -1,0 +1,159 @@
+//! `cargo xtask report --schedulers`: every scheduler with a front and without one, over sequences,
+//! in the tables of docs/SCHEDULING.md, whose text stays as it is, and plots beside it: tables 4.1
+//! to 4.5 of [da Silva 2013] measured again.
+//!
+//! A table stands between two comments, as in docs/ALGORITHMS.md. Every step is checked: it has as
+//! many pairs as the default finds.
+
+mod measure;
+mod plot;
+mod rules;
+mod scenes;
+mod tables;
+
+use crate::SchedulersOptions;
+use crate::algorithms::replaced;
+use ccd::{Pipeline, Scheduling};
+use measure::{Effort, Measured, Place, Structure, WARM, WATCHED, measure};
+use scenes::Scene;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Measures all and rewrites the tables of SCHEDULING.md.
+pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
+    let folder = root.join(&options.folder);
+    let path = folder.join("SCHEDULING.md");
+    let mut text = std::fs::read_to_string(&path).map_err(|e| format!("{path:?}: {e}"))?;
+    let plots = folder.join("scheduling");
+    std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
+    let start = Instant::now();
+    let effort = if options.quick {
+        Effort { steps: 2, enough: Duration::ZERO }
+    } else {
+        Effort { steps: 12, enough: Duration::from_millis(1500) }
+    };
+    let is_small = |name: &str| ["BART64", "BART256", "BART1024", "funnel"].contains(&name);
+    let wanted = |name: &str| {
+        let named = options.scenes.iter().any(|part| name.contains(part.as_str()));
+        if options.scenes.is_empty() { !options.quick || is_small(name) } else { named }
+    };
+    let scenes = scenes::all(&wanted, WARM + effort.steps + WATCHED + 1)?;
+    let cpus = options.threads.iter().map(|&threads| Place::Cpu { threads });
+    let gpu = if options.no_gpu { None } else { Place::gpu() };
+    let places: Vec<Place> = cpus.chain(gpu).collect();
+    let mut all = Vec::new();
+    for scene in &scenes {
+        let measured = Results::of(scene, &places, effort)?;
+        println!("{}: {:.0} s", scene.name, start.elapsed().as_secs_f64());
+        all.push(measured);
+    }
+    let names: Vec<String> = places.iter().map(Place::name).collect();
+    let steps = effort.steps;
+    let machine =
+        format!("Places: {}. Medians of at most {steps} steps, two at least.\n", names.join("; "));
+    // Of all numbers of threads the last, and the GPU.
+    let is_shown = |k: &usize| *k + 1 == places.len() || *k + 1 == options.threads.len();
+    let shown: Vec<(usize, &str)> =
+        (0..places.len()).filter(is_shown).map(|k| (k, names[k].as_str())).collect();
+    let mut sections = vec![
+        ("machine", machine),
+        ("summary", tables::summary(&all, &names)),
+        ("speedup", tables::speedup(&all, &places)),
+        ("fronts", tables::fronts(&all)),
+        ("times", tables::times(&all, &names)),
+        ("shares", tables::shares(&all, &shown)),
+        ("plots", plot::all(&all, &shown, &plots)?),
+    ];
+    if !options.no_rules {
+        let threads = options.threads.iter().copied().max().unwrap_or(1);
+        let table = rules::table(threads, &wanted, options.quick, &plots)?;
+        sections.push(("rules", table));
+    }
+    for (name, table) in sections {
+        text = replaced(&text, name, &table)?;
+    }
+    std::fs::write(&path, text).map_err(|e| format!("{path:?}: {e}"))?;
+    println!("written {} after {:.0} s", path.display(), start.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// A scheduler, or what the method does by itself.
+pub struct Row {
+    pub name: String,
+    pub scheduling: Scheduling,
+}
+
+/// What was measured of one structure at one place: a cell each row.
+pub struct Group {
+    pub structure: Structure,
+    /// Number of the place.
+    pub place: usize,
+    pub rows: Vec<(Row, Option<Measured>)>,
+}
+
+/// All of one scene.
+pub struct Results<'s> {
+    pub scene: &'s Scene,
+    pub groups: Vec<Group>,
+    /// The default by pairs of features, at each place.
+    pub features: Vec<Option<Measured>>,
+}
+
+/// What a backend has: by itself, and every scheduler with a front and without.
+fn rows(backend: &str) -> Vec<Row> {
+    let of = |scheduling: Scheduling| Row {
+        name: scheduling.to_string().replace("-front", ", front"),
+        scheduling,
+    };
+    let by_itself = Row { name: "by itself".into(), scheduling: Scheduling::default() };
+    std::iter::once(by_itself).chain(Scheduling::every(backend).map(of)).collect()
+}
+
+impl<'s> Results<'s> {
+    fn of(scene: &'s Scene, places: &[Place], effort: Effort) -> Result<Self, String> {
+        let (mut groups, mut features) = (Vec::new(), Vec::new());
+        for (k, place) in places.iter().enumerate() {
+            for structure in Structure::ALL {
+                let rows = rows(place.backend());
+                let all: Vec<Scheduling> = rows.iter().map(|row| row.scheduling).collect();
+                let cells = measure(place, scene, structure, &all, effort)?;
+                groups.push(Group {
+                    structure,
+                    place: k,
+                    rows: rows.into_iter().zip(cells).collect(),
+                });
+            }
+            let default = if scene.pipeline == Pipeline::Features {
+                None
+            } else {
+                let scene = scene.by_features()?;
+                let all = [Scheduling::default()];
+                measure(place, &scene, Structure::Blocks, &all, effort)?.pop().flatten()
+            };
+            features.push(default);
+        }
+        Ok(Self { scene, groups, features })
+    }
+
+    /// One cell.
+    pub fn cell(&self, place: usize, structure: Structure, name: &str) -> Option<&Measured> {
+        let group = self.groups.iter().find(|g| (g.place, g.structure) == (place, structure))?;
+        group.rows.iter().find(|(row, _)| row.name == name)?.1.as_ref()
+    }
+
+    /// What a session does at this place unless it is told otherwise.
+    pub fn default(&self, place: usize) -> Option<&Measured> {
+        let own = || self.cell(place, Structure::Blocks, "by itself");
+        self.features[place].as_ref().or_else(own)
+    }
+
+    /// The fastest cell at a place, with its name.
+    pub fn best(&self, place: usize) -> Option<(String, &Measured)> {
+        let cells = self.groups.iter().filter(|group| group.place == place).flat_map(|group| {
+            group.rows.iter().filter_map(|(row, cell)| {
+                Some((format!("{}, {}", group.structure.name(), row.name), cell.as_ref()?))
+            })
+        });
+        cells.min_by(|a, b| a.1.ms().total_cmp(&b.1.ms()))
+    }
+}

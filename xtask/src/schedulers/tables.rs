@@ -1,0 +1,192 @@
+//! What was measured, as tables.
+
+use super::measure::{Measured, Place, Structure};
+use super::{Group, Results};
+use crate::algorithms::digits;
+use ccd::Volume;
+use std::fmt::Write;
+
+/// The columns of all structures at a place.
+const TREE: Structure = Structure::Tree(Volume::Aabb);
+/// The dissertation's own scheduler and the one it is compared with, as it has them.
+const LAZY: &str = "lazy-stealing, front";
+const BALANCED: &str = "balanced, front";
+
+/// A head of these columns.
+fn head<S: AsRef<str>>(columns: impl IntoIterator<Item = S>) -> String {
+    let (mut names, mut line) = (String::from("|"), String::from("|"));
+    for column in columns {
+        let _ = write!(names, " {} |", column.as_ref());
+        line += "---|";
+    }
+    format!("{names}\n{line}\n")
+}
+
+fn ms(cell: Option<&Measured>) -> String {
+    cell.map_or(String::new(), |m| digits(m.ms()))
+}
+
+fn given(x: Option<f64>) -> String {
+    x.map_or("-".into(), |x| x.to_string())
+}
+
+/// Tables 4.1 and 4.4: lazy stealing and lists that are balanced, on trees with fronts, beside the
+/// default, the fastest, and the dissertation's figures.
+pub fn summary(all: &[Results], places: &[String]) -> String {
+    let mut text = String::new();
+    for (k, place) in places.iter().enumerate() {
+        let columns = ["", "lazy", "balanced", "default", "fastest", "which"];
+        let _ = write!(text, "{}\n\n{}", format_args!("ms a step, {place}:"), head(columns));
+        for results in all {
+            let (name, best) = match results.best(k) {
+                Some((name, best)) => (name, digits(best.ms())),
+                None => continue,
+            };
+            let cell = |name: &str| ms(results.cell(k, TREE, name));
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} | {} | {best} | {name} |",
+                results.scene.name,
+                cell(LAZY),
+                cell(BALANCED),
+                ms(results.default(k)),
+            );
+        }
+        text.push('\n');
+    }
+    let columns = ["", "lazy, GTS 450", "GT 520", "gProximity, GTS 450", "GT 520"];
+    let _ = write!(text, "The dissertation's, ms:\n\n{}", head(columns));
+    for results in all {
+        let Some(of) = results.scene.published else { continue };
+        let [[a, b], [c, d]] = [of.lazy, of.gproximity].map(|two| two.map(given));
+        let _ = writeln!(text, "| {} | {a} | {b} | {c} | {d} |", results.scene.name);
+    }
+    text
+}
+
+/// Tables 4.2 and 4.5: how many times as fast the most threads are as the fewest.
+pub fn speedup(all: &[Results], places: &[Place]) -> String {
+    let threads = |k: &usize| match places[*k] {
+        Place::Cpu { threads } => threads,
+        Place::Gpu { .. } => 0,
+    };
+    let cpus = || (0..places.len()).filter(|k| threads(k) > 0);
+    let (Some(few), Some(many)) = (cpus().min_by_key(threads), cpus().max_by_key(threads)) else {
+        return String::new();
+    };
+    let title = format!("{} to {} threads", threads(&few), threads(&many));
+    let columns = [&title, "lazy", "balanced", "default", "lazy, there", "gProximity, there"];
+    let mut text = head(columns);
+    for results in all {
+        let of = |few: Option<&Measured>, many: Option<&Measured>| {
+            few.zip(many)
+                .map_or(String::new(), |(few, many)| format!("{:.2}", few.ms() / many.ms()))
+        };
+        let cell = |name: &str| of(results.cell(few, TREE, name), results.cell(many, TREE, name));
+        let there = |two: Option<[Option<f64>; 2]>| match two {
+            Some([Some(a), Some(b)]) => format!("{:.2}", b / a),
+            _ => "-".into(),
+        };
+        let published = results.scene.published;
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} |",
+            results.scene.name,
+            cell(LAZY),
+            cell(BALANCED),
+            of(results.default(few), results.default(many)),
+            there(published.map(|p| p.lazy)),
+            there(published.map(|p| p.gproximity)),
+        );
+    }
+    text
+}
+
+/// Table 4.3: front nodes a step, by the first place.
+pub fn fronts(all: &[Results]) -> String {
+    let structures = Structure::ALL.map(|s| format!("{}, front nodes", s.name()));
+    let columns = [String::new()].into_iter().chain(structures);
+    let rest = ["there", "MiB of a tree's", "steps begun at it", "trees built"];
+    let mut text = head(columns.chain(rest.map(str::to_owned)));
+    for results in all {
+        let _ = write!(text, "| {} |", results.scene.name);
+        let cell = |structure| results.cell(0, structure, LAZY);
+        for structure in Structure::ALL {
+            let n = cell(structure).map(Measured::front_pairs);
+            let _ = write!(text, " {} |", n.map_or(String::new(), thousands));
+        }
+        let _ = write!(
+            text,
+            " {} |",
+            results.scene.published.map_or("-".into(), |p| thousands(p.front))
+        );
+        match cell(TREE) {
+            Some(m) => {
+                let (mib, n) = (digits(m.front_mib()), m.steps.len());
+                let _ = writeln!(text, " {mib} | {} of {n} | {} |", m.n_begun(), m.n_rebuilt);
+            }
+            None => text.push_str(" | | |\n"),
+        }
+    }
+    text
+}
+
+fn thousands(n: f64) -> String {
+    if n < 1e4 { format!("{n:.0}") } else { format!("{} K", digits(n / 1e3)) }
+}
+
+/// Every scheduler on every scene.
+pub fn times(all: &[Results], places: &[String]) -> String {
+    let mut text = String::new();
+    for results in all {
+        let _ = writeln!(text, "{}\n", results.scene.title());
+        let columns = results.groups.iter().map(|group| {
+            let short = places[group.place].replace(" threads", "").replace(" thread", "");
+            format!("{}, {}", group.structure.name(), if short.len() > 3 { "GPU" } else { &short })
+        });
+        text += &head(std::iter::once("ms a step".to_owned()).chain(columns));
+        for name in names(&results.groups) {
+            let cells = results.groups.iter().map(|group| {
+                format!(" {} |", ms(results.cell(group.place, group.structure, name)))
+            });
+            let _ = writeln!(text, "| {name} |{}", cells.collect::<String>());
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The names of all rows, each once.
+pub fn names<'g>(groups: &'g [Group]) -> Vec<&'g str> {
+    let mut names: Vec<&'g str> = Vec::new();
+    for (row, _) in groups.iter().flat_map(|group| &group.rows) {
+        if !names.contains(&row.name.as_str()) {
+            names.push(&row.name);
+        }
+    }
+    names
+}
+
+/// Where the time of a step on trees goes, at these places, on scenes that are not small.
+pub fn shares(all: &[Results], places: &[(usize, &str)]) -> String {
+    let mut text = String::new();
+    for results in all.iter().filter(|results| results.scene.mesh.faces().len() > 4000) {
+        for &(k, place) in places {
+            let _ = writeln!(text, "**{}**, {place}:\n", results.scene.name);
+            let columns =
+                ["%", "refit", "front", "traversal", "balancing", "intersection", "workers busy"];
+            text += &head(columns);
+            for name in names(&results.groups).into_iter().filter(|name| name.ends_with(", front"))
+            {
+                let Some(m) = results.cell(k, TREE, name) else { continue };
+                let percent = |x: f64| format!(" {:.0} |", 100.0 * x);
+                let total = m.shares.total().max(1e-9);
+                let cells: String = m.shares.parts().map(|x| percent(x / total)).concat();
+                let busy = m.shares.utilisation.map_or(" |".to_owned(), percent);
+                let _ = writeln!(text, "| {name} |{cells}{busy}");
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
