@@ -10,6 +10,7 @@ mod descent;
 mod failures;
 mod grazing;
 mod intervals;
+mod kept_order;
 mod kernels;
 mod listed;
 mod oriented;
@@ -90,6 +91,7 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            kept_order::TESTS,
             listed::TESTS,
             triangles::TESTS,
             intervals::TESTS,
@@ -106,7 +108,9 @@ fn main() {
             add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
         }
         let of_data = scenes::tests_of_data(&data).into_iter();
-        for (name, test) in of_data.chain([queries::test_of_data(&data)]) {
+        for (name, test) in
+            of_data.chain([kept_order::test_of_data(&data), queries::test_of_data(&data)])
+        {
             add(&mut trials, format!("{path}_{name}"), test, device.clone());
         }
     }

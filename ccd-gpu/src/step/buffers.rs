@@ -104,6 +104,11 @@ impl Buffers {
         })
     }
 
+    /// Vertices, edges and faces together.
+    pub fn n_boxes(&self) -> u32 {
+        self.count.iter().sum()
+    }
+
     /// All lists.
     pub fn lists(&self) -> Lists<&List> {
         Lists {

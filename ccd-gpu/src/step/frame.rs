@@ -214,7 +214,7 @@ impl Frames {
         let guess = self.plan_contacts(device, goal)?;
         // Without an order until this frame has come to a good end.
         let mut order = std::mem::take(&mut self.order);
-        let kept = order.holds();
+        let kept = order.holds(self.buffers.n_boxes());
         let Self { buffers, bench, readback, .. } = self;
         buffers.keeps_order = kept;
         let frame = buffers.describe(options);
