@@ -28,6 +28,12 @@ pub enum Error {
          or an axis before it is rounded, and what is stored then holds less than was computed"
     )]
     Contracted,
+    /// A scheduler or a front was chosen for blocks.
+    #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
+    OfTrees {
+        /// What was chosen.
+        name: &'static str,
+    },
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {

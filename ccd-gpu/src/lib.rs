@@ -39,6 +39,8 @@ mod step;
 
 pub use adapter::{DeviceOptions, Info, Path};
 pub use broad_phase::BroadPhase;
+pub use broad_phase::method::check_scheduling;
+pub use broad_phase::worker_counts::WorkerCounts;
 pub use device::Device;
 pub use error::Error;
 pub use growable_list::List;

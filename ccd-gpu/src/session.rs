@@ -2,6 +2,8 @@
 //! decides of it.
 
 use crate::broad_phase::method;
+use crate::broad_phase::pair_source::PairSource;
+use crate::broad_phase::worker_counts::WorkerCounts;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -63,7 +65,7 @@ impl Session {
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         method::check(options.broad_phase)?;
-        method::check_scheduling(options.scheduling)?;
+        method::check_scheduling(options.broad_phase, options.scheduling)?;
         if let Some(name) = options.pipeline.lacking("gpu") {
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
@@ -114,6 +116,12 @@ impl Session {
     /// together.
     pub fn stages(&self) -> &[(&'static str, f64)] {
         &self.frames.stages
+    }
+
+    /// What each worker did in the last call, those of one kind of pairs after those of the other;
+    /// empty where the scheduler has no workers.
+    pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
+        self.frames.worker_counts(&self.device)
     }
 
     /// Pairs of the last call that `f32` on the device left open and the CPU decided.
@@ -234,6 +242,7 @@ impl Session {
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
+        report.front = self.frames.buffers.source.listed().and_then(PairSource::front);
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             let (mesh, distance) = (&self.mesh, self.options.min_distance);

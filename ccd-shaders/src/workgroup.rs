@@ -117,6 +117,17 @@ pub fn barrier() {
     spirv_std::arch::workgroup_memory_barrier_with_group_sync();
 }
 
+/// A word of workgroup memory by which all threads decide alike, also whether they come to a
+/// barrier. Two barriers; the translation to WGSL knows the three instructions by their order, and
+/// makes them a `workgroupUniformLoad`, so that browsers see it. No atomics on that memory.
+#[inline(always)]
+pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
+    barrier();
+    let word = get(shared, i);
+    barrier();
+    word
+}
+
 /// Entries of a list that are there: those wanted, as far as there was room.
 #[inline(always)]
 pub fn length(list: &[u32], room: u32) -> u32 {

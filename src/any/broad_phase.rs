@@ -29,13 +29,7 @@ impl BroadPhase {
     ) -> Result<Self, Error> {
         let choice = &choice.for_methods(method, crate::Pipeline::default(), scheduling);
         let on_cpu = || crate::BroadPhase::scheduled(threads, method, scheduling);
-        let on_gpu = |device: &_| {
-            scheduling.check(method)?;
-            match scheduling.lacking("gpu") {
-                Some(name) => Err(crate::Error::Method { name, backend: "gpu" }.into()),
-                None => gpu::BroadPhase::new(device, method),
-            }
-        };
+        let on_gpu = |device: &_| gpu::BroadPhase::scheduled(device, method, scheduling);
         let on = Either::new(choice, on_cpu, on_gpu)?;
         let adapter = choice.device.as_ref().map(|device| gpu::name(device).into());
         Ok(Self { on, adapter: adapter.unwrap_or_default(), threads, method, scheduling })

@@ -1,7 +1,7 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{Aabb, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report};
+use crate::{Aabb, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report, Scheduling};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -108,7 +108,7 @@ impl Session {
 pub enum BroadPhase {}
 
 impl BroadPhase {
-    pub fn new(device: &Device, _: BroadPhaseMethod) -> Result<Self, Error> {
+    pub fn scheduled(device: &Device, _: BroadPhaseMethod, _: Scheduling) -> Result<Self, Error> {
         match *device {}
     }
 

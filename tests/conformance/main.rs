@@ -68,7 +68,7 @@ fn main() {
                     check_contacts(&loaded, source, choice, options)
                 }));
             }
-            for (method, scheduling) in schedulings(source, backend) {
+            for (method, scheduling) in schedulings(scene, source, backend, place, emulated) {
                 let (loaded, name) = (loaded.clone(), format!("{scene}/{method}/{scheduling}"));
                 let again = loaded.clone();
                 trials.push(row_of(

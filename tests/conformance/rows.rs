@@ -71,10 +71,16 @@ pub fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
     }
 }
 
+/// Generated scenes that an emulated GPU runs by every scheduler.
+const FEW: [&str; 4] = ["crowded", "equal", "one", "sheet"];
+
 /// Ways to share out pairs of nodes, of generated scenes, with the methods that have some.
 pub fn schedulings(
+    scene: &'static str,
     source: Source,
     backend: &'static str,
+    place: &str,
+    emulated: bool,
 ) -> impl Iterator<Item = (BroadPhaseMethod, Scheduling)> {
     let tree = |traversal, volume| {
         let tree = TreeOptions::default().traversal(traversal).volume(volume);
@@ -83,9 +89,15 @@ pub fn schedulings(
     let methods = [
         BroadPhaseMethod::Blocks,
         tree(Traversal::CUT, Volume::Aabb),
-        tree(Traversal::SIMULTANEOUS, Volume::Obb),
+        // A traversal that each backend has.
+        match backend {
+            "cpu" => tree(Traversal::SIMULTANEOUS, Volume::Obb),
+            _ => tree(Traversal::CUT, Volume::Obb),
+        },
     ];
-    let here = methods.into_iter().filter(|method| method.lacking(backend).is_none());
-    here.filter(move |_| !matches!(source, Source::Real(_)))
+    let (native, chosen) = (place != WGSL, !emulated || FEW.contains(&scene));
+    let here = methods.into_iter().filter(move |method| native || !is_oriented(method));
+    here.filter(move |_| chosen && !matches!(source, Source::Real(_)))
         .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
+        .filter(move |&(method, s)| backend == "cpu" || gpu::check_scheduling(method, s).is_ok())
 }

@@ -2,13 +2,14 @@
 //! nodes.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, read, room, run};
+use crate::support::{bytes, entries, read, room, run, zeros};
 use crate::trees::radix_tree;
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{CutNodes, CutPairs, ExpandPairs};
 use ccd::{Aabb, Pair};
 use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::broad_phase::pair_workers::words;
 use ccd_core::layout::{Branch, Dispatch, LIST_HEADER, Node, NodeDescent, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
@@ -18,10 +19,12 @@ pub const TESTS: crate::Tests = &[("cuts", check_cuts), ("levels_of_pairs", chec
 /// Words that count the pairs of each level.
 const LEVELS: usize = 256;
 const ROOM: u32 = 20_000;
+/// Words of the cut of one side.
+const CUT: usize = LIST_HEADER + 1024;
 
 /// Binary trees over both sets of a kind.
 pub struct Trees {
-    twin: Twin,
+    pub twin: Twin,
     pub kind: u32,
     pub nodes: [Vec<u8>; 2],
     branches: [Vec<u8>; 2],
@@ -41,29 +44,51 @@ impl Trees {
     /// Nodes of the cut through one tree.
     pub fn cut(&self, device: &Device, side: usize, nodes: u32) -> Vec<u32> {
         let own = NodeDescent { nodes, ..NodeDescent::default() };
-        let p = self.params(sets(self.kind)[side] as u32, own, Dispatch::default());
-        let cut = vec![0; 4 * (LIST_HEADER + 1024)];
-        let kernel = CutNodes { branches: self.branches[side].clone(), cut };
-        let words: Vec<u32> = read(&run(device, kernel, &p, 1).cut);
-        words[LIST_HEADER..LIST_HEADER + words[0] as usize].to_vec()
+        let dispatch = Dispatch { first: side as u32, ..Dispatch::default() };
+        let p = self.params(sets(self.kind)[side] as u32, own, dispatch);
+        let kernel = CutNodes { branches: self.branches[side].clone(), cuts: vec![0; 8 * CUT] };
+        let words: Vec<u32> = read(&run(device, kernel, &p, 1).cuts);
+        let (own, other) = (&words[side * CUT..][..CUT], &words[(1 - side) * CUT..][..CUT]);
+        assert!(other.iter().all(|&word| word == 0), "the cut of the other side");
+        own[LIST_HEADER..LIST_HEADER + own[0] as usize].to_vec()
+    }
+
+    /// Both cuts as a kernel reads them.
+    pub fn cuts(&self, device: &Device, nodes: u32) -> Vec<u8> {
+        let mut words = Vec::new();
+        for side in [0, 1] {
+            let cut = self.cut(device, side, nodes);
+            words.extend([vec![cut.len() as u32, 0, 0, 0], cut].concat());
+            words.resize((side + 1) * CUT, 0);
+        }
+        bytes(&words)
     }
 
     /// The pairs of two cuts: how many were counted, and the list.
     fn of_cuts(&self, device: &Device, nodes: u32, room_nodes: u32) -> (u32, Vec<u8>) {
-        let list = |cut: Vec<u32>| bytes(&[vec![cut.len() as u32, 0, 0, 0], cut].concat());
+        let own = NodeDescent { nodes, room_nodes, ..NodeDescent::default() };
+        let done = self.cut_pairs(device, own, vec![0; 16]);
+        (read::<u32>(&done.control)[0], done.output)
+    }
+
+    /// The pairs of two cuts: those that meet, and those of a front.
+    pub fn cut_pairs(
+        &self,
+        device: &Device,
+        own: NodeDescent,
+        front: Vec<u8>,
+    ) -> CutPairs<Vec<u8>> {
         let [a_nodes, b_nodes] = self.nodes.clone();
         let kernel = CutPairs {
             a_nodes,
             b_nodes,
-            a_cut: list(self.cut(device, 0, nodes)),
-            b_cut: list(self.cut(device, 1, nodes)),
-            levels: vec![0; 4 * LEVELS],
-            output: room(room_nodes.max(1)),
+            cuts: self.cuts(device, own.nodes),
+            control: zeros::<u32>(words(0)),
+            output: room(2 * own.room_nodes.max(1)),
+            front,
         };
-        let own = NodeDescent { nodes, room_nodes, ..NodeDescent::default() };
         let p = self.params(self.kind, own, Dispatch::default());
-        let done = run(device, kernel, &p, (nodes * nodes).div_ceil(256));
-        (read::<u32>(&done.levels)[0], done.output)
+        run(device, kernel, &p, (own.nodes * own.nodes).div_ceil(256))
     }
 }
 
@@ -102,7 +127,7 @@ fn check_cuts(device: &Device) {
         assert_eq!(counted as usize, want.len());
         check_pairs("pairs of cuts", want, entries(&list));
         let (counted, short) = trees.of_cuts(device, 50, 0);
-        assert_eq!(read::<u32>(&short), [counted, 0, 0, 0, 0, 0], "written beyond the room");
+        assert_eq!(read::<u32>(&short)[..6], [counted, 0, 0, 0, 0, 0], "written beyond the room");
     }
 }
 
@@ -142,7 +167,7 @@ fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair>
             pairs: pairs.clone(),
         };
         let dispatch = Dispatch { n: 0, first: level, room_in: ROOM, room_out: ROOM };
-        let own = NodeDescent { larger, nodes, room_nodes: ROOM, kind: trees.kind };
+        let own = NodeDescent { larger, nodes, room_nodes: ROOM, ..NodeDescent::default() };
         let p = trees.params(trees.kind, own, dispatch);
         let done = run(device, kernel.clone(), &p, 3);
         let want: Vec<u32> = read(&done.levels);

@@ -19,6 +19,7 @@ mod poison;
 mod queries;
 mod scalars;
 mod scenes;
+mod sequences;
 mod sorts;
 mod support;
 mod tangential;
@@ -26,6 +27,7 @@ mod trees;
 mod triangles;
 mod twin;
 mod units;
+mod workers;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -96,11 +98,13 @@ fn main() {
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
+            workers::TESTS,
             oriented::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
             scenes::TESTS,
+            sequences::TESTS,
             tangential::TESTS,
             units::TESTS,
         ];

@@ -13,6 +13,7 @@ use ccd::gpu::bind::{
 use ccd::gpu::{Device, Path};
 use ccd::{Aabb, Pair};
 use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
+use ccd_core::broad_phase::pair_workers::words;
 use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, NodeDescent, Params, Queries};
 use ccd_core::math::obb::Obb;
 use ccd_testkit::brute;
@@ -308,7 +309,6 @@ fn traverse_half(device: &Device, tree: &Oriented, nodes: &[u8], n: u32) -> Vec<
 
 /// All pairs below those of two cuts, level by level; how many pairs of nodes there were.
 fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec<Pair>, usize) {
-    let list = |cut: Vec<u32>| bytes(&[vec![cut.len() as u32, 0, 0, 0], cut].concat());
     let [a_nodes, b_nodes] = trees.nodes.clone();
     let nodes = 7;
     let own = NodeDescent { nodes, larger, room_nodes: ROOM, ..NodeDescent::default() };
@@ -316,11 +316,11 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
     let kernel = CutPairsOriented {
         a_nodes: a_nodes.clone(),
         b_nodes: b_nodes.clone(),
-        a_cut: list(trees.cut(device, 0, nodes)),
-        b_cut: list(trees.cut(device, 1, nodes)),
+        cuts: trees.cuts(device, nodes),
         oriented: oriented.to_vec(),
-        levels: vec![0; 4 * 256],
+        control: zeros::<u32>(words(0)),
         output: room(ROOM),
+        front: vec![0; 16],
     };
     let p = trees.params(trees.kind, own, dispatch);
     let done = run(device, kernel, &p, (nodes * nodes).div_ceil(256));
@@ -329,7 +329,7 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
         b_nodes,
         oriented: oriented.to_vec(),
         input: done.output,
-        levels: done.levels,
+        levels: done.control,
         output: room(ROOM),
         pairs: room(ROOM),
     };

@@ -1,16 +1,18 @@
 //! From SPIR-V to WGSL, through naga, in a form that browsers accept: their analysis (Tint's) must
 //! see that every barrier is reached by all threads of a workgroup.
 //!
-//! Two things of what naga makes of rust-gpu's modules hide that, and are changed on the way.
+//! Three things of what naga makes of rust-gpu's modules hide that, and are changed on the way.
 //! Built-in values such as the number of a workgroup come through private variables, of which
 //! nobody knows that they are the same for all threads: they become arguments. And failed checks of
 //! indices into arrays of fixed length return: these checks go, because WGSL keeps indices in range
-//! by itself (and no index is out of range, which the same bodies show on the CPU).
+//! by itself (and no index is out of range, which the same bodies show on the CPU). And a word of
+//! workgroup memory by which all threads decide alike is read between two barriers, for which WGSL
+//! has a word.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{
-    AddressSpace, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle,
-    LocalVariable, Module, Statement,
+    AddressSpace, Arena, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle,
+    LocalVariable, Module, Range, Scalar, Statement, Type, TypeInner, UniqueArena,
 };
 
 /// Validates a module, changes it, validates it again and writes it.
@@ -19,6 +21,8 @@ pub fn translate(mut module: Module) -> Result<String, String> {
     for (_, function) in module.functions.iter_mut() {
         let body = std::mem::take(&mut function.body);
         function.body = without_failed_checks(body);
+        let body = std::mem::take(&mut function.body);
+        function.body = with_uniform_loads(body, function, &module.global_variables, &module.types);
     }
     pass_builtins(&mut module)?;
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
@@ -69,6 +73,88 @@ fn without_failed_checks(block: Block) -> Block {
     out
 }
 
+/// With `workgroupUniformLoad`, which is a barrier, a load from workgroup memory and a barrier, for
+/// those three: its result is the same for all threads, so that they may decide by it whether they
+/// come to the next barrier.
+fn with_uniform_loads(
+    block: Block,
+    function: &mut Function,
+    globals: &Arena<GlobalVariable>,
+    types: &UniqueArena<Type>,
+) -> Block {
+    let is_barrier = |s: &Statement| matches!(s, Statement::ControlBarrier(_));
+    let mut out = Block::with_capacity(block.len());
+    let mut rest = block.span_into_iter().peekable();
+    while let Some((mut statement, span)) = rest.next() {
+        for inner in blocks_of(&mut statement) {
+            *inner = with_uniform_loads(std::mem::take(inner), function, globals, types);
+        }
+        let before = matches!(out.last(), Some(s) if is_barrier(s));
+        let after = rest.peek().is_some_and(|(s, _)| is_barrier(s));
+        match &statement {
+            Statement::Emit(range) if before && after => {
+                match uniform_load(range, function, globals, types) {
+                    Some((others, pointer, result)) => {
+                        out.cull(out.len() - 1..);
+                        rest.next();
+                        if let Some(others) = others {
+                            out.push(Statement::Emit(others), span);
+                        }
+                        out.push(Statement::WorkGroupUniformLoad { pointer, result }, span);
+                    }
+                    None => out.push(statement, span),
+                }
+            }
+            _ => out.push(statement, span),
+        }
+    }
+    out
+}
+
+/// The blocks inside a statement.
+fn blocks_of(statement: &mut Statement) -> Vec<&mut Block> {
+    match statement {
+        Statement::If { accept, reject, .. } => vec![accept, reject],
+        Statement::Loop { body, continuing, .. } => vec![body, continuing],
+        Statement::Block(block) => vec![block],
+        Statement::Switch { cases, .. } => cases.iter_mut().map(|case| &mut case.body).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// If all that is emitted is where a word of workgroup memory stands, and last that word: what is
+/// emitted before it, where it stands, and the word, which becomes the result of another statement.
+fn uniform_load(
+    range: &Range<Expression>,
+    function: &mut Function,
+    globals: &Arena<GlobalVariable>,
+    types: &UniqueArena<Type>,
+) -> Option<(Option<Range<Expression>>, Handle<Expression>, Handle<Expression>)> {
+    let last = range.clone().last()?;
+    let Expression::Load { pointer } = function.expressions[last] else { return None };
+    let mut place = pointer;
+    while let Expression::Access { base, .. } | Expression::AccessIndex { base, .. } =
+        function.expressions[place]
+    {
+        place = base;
+    }
+    let Expression::GlobalVariable(global) = function.expressions[place] else { return None };
+    let of = |expression| matches!(function.expressions[expression], Expression::Load { .. });
+    if globals[global].space != AddressSpace::WorkGroup
+        || range.clone().filter(|&e| of(e)).count() > 1
+    {
+        return None;
+    }
+    let word = Type { name: None, inner: TypeInner::Scalar(Scalar::U32) };
+    let ty = types.get(&word)?;
+    function.expressions[last] = Expression::WorkGroupUniformLoadResult { ty };
+    let indices = range.index_range();
+    let others = indices.start..indices.end - 1;
+    let others =
+        (!others.is_empty()).then(|| Range::from_index_range(others, &function.expressions));
+    Some((others, pointer, last))
+}
+
 /// The entry point stores built-in values in private variables and calls a function that reads
 /// them; now it calls it with them.
 fn pass_builtins(module: &mut Module) -> Result<(), String> {
@@ -107,7 +193,7 @@ fn pass_builtins(module: &mut Module) -> Result<(), String> {
 fn take_builtins(
     function: &mut Function,
     values: &[(Handle<GlobalVariable>, Handle<Expression>)],
-    globals: &naga::Arena<GlobalVariable>,
+    globals: &Arena<GlobalVariable>,
 ) {
     let span = naga::Span::UNDEFINED;
     let mut body = Block::new();

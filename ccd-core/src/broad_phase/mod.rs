@@ -10,6 +10,7 @@ pub mod node_numbering;
 pub mod oriented_nodes;
 pub mod oriented_refit;
 pub mod pair_descent;
+pub mod pair_workers;
 pub mod placement;
 pub mod ploc;
 pub mod radix_tree;

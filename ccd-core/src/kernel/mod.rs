@@ -207,24 +207,42 @@ macro_rules! kernels {
                 { boxes: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
             /// Nodes of a cut through a binary tree.
             CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
-                { branches: Read, cut: Write }
+                { branches: Read, cuts: Write }
             /// Pairs of nodes of two cuts, or of one.
             CutPairs = cut_pairs(256 threads, 0 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, a_cut: Read, b_cut: Read,
-                  levels: Write, output: Write }
+                { a_nodes: Read, b_nodes: Read, cuts: Read,
+                  control: Write, output: Write, front: Write }
             /// Pairs of nodes of binary trees to pairs of their children, and pairs of leaves.
             ExpandPairs = expand_pairs(128 threads, 3 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, input: Read,
                   levels: Write, output: Write, pairs: Write }
             /// Pairs of nodes of two cuts, or of one, of trees of oriented boxes.
             CutPairsOriented = cut_pairs_oriented(256 threads, 0 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, a_cut: Read, b_cut: Read, oriented: Read,
-                  levels: Write, output: Write }
+                { a_nodes: Read, b_nodes: Read, cuts: Read, oriented: Read,
+                  control: Write, output: Write, front: Write }
             /// Pairs of nodes of trees of oriented boxes to pairs of their children, and of leaves.
             ExpandPairsOriented
                 = expand_pairs_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read, input: Read,
                   levels: Write, output: Write, pairs: Write }
+            /// Pairs of a front to those that still end there, pairs of leaves, and tasks.
+            ResumeFront = resume_front(128 threads, 3 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Workers that descend pairs of nodes.
+            PairWorkers = pair_workers(128 threads, 5 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
+            /// The same of trees of oriented boxes: a front.
+            ResumeFrontOriented
+                = resume_front_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, oriented: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
+            /// The same of trees of oriented boxes: workers.
+            PairWorkersOriented
+                = pair_workers_oriented(128 threads, 5 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, oriented: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
             /// The axis along which boxes vary most.
             SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
                 { boxes: Read, survey: Write }
@@ -381,6 +399,8 @@ const _: () = assert!(Id::PlocFinish.threads() == prefix::TILE);
 const _: () = assert!(Id::PlocJoin.threads() == prefix::TILE);
 const _: () = assert!(Id::PlocCount.threads() == prefix::TILE);
 const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes::TILE);
+const _: () = assert!(Id::PairWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
+const _: () = assert!(Id::ResumeFront.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);

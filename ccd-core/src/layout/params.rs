@@ -175,8 +175,34 @@ pub struct NodeDescent {
     pub larger: u32,
     /// Nodes of a cut.
     pub nodes: u32,
-    /// Entries that the list of pairs of nodes has room for.
+    /// Entries that the list of pairs of nodes has room for; each of two, if they are one buffer.
     pub room_nodes: u32,
+    /// Entries that the front has room for, each of two in one buffer; 0: none is kept.
+    pub room_front: u32,
+    /// Which of the two fronts is written, 0 or 1; the other is read.
+    pub written: u32,
+    /// What workers are told, see [`pair_workers`](crate::broad_phase::pair_workers): where tasks
+    /// come from, the `TASKS_` constants of this type.
+    pub tasks: u32,
+    /// Of the number of workers, the power of two.
+    pub workers: u32,
+    /// Tasks that are taken at once from the counter, at least.
+    pub piece: u32,
+    /// A worker ends when of all so many percent are idle; 0: it does not look.
+    pub idle: u32,
+    /// Pairs that a stack may hold.
+    pub stack: u32,
+    /// Turns of a worker, at most.
+    pub turns: u32,
+    /// 1 in the last round: pairs that are left are seen by the host.
+    pub last: u32,
+}
+
+impl NodeDescent {
+    /// Every worker has a part of the tasks of its own.
+    pub const TASKS_DEALT: u32 = 0;
+    /// Workers take the next tasks from a counter.
+    pub const TASKS_COUNTED: u32 = 1;
 }
 
 /// What the builders of binary trees are told.
@@ -253,7 +279,7 @@ const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
-const _: () = assert!(size_of::<NodeDescent>() == 16 && size_of::<Building>() == 20);
+const _: () = assert!(size_of::<NodeDescent>() == 52 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 20);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);

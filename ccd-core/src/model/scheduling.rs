@@ -212,7 +212,7 @@ impl Catalogued for Scheduler {
             name: "self-scheduling",
             about: "Workers take some thousand tasks, one after the other, from a shared counter",
             source: Some("Tang 1986"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Frontier,
@@ -226,14 +226,14 @@ impl Catalogued for Scheduler {
             name: "static",
             about: "Tasks are dealt out at the beginning",
             source: Some("Cederman 2009"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::BALANCED,
             name: "balanced",
             about: "Dealt out, and dealt out again whenever too many workers are idle",
             source: Some("Lauterbach 2010"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Stealing,
@@ -266,7 +266,7 @@ impl Catalogued for Front {
             name: "on",
             about: "A step begins at the pairs of nodes where the one before ended",
             source: Some("Tang 2010a"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

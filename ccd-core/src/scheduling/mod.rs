@@ -4,9 +4,11 @@
 //! | module | idea |
 //! |---|---|
 //! | [`deque`] | one deque: its owner pushes and pops at the bottom, thieves take from the top |
+//! | [`front`] | when the pairs at which a descent ended begin the next one, and when not |
 //! | [`stealing`] | the deques of all workers; ranges stolen at once and transferred lazily |
 //!
-//! docs/SCHEDULING.md draws both, says what is model-checked, and why no item is lost.
+//! docs/SCHEDULING.md draws them, says what is model-checked, and why no item is lost.
 
 pub mod deque;
+pub mod front;
 pub mod stealing;

@@ -28,6 +28,7 @@ use crate::threads::Own;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::FrontOptions;
+use ccd_core::scheduling::front::{Fate, FrontState};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -48,19 +49,10 @@ pub struct Front {
     sets: [Option<usize>; 2],
     /// The builds of their trees.
     builds: [u64; 2],
-    /// Whether the kept list is one for these trees.
-    is_kept: bool,
-    /// Whether it has been too large for its memory since the trees were built.
-    is_too_large: bool,
+    /// Whether the kept list is one for these trees, and whether the next is written.
+    state: FrontState,
     kept: List,
     next: List,
-    /// Pairs of the last front that began at the roots.
-    at_roots: u64,
-    /// Pairs of the front with which the next one is compared, and how many steps ago it was.
-    reference: u64,
-    age: u32,
-    /// Pairs with which the last step began; 0: at the roots.
-    begun: u64,
 }
 
 impl Fronts {
@@ -96,8 +88,8 @@ impl Fronts {
     /// What the fronts of the last step were.
     pub fn counts(&self) -> FrontCounts {
         self.fronts.iter().fold(FrontCounts::default(), |all, front| FrontCounts {
-            pairs: all.pairs + if front.is_kept { front.kept.n_pairs() } else { 0 },
-            begun: all.begun + front.begun,
+            pairs: all.pairs + front.state.kept(),
+            begun: all.begun + front.state.begun(),
             bytes: all.bytes + front.bytes() as u64,
         })
     }
@@ -108,25 +100,20 @@ impl Front {
         Self {
             sets,
             builds: [0; 2],
-            is_kept: false,
-            is_too_large: false,
+            state: FrontState::default(),
             kept: List::default(),
             next: List::default(),
-            at_roots: 0,
-            reference: 0,
-            age: 0,
-            begun: 0,
         }
     }
 
     /// The front to begin with, if there is one.
     pub fn kept(&self) -> Option<&List> {
-        self.is_kept.then_some(&self.kept)
+        (self.state.kept() > 0).then_some(&self.kept)
     }
 
     /// The front to be written, unless it would be too large.
     pub fn next(&self) -> Option<&List> {
-        (!self.is_too_large).then_some(&self.next)
+        self.state.is_written().then_some(&self.next)
     }
 
     fn bytes(&self) -> usize {
@@ -134,49 +121,24 @@ impl Front {
     }
 
     fn begin(&mut self, builds: [u64; 2], n_workers: usize) {
-        if self.builds != builds {
-            (self.builds, self.is_kept, self.is_too_large) = (builds, false, false);
-        }
-        self.begun = if self.is_kept { self.kept.n_pairs() } else { 0 };
+        self.state.begin(self.builds == builds);
+        self.builds = builds;
         self.next.clear(n_workers);
     }
 
     fn end(&mut self, options: &FrontOptions, most_bytes: usize) {
-        let was_kept = std::mem::replace(&mut self.is_kept, false);
-        if self.is_too_large {
-            return;
-        }
-        let wanted = self.next.finish();
-        if wanted > self.next.slots.len() {
-            // Both lists take turns.
-            let most = most_bytes / (2 * size_of::<AtomicU64>());
-            self.is_too_large = wanted > most;
-            if !self.is_too_large {
-                let room = (wanted + wanted / 4).min(most);
-                self.kept.grow(room);
-                self.next.grow(room);
+        let wanted = self.next.finish() as u64;
+        // Both lists take turns.
+        let most = most_bytes / (2 * size_of::<AtomicU64>());
+        let (n, room) = (self.next.n_pairs(), self.next.slots.len() as u64);
+        match self.state.end(options, n, wanted, room, most as u64) {
+            Fate::Kept => std::mem::swap(&mut self.kept, &mut self.next),
+            Fate::Grows(room) => {
+                self.kept.grow(room as usize);
+                self.next.grow(room as usize);
             }
-            return;
+            Fate::Dropped => {}
         }
-        let n = self.next.n_pairs();
-        if was_kept {
-            self.age += 1;
-            let percent = |n: u64, p: u32| n as u128 * p as u128;
-            let whole = n as u128 * 100;
-            let too_deep = whole > percent(self.at_roots, options.growth);
-            let compared = self.age.is_multiple_of(options.period);
-            let unchanged = compared && whole < percent(self.reference, options.threshold);
-            if compared {
-                self.reference = n;
-            }
-            if too_deep || unchanged {
-                return;
-            }
-        } else {
-            (self.at_roots, self.reference, self.age) = (n, n, 0);
-        }
-        std::mem::swap(&mut self.kept, &mut self.next);
-        self.is_kept = true;
     }
 }
 

@@ -10,7 +10,7 @@ use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::{BroadPhaseMethod, Volume};
-use ccd_core::model::scheduling::Scheduling;
+use ccd_core::model::scheduling::{Scheduler, Scheduling};
 
 /// Refuses a choice that this backend does not have.
 pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
@@ -21,21 +21,30 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     }
 }
 
-/// Refuses a way to share out work that this backend does not have.
-pub fn check_scheduling(choice: Scheduling) -> Result<(), Error> {
-    match choice.lacking("gpu") {
-        Some(name) => Err(ccd_core::Error::Method { name, backend: "gpu" }.into()),
-        None => Ok(()),
+/// Refuses a way to share out work that the method or this backend does not have.
+pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
+    choice.check(method)?;
+    if let Some(name) = choice.lacking("gpu") {
+        return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
     }
+    let by_level = Scheduling::default().scheduler(Scheduler::Frontier);
+    if method == BroadPhaseMethod::Blocks && choice != Scheduling::default() && choice != by_level {
+        let scheduler = choice.scheduler.filter(|&scheduler| scheduler != Scheduler::Frontier);
+        let name = scheduler.map_or("front", |scheduler| scheduler.row().name);
+        return Err(Error::OfTrees { name });
+    }
+    Ok(())
 }
 
 /// The source of a choice, with room for sets of so many boxes.
 pub fn source(
     device: &Device,
     choice: BroadPhaseMethod,
+    scheduling: Scheduling,
     count: [u32; 3],
 ) -> Result<Box<dyn PairSource>, Error> {
     check(choice)?;
+    check_scheduling(choice, scheduling)?;
     if device.info().path == Path::Wgsl && is_oriented(choice) {
         return Err(Error::Contracted);
     }
@@ -45,7 +54,9 @@ pub fn source(
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
         BroadPhaseMethod::Blocks => Box::new(BlockSource::new(device, count)?),
-        BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(device, options, count)?),
+        BroadPhaseMethod::Tree(options) => {
+            Box::new(TreeSource::new(device, options, scheduling, count)?)
+        }
         other => {
             let name = other.row().name;
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());

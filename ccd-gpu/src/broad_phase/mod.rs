@@ -5,24 +5,29 @@ pub mod block_bvh;
 mod block_levels;
 mod block_pairs;
 mod builder;
+mod front;
 mod key_intervals;
 pub mod method;
 mod oriented;
 mod pair_descent;
 pub mod pair_source;
+mod scheduler;
 mod tree;
 mod upload;
+pub mod worker_counts;
 
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
-use crate::readback::{Plan, Readback};
+use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
 use ccd_core::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::scheduling::Scheduling;
 use method::source;
 use pair_source::{PairSource, Search, frame_of, kinds_of};
+use worker_counts::WorkerCounts;
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
 ///
@@ -31,6 +36,7 @@ use pair_source::{PairSource, Search, frame_of, kinds_of};
 pub struct BroadPhase {
     device: Device,
     method: BroadPhaseMethod,
+    scheduling: Scheduling,
     bench: Bench,
     readback: Readback,
     buffers: Option<Buffers>,
@@ -48,9 +54,21 @@ struct Buffers {
 impl BroadPhase {
     /// A broad phase on `device`.
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
+        Self::scheduled(device, method, Scheduling::default())
+    }
+
+    /// The same with work shared out in a way of its own. A front is written and never read: every
+    /// call builds anew.
+    pub fn scheduled(
+        device: &Device,
+        method: BroadPhaseMethod,
+        scheduling: Scheduling,
+    ) -> Result<Self, Error> {
         method::check(method)?;
+        method::check_scheduling(method, scheduling)?;
         Ok(Self {
             method,
+            scheduling,
             bench: Bench::new(device)?,
             readback: Readback::default(),
             buffers: None,
@@ -69,6 +87,14 @@ impl BroadPhase {
     /// together.
     pub fn stages(&self) -> &[(&'static str, f64)] {
         &self.stages
+    }
+
+    /// What each worker did in the last call, those of one kind of pairs after those of the other;
+    /// empty where the scheduler has no workers.
+    pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
+        let Self { device, bench, readback, buffers, .. } = self;
+        let Some(Buffers { source, .. }) = buffers else { return Ok(Vec::new()) };
+        worker_counts::read(device, bench, readback, &**source)
     }
 
     /// All pairs of boxes that overlap, each once, the lesser index first.
@@ -116,7 +142,10 @@ impl BroadPhase {
         }
         let buffers = match &mut self.buffers {
             Some(buffers) => buffers,
-            slot => slot.insert(Buffers { count, source: source(device, self.method, count)? }),
+            slot => {
+                let source = source(device, self.method, self.scheduling, count)?;
+                slot.insert(Buffers { count, source })
+            }
         };
         let mut at = 0;
         for boxes in sets {
@@ -138,6 +167,9 @@ impl BroadPhase {
             let of_source: Vec<_> =
                 source.lists().iter().map(|_| plan.part(HEADER_BYTES)).collect();
             let of_pairs = plan.part(HEADER_BYTES);
+            let counters = source.counters();
+            let of_counters: Vec<_> =
+                counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
             let of_survey = plan.part(source.survey().map_or(0, |(_, words)| 4 * words));
             let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
@@ -155,15 +187,20 @@ impl BroadPhase {
                     recorder.read(&reading, *part, list.buffer(), 0);
                 }
                 recorder.read(&reading, of_pairs, pairs[0].buffer(), 0);
+                for (part, (counters, of)) in of_counters.iter().zip(&counters) {
+                    recorder.read(&reading, *part, counters, of.start);
+                }
                 if let Some((words, _)) = survey {
                     recorder.read(&reading, of_survey, words, 0);
                 }
             })?;
-            let (of_source, found, survey) = reading.with(device, |bytes| {
+            let (of_source, found, survey, counted) = reading.with(device, |bytes| {
                 let headers = of_source.iter().map(|part| read_header(part.of(bytes)));
                 let headers = headers.collect::<Result<Vec<Header>, Error>>()?;
                 let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
-                Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, survey))
+                let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
+                let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
+                Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, survey, counted))
             })??;
             source.check(&frame, &survey)?;
             self.stages = bench.times(&stages)?;
@@ -171,10 +208,12 @@ impl BroadPhase {
             for (list, header) in source.lists_mut().into_iter().zip(&of_source) {
                 grown |= list.grow(device, header.wanted)?;
             }
+            if source.settle(device, &counted, !grown)? || grown {
+                bench.forget();
+            }
             if !grown {
                 return Ok(found.wanted);
             }
-            bench.forget();
         }
     }
 

@@ -1,136 +1,133 @@
-//! Simultaneous traversal of binary trees from a cut on: lists of pairs of nodes that follow each
-//! other, one level a dispatch.
+//! Simultaneous traversal of binary trees from a cut on: pairs of nodes, which a scheduler shares
+//! out among workgroups.
 //!
 //! ```text
-//!   cut a  cut b          pairs of level 0 -> level 1 -> ... -> nothing left
-//!     all pairs   ------>      |                |
+//!   cut a  cut b          pairs of nodes: tasks of the scheduler
+//!     all pairs   ------>      |
 //!   that overlap           pairs of leaves: found
 //! ```
 //!
-//! How many levels there are is known on the device alone, so there are as many dispatches as there
-//! can be levels; those after the last do nothing. Two lists are used in turn. A level's work is
-//! shared evenly and no thread keeps a stack, but every pair of nodes is written and read once, and
-//! so many dispatches take their time: choose it to see what it costs.
+//! A cut is there because one pair of roots is no work for a thousand workgroups. With a front it is
+//! made only where none is kept.
 
 use super::binary_tree::BinaryTree;
-use super::block_bvh::groups;
+use super::front::{COUNTERS, Front, Written};
 use super::pair_source::kinds_of;
-use crate::bind::{CutNodes, CutPairs, CutPairsOriented, ExpandPairs, ExpandPairsOriented};
+use super::scheduler::{self, Descended, Schedule};
+use crate::bind::{CutNodes, CutPairs, CutPairsOriented};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, LIST_HEADER, NodeDescent, Params};
+use ccd_core::layout::{Frame, LIST_HEADER, NodeDescent};
 use ccd_core::model::method::{Descent, Traversal};
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::{self, Scheduling};
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
-/// Words that count the pairs of each level: more than levels there can be, twice those of a tree
-/// of 2^31 boxes, by any builder.
-const MAX_LEVELS: u64 = 512;
-
-/// The cuts, and the pairs of nodes of two levels.
+/// The cuts, and what expands pairs of nodes, by kind.
 pub struct PairDescent {
     nodes: u32,
     rule: Descent,
-    cuts: [wgpu::Buffer; 2],
-    /// By kind: pairs of each level.
-    levels: [wgpu::Buffer; 2],
-    /// By kind, two that are used in turn; none of a kind that there is not.
-    pub lists: [Vec<List>; 2],
-    groups: u32,
+    cuts: wgpu::Buffer,
+    of_kind: [Option<OfKind>; 2],
+    none: wgpu::Buffer,
+}
+
+struct OfKind {
+    schedule: Box<dyn Schedule>,
+    front: Option<Front>,
 }
 
 impl PairDescent {
     /// From cuts of so many nodes on, between sets of so many boxes.
-    pub fn new(device: &Device, nodes: u32, rule: Descent, count: [u32; 3]) -> Result<Self, Error> {
-        let words = LIST_HEADER as u64 + Traversal::MAX_CUT as u64;
-        let cut = || device.buffer("nodes of a cut", 4 * words, U::STORAGE);
-        let levels = || {
-            let usage = U::STORAGE | U::COPY_DST;
-            device.buffer("pairs of nodes of each level", 4 * MAX_LEVELS, usage)
-        };
-        let mut lists = [Vec::new(), Vec::new()];
+    pub fn new(
+        device: &Device,
+        nodes: u32,
+        rule: Descent,
+        scheduling: Scheduling,
+        count: [u32; 3],
+    ) -> Result<Self, Error> {
+        let words = 2 * (LIST_HEADER as u64 + Traversal::MAX_CUT as u64);
+        let mut of_kind = [None, None];
         for kind in kinds_of(count) {
             // About as many as pairs that overlap; a list that is too short grows.
             let n = count[sets(kind)[1]].saturating_mul(4).max(4096);
-            let list = || List::new(device, "pairs of nodes", 2, n);
-            lists[kind as usize] = vec![list()?, list()?];
+            let front = match scheduling.front {
+                scheduling::Front::On(options) => {
+                    Some(Front::new(device, options, (2 * n).max(nodes * nodes))?)
+                }
+                _ => None,
+            };
+            let schedule = scheduler::new(device, scheduling, n)?;
+            of_kind[kind as usize] = Some(OfKind { schedule, front });
         }
-        let (cuts, levels) = ([cut()?, cut()?], [levels()?, levels()?]);
-        Ok(Self { nodes, rule, cuts, levels, lists, groups: groups(device) })
+        let cuts = device.buffer("nodes of cuts", 4 * words, U::STORAGE)?;
+        Ok(Self { nodes, rule, cuts, of_kind, none: device.buffer("no front", 0, U::STORAGE)? })
     }
 
     pub fn clear(&self, recorder: &mut Recorder) {
-        self.levels.iter().for_each(|levels| recorder.clear(levels, 4 * MAX_LEVELS));
+        self.of_kind.iter().flatten().for_each(|of| of.schedule.clear(recorder));
     }
 
     /// Lists all pairs of leaves of two trees, or of one given twice; by their oriented boxes, too,
-    /// if there are.
+    /// if there are. `keeps_order`: the trees are those of the search before, refitted.
     pub fn run(
         &self,
         recorder: &mut Recorder,
-        frame: &Frame,
-        kind: u32,
+        (frame, kind, keeps_order): (&Frame, u32, bool),
         trees: [&BinaryTree; 2],
         oriented: Option<&wgpu::Buffer>,
         pairs: &List,
     ) {
-        let [even, odd] = &self.lists[kind as usize][..] else { return };
-        let [a, b] = trees;
-        let (a_nodes, b_nodes) = (&a.nodes, &b.nodes);
-        let levels = &self.levels[kind as usize];
+        let Some(OfKind { schedule, front }) = &self.of_kind[kind as usize] else { return };
+        let [a_nodes, b_nodes] = trees.map(|tree| &tree.nodes);
+        let n_levels = self.n_levels(trees);
         let larger = (self.rule == Descent::Larger) as u32;
-        let params = |kind: u32, first: u32, input: &List, output: &List| {
-            let own = NodeDescent { kind, larger, nodes: self.nodes, room_nodes: output.room() };
-            let (room_in, room_out) = (input.room(), pairs.room());
-            let dispatch = Dispatch { n: 0, first, room_in, room_out };
-            Params { frame: *frame, dispatch, own }
+        let of = Descended { frame, kind, a_nodes, b_nodes, oriented, n_levels, larger, pairs };
+        let (begun, written) = match front {
+            Some(front) => front.begin(keeps_order),
+            None => (0, Written::none(&self.none)),
         };
+        match front {
+            Some(front) if begun > 0 => front.resume(recorder, &of, begun, schedule.tasks()),
+            _ => self.cut(recorder, &of, trees, written, schedule.tasks()),
+        }
+        schedule.run(recorder, &of, written);
+    }
+
+    /// Makes tasks of the pairs of two cuts that meet.
+    fn cut(
+        &self,
+        recorder: &mut Recorder,
+        of: &Descended,
+        trees: [&BinaryTree; 2],
+        written: Written,
+        (control, tasks): (&wgpu::Buffer, &List),
+    ) {
+        let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, written.front);
+        let (cuts, room_nodes) = (&self.cuts, tasks.room());
+        let own = NodeDescent { nodes: self.nodes, room_nodes, ..written.record() };
         // The order of a cut is that of the threads that were first: another cut through the same
         // tree has another one, so that pairs within a tree need one cut for both sides.
-        let [a_cut, b_cut] = if kind == 1 { [&self.cuts[0]; 2] } else { self.cuts.each_ref() };
-        let sides = trees.into_iter().zip(sets(kind)).zip([a_cut, b_cut]);
-        for ((tree, set), cut) in sides.take(if kind == 1 { 1 } else { 2 }) {
-            let kernel = CutNodes { branches: &tree.branches, cut };
-            recorder.dispatch(&kernel, &params(set as u32, 0, odd, even), 1);
+        let sides = (0..).zip(trees.into_iter().zip(sets(of.kind)));
+        for (side, (tree, set)) in sides.take(if of.kind == 1 { 1 } else { 2 }) {
+            let mut p = of.params(own, side, 0);
+            p.own.kind = set as u32;
+            recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
         }
-        let output = even.buffer();
-        let (p, n) = (params(kind, 0, odd, even), self.nodes * self.nodes);
-        match oriented {
+        let (output, p, n) = (tasks.buffer(), of.params(own, 0, 0), self.nodes * self.nodes);
+        match of.oriented {
             None => {
-                let kernel = CutPairs { a_nodes, b_nodes, a_cut, b_cut, levels, output };
+                let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
                 recorder.each(&kernel, &p, n);
             }
             Some(oriented) => {
                 let kernel =
-                    CutPairsOriented { a_nodes, b_nodes, a_cut, b_cut, oriented, levels, output };
+                    CutPairsOriented { a_nodes, b_nodes, cuts, oriented, control, output, front };
                 recorder.each(&kernel, &p, n);
-            }
-        }
-        for level in 0..self.n_levels(trees) {
-            let [input, output] = if level % 2 == 0 { [even, odd] } else { [odd, even] };
-            let p = params(kind, level, input, output);
-            let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
-            let (input, output, pairs) = (input.buffer(), output.buffer(), pairs.buffer());
-            match oriented {
-                None => {
-                    let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
-                    recorder.dispatch(&kernel, &p, n_groups);
-                }
-                Some(oriented) => {
-                    let kernel = ExpandPairsOriented {
-                        a_nodes,
-                        b_nodes,
-                        oriented,
-                        input,
-                        levels,
-                        output,
-                        pairs,
-                    };
-                    recorder.dispatch(&kernel, &p, n_groups);
-                }
             }
         }
     }
@@ -139,5 +136,57 @@ impl PairDescent {
     fn n_levels(&self, trees: [&BinaryTree; 2]) -> u32 {
         let [a, b] = trees.map(BinaryTree::height);
         1 + if self.rule == Descent::Larger { a + b } else { a.max(b) }
+    }
+
+    pub fn lists(&self) -> Vec<&List> {
+        self.of_kind.iter().flatten().flat_map(|of| of.schedule.lists()).collect()
+    }
+
+    pub fn lists_mut(&mut self) -> Vec<&mut List> {
+        self.of_kind.iter_mut().flatten().flat_map(|of| of.schedule.lists_mut()).collect()
+    }
+
+    /// Bytes of buffers that [`PairDescent::settle`] wants to see.
+    pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        let with_front = self.of_kind.iter().flatten().filter(|of| of.front.is_some());
+        with_front.map(|of| (of.schedule.tasks().0, COUNTERS)).collect()
+    }
+
+    /// The results of a search were seen; see `PairSource::settle`.
+    pub fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        let mut used: u64 = self.fronts().map(Front::bytes).sum();
+        let (mut replaced, mut counted) = (false, counted.iter());
+        for OfKind { schedule, front } in self.of_kind.iter_mut().flatten() {
+            schedule.settle(device, complete)?;
+            if let Some((front, words)) = front.as_mut().zip(counted.next()) {
+                used -= front.bytes();
+                replaced |= front.settle(device, [words[0], words[1]], complete, used)?;
+                used += front.bytes();
+            }
+        }
+        Ok(replaced)
+    }
+
+    fn fronts(&self) -> impl Iterator<Item = &Front> {
+        self.of_kind.iter().flatten().filter_map(|of| of.front.as_ref())
+    }
+
+    /// What fronts the last search left, if any are kept.
+    pub fn front(&self) -> Option<FrontCounts> {
+        self.fronts().map(Front::counts).reduce(|all, one| FrontCounts {
+            pairs: all.pairs + one.pairs,
+            begun: all.begun + one.begun,
+            bytes: all.bytes + one.bytes,
+        })
+    }
+
+    /// What workers counted, by kind; see [`Schedule::counts`].
+    pub fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        self.of_kind.iter().flatten().filter_map(|of| of.schedule.counts()).collect()
     }
 }

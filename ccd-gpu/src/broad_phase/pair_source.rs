@@ -10,6 +10,8 @@ use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::Aabb;
 use ccd_core::layout::Frame;
+use ccd_core::model::report::FrontCounts;
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// What is looked for in one recording.
@@ -69,6 +71,36 @@ pub trait PairSource: Send + Sync {
     /// the lists hold nothing.
     fn check(&self, _frame: &Frame, _words: &[u32]) -> Result<(), Error> {
         Ok(())
+    }
+
+    /// Bytes of buffers that [`PairSource::settle`] wants to see when a search is over.
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        Vec::new()
+    }
+
+    /// A search is over, and its results were read: `counted` are the words of
+    /// [`PairSource::counters`]. If a list was too short it is not `complete`: that list has grown,
+    /// and the search runs again. Returns whether buffers were replaced.
+    ///
+    /// A search that is recorded without this call is not one after which order is kept.
+    fn settle(
+        &mut self,
+        _: &Device,
+        _counted: &[Vec<u32>],
+        _complete: bool,
+    ) -> Result<bool, Error> {
+        Ok(false)
+    }
+
+    /// What fronts the last search left; `None` without any.
+    fn front(&self) -> Option<FrontCounts> {
+        None
+    }
+
+    /// Where workers count what they do, by kind of pairs: buffer, first byte, workers, of which
+    /// each has two words, see [`WorkerCounts`](crate::WorkerCounts).
+    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        Vec::new()
     }
 }
 

@@ -1,6 +1,6 @@
 //! A binary tree as a source of pairs: sorted boxes, binary trees over those by any builder, a
 //! block tree over their leaves, from which they have their boxes, and a traversal: queries with a
-//! stack, a thread each, or pairs of nodes from a cut on, a level a dispatch.
+//! stack, a thread each, or pairs of nodes from a cut on, by any scheduler.
 //!
 //! Recursion does not exist on a device, and one thread of it is slow, so the other two traversals
 //! are a CPU's.
@@ -18,6 +18,9 @@ use crate::recorder::Recorder;
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::layout::{Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::Scheduling;
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Binary trees over those sets that a traversal descends.
@@ -31,11 +34,16 @@ pub struct TreeSource {
 }
 
 impl TreeSource {
-    pub fn new(device: &Device, options: TreeOptions, count: [u32; 3]) -> Result<Self, Error> {
+    pub fn new(
+        device: &Device,
+        options: TreeOptions,
+        scheduling: Scheduling,
+        count: [u32; 3],
+    ) -> Result<Self, Error> {
         let traversal = options.traversal;
         let descent = match traversal {
             Traversal::Cut { nodes, descent } => {
-                Some(PairDescent::new(device, nodes, descent, count)?)
+                Some(PairDescent::new(device, nodes, descent, scheduling, count)?)
             }
             _ => None,
         };
@@ -64,7 +72,8 @@ impl TreeSource {
         })
     }
 
-    fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
+    fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, search: &Search) {
+        let pairs = search.pairs[kind as usize];
         let [a, b] = sets(kind).map(|set| self.trees[set].as_ref());
         let Some(b) = b else { return };
         let (blocks, oriented) = (&self.blocks, self.oriented.as_ref());
@@ -72,7 +81,8 @@ impl TreeSource {
             (Traversal::Cut { .. }, _) => {
                 if let Some((descent, a)) = self.descent.as_ref().zip(a) {
                     let oriented = oriented.map(|oriented| &oriented.boxes);
-                    descent.run(recorder, frame, kind, [a, b], oriented, pairs);
+                    let of = (frame, kind, search.keeps_order);
+                    descent.run(recorder, of, [a, b], oriented, pairs);
                 }
             }
             (Traversal::Half, None) if kind == 1 => b.traverse_half(recorder, frame, blocks, pairs),
@@ -131,7 +141,7 @@ impl PairSource for TreeSource {
         }
         recorder.stage("pairs");
         for &kind in search.kinds {
-            self.traverse(recorder, frame, kind, search.pairs[kind as usize]);
+            self.traverse(recorder, frame, kind, search);
         }
     }
 
@@ -141,13 +151,37 @@ impl PairSource for TreeSource {
     }
 
     fn lists(&self) -> Vec<&List> {
-        let of_descent = self.descent.iter().flat_map(|descent| descent.lists.iter().flatten());
+        let of_descent = self.descent.iter().flat_map(PairDescent::lists);
         self.trees.iter().flatten().filter_map(BinaryTree::list).chain(of_descent).collect()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         let Self { trees, descent, .. } = self;
-        let of_descent = descent.iter_mut().flat_map(|descent| descent.lists.iter_mut().flatten());
+        let of_descent = descent.iter_mut().flat_map(PairDescent::lists_mut);
         trees.iter_mut().flatten().filter_map(BinaryTree::list_mut).chain(of_descent).collect()
+    }
+
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.descent.as_ref().map(PairDescent::counters).unwrap_or_default()
+    }
+
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        match &mut self.descent {
+            Some(descent) => descent.settle(device, counted, complete),
+            None => Ok(false),
+        }
+    }
+
+    fn front(&self) -> Option<FrontCounts> {
+        self.descent.as_ref().and_then(PairDescent::front)
+    }
+
+    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        self.descent.as_ref().map(PairDescent::worker_counts).unwrap_or_default()
     }
 }

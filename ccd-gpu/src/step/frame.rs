@@ -6,10 +6,11 @@ use super::contact_order::{self, ContactOrder};
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
 use super::{Goal, SAMPLE, cpu_fallback};
+use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, read_header, read_pairs};
-use crate::readback::{Plan, Readback, word};
+use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, PerKind};
@@ -158,6 +159,15 @@ impl Frames {
         }
     }
 
+    /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
+    pub fn worker_counts(&mut self, device: &Device) -> Result<Vec<WorkerCounts>, Error> {
+        let Self { buffers, bench, readback, .. } = self;
+        match buffers.source.listed() {
+            Some(source) => worker_counts::read(device, bench, readback, source),
+            None => Ok(Vec::new()),
+        }
+    }
+
     /// Reads the candidates of a frame: pairs of vertices and faces, pairs of edges.
     pub fn read_candidates(
         &mut self,
@@ -224,6 +234,9 @@ impl Frames {
         let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
+        let counters = buffers.source.counters();
+        let of_counters: Vec<_> =
+            counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let wide = device.info().wide;
@@ -236,6 +249,9 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            for (part, (counters, of)) in of_counters.iter().zip(&counters) {
+                recorder.read(&reading, *part, counters, of.start);
+            }
             if let Some((words, _)) = buffers.source.survey() {
                 recorder.read(&reading, of_survey, words, 0);
             }
@@ -251,7 +267,7 @@ impl Frames {
         })?;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
-        let (headers, survey) = reading.with(device, |bytes| {
+        let (headers, survey, counted) = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
             let [vf, ee, nodes_vf, nodes_ee] =
@@ -264,7 +280,9 @@ impl Frames {
             let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(of_counts.of(bytes)));
-            Ok::<_, Error>((headers, survey))
+            let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
+            let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
+            Ok::<_, Error>((headers, survey, counted))
         })??;
         buffers.source.check(&frame, &survey)?;
         self.stages = bench.times(&stages)?;
@@ -281,6 +299,9 @@ impl Frames {
             contacts.clear();
         }
         all_grew?;
+        if buffers.source.settle(device, &counted, !grown)? {
+            bench.forget();
+        }
         if grown {
             return Ok(None);
         }

@@ -20,6 +20,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use std::ops::Range;
 
 /// The source of a session.
 pub enum Source {
@@ -63,7 +64,7 @@ impl Source {
             _ if choice == BroadPhaseMethod::Blocks => {
                 return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
             }
-            _ => Finder::Features(method::source(device, choice, count)?),
+            _ => Finder::Features(method::source(device, choice, options.scheduling, count)?),
         };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
         let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
@@ -127,6 +128,37 @@ impl Source {
                     Finder::Triangles(source) => source.lists_mut(),
                 };
                 lists.into_iter().chain(pairs).collect()
+            }
+        }
+    }
+
+    /// The source of pairs that are listed.
+    pub fn listed(&self) -> Option<&dyn PairSource> {
+        match self {
+            Self::Blocks(_) => None,
+            Self::Listed(listed) => Some(listed.source()),
+        }
+    }
+
+    /// Bytes of buffers that [`Source::settle`] wants to see.
+    pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.listed().map(PairSource::counters).unwrap_or_default()
+    }
+
+    /// The results of a search were read; see [`PairSource::settle`].
+    pub fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        match self {
+            Self::Blocks(_) => Ok(false),
+            Self::Listed(Listed { finder: Finder::Features(source), .. }) => {
+                source.settle(device, counted, complete)
+            }
+            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => {
+                source.settle(device, counted, complete)
             }
         }
     }

@@ -20,12 +20,13 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
-use ccd_core::model::report::TriangleCounts;
+use ccd_core::model::report::{FrontCounts, TriangleCounts};
 use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::triangle_pairs::free_regions::{FreeRegions, NONE};
 use ccd_core::triangle_pairs::near_tests::NearTests;
 use ccd_core::triangle_pairs::orphans::OrphanSets;
 use ccd_core::triangle_pairs::representatives::Triangles;
+use std::ops::Range;
 use std::thread;
 use wgpu::BufferUsages as U;
 
@@ -109,7 +110,7 @@ impl TrianglePairs {
         let room = n.saturating_mul(16).max(4096);
         Ok(Self {
             boxes: boxes_of(device, count)?,
-            source: method::source(device, options.broad_phase, frame.count)?,
+            source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
             pairs: List::new(device, "overlapping triangles", 2, room)?,
             triangles: sent("triangles", bytemuck::cast_slice(&records))?,
@@ -231,6 +232,27 @@ impl PairSource for TrianglePairs {
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         self.source.lists_mut().into_iter().chain([&mut self.pairs]).collect()
+    }
+
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.source.counters()
+    }
+
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        self.source.settle(device, counted, complete)
+    }
+
+    fn front(&self) -> Option<FrontCounts> {
+        self.source.front()
+    }
+
+    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+        self.source.worker_counts()
     }
 
     fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {

@@ -11,6 +11,7 @@ pub mod node_numbering;
 pub mod oriented;
 pub mod oriented_pairs;
 pub mod pair_descent;
+pub mod pair_workers;
 pub mod ploc;
 pub mod radix_tree;
 pub mod split_lists;

@@ -1,16 +1,18 @@
 //! Simultaneous traversal of trees of oriented boxes: as `pair_descent`, and pairs of nodes that
 //! their oriented boxes tell apart are left out.
 
-use super::pair_descent::{LEAVES, LEAVES_BASE, NODES, NODES_BASE, claim, fate, keep, reserve};
+use super::pair_descent::{
+    LEAVES, LEAVES_BASE, NODES, NODES_BASE, claim, fate, keep, of_cuts, place, reserve,
+};
 use crate::records::ObbWords;
-use crate::workgroup::{barrier, count, get, group, read_pair, set, write_pair};
+use crate::workgroup::{barrier, count, get, group, read_pair, set};
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::{only_reaching, reach};
 use ccd_core::broad_phase::pair_descent::expand;
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::at;
-use ccd_core::layout::{LIST_HEADER, Node, NodeDescent, Pair, Params};
+use ccd_core::layout::{Node, NodeDescent, Params};
 use ccd_core::model::method::Descent;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
@@ -27,29 +29,24 @@ pub fn cut_pairs_oriented(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] a_cut: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] b_cut: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] oriented: &[ObbWords],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] levels: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] output: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] cuts: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] oriented: &[ObbWords],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] control: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] output: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] front: &mut [u32],
 ) {
-    let k = group(id, n) * CUTTERS + lane;
-    let (i, j) = (k / params.own.nodes, k % params.own.nodes);
-    if i < at(a_cut, 0) && j < at(b_cut, 0) {
-        let (a, b) = (at(a_cut, LIST_HEADER + i as usize), at(b_cut, LIST_HEADER + j as usize));
-        let (x, y) = (at(a_nodes, a as usize), at(b_nodes, b as usize));
+    let pair = of_cuts(&params.own, group(id, n) * CUTTERS + lane, cuts);
+    if pair[0] != NONE {
+        let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
         let [set_a, set_b] = sets(params.own.kind);
         let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
         let first = [params.frame.start[set_a], params.frame.start[set_b]];
         let within = params.own.kind == 1;
         // A leaf makes no pair with itself.
-        let is_pair = if within { i < j || (i == j && !x.is_leaf()) } else { true };
-        if is_pair
-            && x.aabb().overlaps(&y.aabb())
-            && reach(within, [a, b], internal, first, a_nodes, b_nodes, oriented, oriented)
-        {
-            let to = reserve(levels, 0, output, 1);
-            write_pair(output, params.own.room_nodes, to, Pair { a, b });
+        if !(within && pair[0] == pair[1] && x.is_leaf()) {
+            let meets = x.aabb().overlaps(&y.aabb())
+                && reach(within, pair, internal, first, a_nodes, b_nodes, oriented, oriented);
+            place(params, pair, meets, control, output, front);
         }
     }
 }

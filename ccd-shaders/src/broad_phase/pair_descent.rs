@@ -7,11 +7,12 @@ use crate::workgroup::{
 };
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::pair_descent::{NodePair, expand};
+use ccd_core::broad_phase::pair_workers::FRONT;
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
-use ccd_core::model::method::Descent;
+use ccd_core::model::method::{Descent, Traversal};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -29,7 +30,7 @@ pub(super) const NODES_BASE: u32 = 2;
 pub(super) const LEAVES_BASE: u32 = 3;
 
 /// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most `own.nodes`
-/// of them. A node is split, if there is room, while it has more than its share of the leaves.
+/// of them, as the cut of side `dispatch.first`. A node is split, if there is room, while it has more than its share of the leaves.
 #[spirv(compute(threads(256)))]
 pub fn cut_nodes(
     #[spirv(local_invocation_index)] lane: u32,
@@ -37,8 +38,9 @@ pub fn cut_nodes(
     #[spirv(workgroup)] counters: &mut [u32; 4],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] branches: &[Branch],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] cut: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] cuts: &mut [u32],
 ) {
+    let first = cut_start(params.dispatch.first) + LIST_HEADER;
     let n_leaves = params.frame.count[params.own.kind as usize];
     let (n_internal, share) = (n_leaves - 1, n_leaves / params.own.nodes);
     if lane == 0 {
@@ -77,16 +79,23 @@ pub fn cut_nodes(
     for s in 0..SHARE {
         let k = s * CUTTERS + lane;
         if k < n {
-            put(cut, LIST_HEADER + k as usize, get(nodes, k));
+            put(cuts, first + k as usize, get(nodes, k));
         }
     }
     if lane == 0 {
-        put(cut, 0, n);
+        put(cuts, first - LIST_HEADER, n);
     }
 }
 
+/// Where the cut of a side begins; within one tree there is one for both.
+#[inline(always)]
+pub(super) fn cut_start(side: u32) -> usize {
+    side as usize * (LIST_HEADER + Traversal::MAX_CUT as usize)
+}
+
 /// Thread `i * own.nodes + j` looks at the pair of node `i` of the first cut and node `j` of the
-/// second; within one tree if `i <= j`.
+/// second; within one tree if `i <= j`. Those that meet are listed, the others go to the front that
+/// is written, if one is kept.
 #[spirv(compute(threads(256)))]
 pub fn cut_pairs(
     #[spirv(workgroup_id)] id: UVec3,
@@ -95,23 +104,73 @@ pub fn cut_pairs(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] a_cut: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] b_cut: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] levels: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] output: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] cuts: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] control: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] output: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] front: &mut [u32],
 ) {
-    let k = group(id, n) * CUTTERS + lane;
-    let (i, j) = (k / params.own.nodes, k % params.own.nodes);
-    if i < at(a_cut, 0) && j < at(b_cut, 0) {
-        let (a, b) = (at(a_cut, LIST_HEADER + i as usize), at(b_cut, LIST_HEADER + j as usize));
-        let (x, y) = (at(a_nodes, a as usize), at(b_nodes, b as usize));
-        let within = params.own.kind == 1;
+    let pair = of_cuts(&params.own, group(id, n) * CUTTERS + lane, cuts);
+    if pair[0] != NONE {
+        let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
+        let same = params.own.kind == 1 && pair[0] == pair[1];
         // A leaf makes no pair with itself.
-        let is_pair = if within { i < j || (i == j && !x.is_leaf()) } else { true };
-        if is_pair && x.aabb().overlaps(&y.aabb()) {
-            let to = reserve(levels, 0, output, 1);
-            write_pair(output, params.own.room_nodes, to, Pair { a, b });
+        if !same || !x.is_leaf() {
+            place(params, pair, x.aabb().overlaps(&y.aabb()), control, output, front);
         }
+    }
+}
+
+/// Pair `k` of two cuts, or of one, of which the second node does not stand before the first.
+#[inline(always)]
+pub(super) fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
+    let (i, j, within) = (k / own.nodes, k % own.nodes, own.kind == 1);
+    let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
+    let mut pair = [NONE; 2];
+    if i < at(cuts, a) && j < at(cuts, b) && (!within || i <= j) {
+        pair = [
+            at(cuts, a + LIST_HEADER + i as usize),
+            at(cuts, b + LIST_HEADER + j as usize),
+        ];
+    }
+    pair
+}
+
+/// A pair that meets is a task of round 0; another ends there, and belongs to the front.
+#[inline(always)]
+pub(super) fn place(
+    params: &Params<NodeDescent>,
+    pair: NodePair,
+    meets: bool,
+    control: &mut [u32],
+    output: &mut [u32],
+    front: &mut [u32],
+) {
+    if meets {
+        let to = reserve(control, 0, output, 1);
+        write_pair(output, params.own.room_nodes, to, Pair { a: pair[0], b: pair[1] });
+    } else if params.own.room_front > 0 {
+        let to = count_front(control, 1);
+        write_front(&params.own, front, to, pair);
+    }
+}
+
+/// Counts pairs of the front that is written; returns the number of the first.
+#[inline(always)]
+pub(super) fn count_front(control: &mut [u32], n: u32) -> u32 {
+    let old = add(control, FRONT, n);
+    if old.wrapping_add(n) < old {
+        add(control, FRONT + 1, 1);
+    }
+    old
+}
+
+/// Writes a pair of the front; one for which there is no room is only counted.
+#[inline(always)]
+pub(super) fn write_front(own: &NodeDescent, front: &mut [u32], i: u32, pair: NodePair) {
+    if i < own.room_front {
+        let to = 2 * (own.written * own.room_front + i) as usize;
+        put(front, to, pair[0]);
+        put(front, to + 1, pair[1]);
     }
 }
 

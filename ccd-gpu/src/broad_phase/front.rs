@@ -1,0 +1,190 @@
+//! Fronts on a device: the pairs of nodes where a descent ended, from which the next one begins, if
+//! order and shape of the trees are those of the search before.
+//!
+//! ```text
+//!   the front that is kept  [. . . . . . . . .]
+//!                            | | |     |     apart: stays
+//!                            | | |     leaves: stays, and is a pair if their boxes overlap
+//!                            | | meets: a task, as pairs of two cuts are otherwise
+//!   the front that is written [. . . .  . . . . . .]  and all pairs at which workers end
+//! ```
+//!
+//! Both are halves of one buffer, and the rule when one is kept is that of every backend,
+//! [`ccd_core::scheduling::front`]. A front that is too short for its list is dropped, the list
+//! grows, and the next search begins at the cuts: no pair of boxes depends on it.
+//!
+//! Cost: a test a pair of the front, all at once; what it saves is the descent to them. A search
+//! that begins at cuts begins a front with nearly all pairs of their nodes, some ten thousand.
+//!
+//! A search that was recorded and whose results the host has not seen may have been anything: after
+//! one, nothing is kept.
+
+use super::scheduler::Descended;
+use crate::bind::{ResumeFront, ResumeFrontOriented};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::broad_phase::pair_workers::FRONT;
+use ccd_core::layout::NodeDescent;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::FrontOptions;
+use ccd_core::scheduling::front::{Fate, FrontState};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use wgpu::BufferUsages as U;
+
+/// Bytes of an entry in both halves.
+const ENTRY: u64 = 2 * 8;
+/// Bytes of the counters that the host looks at: pairs of the front, and how often that ran over.
+pub const COUNTERS: std::ops::Range<u64> = 4 * FRONT as u64..4 * FRONT as u64 + 8;
+
+/// The front of one kind of pairs.
+pub struct Front {
+    options: FrontOptions,
+    search: Mutex<Search>,
+    /// Two lists, used in turn, of so many entries.
+    slots: wgpu::Buffer,
+    room: u32,
+    /// Which of them is written next.
+    written: u32,
+}
+
+/// What is known of the last search that was recorded.
+#[derive(Debug, Default)]
+struct Search {
+    state: FrontState,
+    /// The host has not seen what became of it.
+    is_open: bool,
+}
+
+/// A front as kernels write it.
+#[derive(Clone, Copy)]
+pub struct Written<'a> {
+    pub front: &'a wgpu::Buffer,
+    room: u32,
+    written: u32,
+}
+
+impl<'a> Written<'a> {
+    /// None is kept; a kernel wants a buffer all the same.
+    pub fn none(front: &'a wgpu::Buffer) -> Self {
+        Self { front, room: 0, written: 0 }
+    }
+
+    /// What kernels are told of it.
+    pub fn record(&self) -> NodeDescent {
+        NodeDescent { room_front: self.room, written: self.written, ..NodeDescent::default() }
+    }
+}
+
+impl Front {
+    /// With room for `n` pairs, or for as many as half of its memory has room for.
+    pub fn new(device: &Device, options: FrontOptions, n: u32) -> Result<Self, Error> {
+        let room = (n as u64).min(most(device, &options, 0) / 2) as u32;
+        let slots = slots(device, room)?;
+        Ok(Self { options, search: Mutex::default(), slots, room, written: 0 })
+    }
+
+    /// A search is recorded. `keeps_order`: its trees are those of the search before. Returns with
+    /// how many pairs it begins, 0: at the cuts; and what it writes.
+    pub fn begin(&self, keeps_order: bool) -> (u32, Written<'_>) {
+        let mut search = lock(&self.search);
+        let seen = !std::mem::replace(&mut search.is_open, true);
+        search.state.begin(keeps_order && seen);
+        let room = if search.state.is_written() { self.room } else { 0 };
+        let written = Written { front: &self.slots, room, written: self.written };
+        (search.state.begun() as u32, written)
+    }
+
+    /// Records that the pairs with which a search begins become tasks, or stay.
+    pub fn resume(
+        &self,
+        recorder: &mut Recorder,
+        of: &Descended,
+        begun: u32,
+        (control, tasks): (&wgpu::Buffer, &List),
+    ) {
+        let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, &self.slots);
+        let (nodes, pairs) = (tasks.buffer(), of.pairs.buffer());
+        let (room_front, written) = (self.room, self.written);
+        let own =
+            NodeDescent { room_nodes: tasks.room(), room_front, written, ..Default::default() };
+        let p = of.params(own, 0, begun);
+        match of.oriented {
+            None => {
+                let kernel = ResumeFront { a_nodes, b_nodes, control, nodes, pairs, front };
+                recorder.each(&kernel, &p, begun);
+            }
+            Some(oriented) => {
+                let kernel = ResumeFrontOriented {
+                    a_nodes,
+                    b_nodes,
+                    oriented,
+                    control,
+                    nodes,
+                    pairs,
+                    front,
+                };
+                recorder.each(&kernel, &p, begun);
+            }
+        }
+    }
+
+    /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it
+    /// runs again. `used`: bytes of other fronts. Returns whether its buffer is another one now.
+    pub fn settle(
+        &mut self,
+        device: &Device,
+        counted: [u32; 2],
+        complete: bool,
+        used: u64,
+    ) -> Result<bool, Error> {
+        let Search { state, is_open } =
+            self.search.get_mut().unwrap_or_else(PoisonError::into_inner);
+        *is_open = false;
+        if !complete {
+            return Ok(false);
+        }
+        let n = (counted[1] as u64) << 32 | counted[0] as u64;
+        let most = most(device, &self.options, used);
+        match state.end(&self.options, n, n, self.room as u64, most) {
+            Fate::Kept => self.written = 1 - self.written,
+            Fate::Dropped => {}
+            Fate::Grows(room) => match slots(device, room as u32) {
+                Ok(slots) => {
+                    (self.slots, self.room) = (slots, room as u32);
+                    return Ok(true);
+                }
+                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => state.give_up(),
+                Err(e) => return Err(e),
+            },
+        }
+        Ok(false)
+    }
+
+    /// Memory that it takes.
+    pub fn bytes(&self) -> u64 {
+        self.room as u64 * ENTRY
+    }
+
+    /// What the last search began with, and what it left.
+    pub fn counts(&self) -> FrontCounts {
+        let Search { state, .. } = &*lock(&self.search);
+        FrontCounts { pairs: state.kept(), begun: state.begun(), bytes: self.bytes() }
+    }
+}
+
+fn lock(search: &Mutex<Search>) -> MutexGuard<'_, Search> {
+    search.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Entries that there may be if other fronts take so many bytes.
+fn most(device: &Device, options: &FrontOptions, used: u64) -> u64 {
+    let limits = &device.info().limits;
+    let bytes = ((options.memory as u64) << 20).saturating_sub(used);
+    bytes.min(limits.max_storage_buffer_binding_size).min(limits.max_buffer_size) / ENTRY
+}
+
+fn slots(device: &Device, room: u32) -> Result<wgpu::Buffer, Error> {
+    device.buffer("fronts", room as u64 * ENTRY, U::STORAGE)
+}

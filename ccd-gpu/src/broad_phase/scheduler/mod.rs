@@ -1,0 +1,96 @@
+//! Schedulers of a device: which workgroup expands which pairs of nodes of binary trees, where
+//! nobody knows beforehand what is below one.
+//!
+//! | scheduler | a pair that was found goes to | a worker without pairs |
+//! |---|---|---|
+//! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of its level |
+//! | `static` ([`workers`]) | the worker's own stack | is done |
+//! | `self-scheduling` ([`workers`]) | the worker's own stack | takes the next piece of the tasks |
+//! | `balanced` ([`workers`]) | the worker's own stack | is done, until all is dealt out again |
+//!
+//! None of them passes more than counters between workgroups inside a dispatch, so that they run
+//! wherever WebGPU does. A search is a number of rounds, recorded one after the other; the host sees
+//! whether any pair is left after the last one, and then runs a search of more rounds.
+//!
+//! docs/SCHEDULING.md compares them.
+
+pub mod levels;
+pub mod workers;
+
+use super::front::Written;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::layout::{Dispatch, Frame, NodeDescent, Params};
+use ccd_core::model::catalogue::Catalogued;
+use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
+use levels::Levels;
+use workers::{Rule, Workers};
+
+/// Two trees, or one twice, and where the pairs of their leaves go.
+#[derive(Clone, Copy)]
+pub struct Descended<'a> {
+    pub frame: &'a Frame,
+    pub kind: u32,
+    pub a_nodes: &'a wgpu::Buffer,
+    pub b_nodes: &'a wgpu::Buffer,
+    /// Oriented boxes of the nodes of all trees.
+    pub oriented: Option<&'a wgpu::Buffer>,
+    /// Levels of pairs of nodes that there can be.
+    pub n_levels: u32,
+    /// 1: of two nodes the larger is split, 0: both.
+    pub larger: u32,
+    pub pairs: &'a List,
+}
+
+impl Descended<'_> {
+    /// The parameters of a dispatch; `first` and `n` as its kernel has them.
+    pub fn params(&self, own: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
+        let (kind, larger) = (self.kind, self.larger);
+        let dispatch = Dispatch { n, first, room_in: own.room_nodes, room_out: self.pairs.room() };
+        Params { frame: *self.frame, dispatch, own: NodeDescent { kind, larger, ..own } }
+    }
+}
+
+/// Expands tasks, and all that is found below them, of pairs of one kind.
+pub trait Schedule: Send + Sync {
+    /// Where tasks are put before [`Schedule::run`]: the counters, of which word 0 says how many,
+    /// and the list.
+    fn tasks(&self) -> (&wgpu::Buffer, &List);
+
+    /// Records that all counters become zero.
+    fn clear(&self, recorder: &mut Recorder);
+
+    /// Records the rounds. What ends goes to the front that is written, if one is.
+    fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written);
+
+    /// Lists that may have to grow.
+    fn lists(&self) -> Vec<&List>;
+
+    /// The same, to be replaced by larger ones.
+    fn lists_mut(&mut self) -> Vec<&mut List>;
+
+    /// A search is over, and lists have grown; if it is `complete`, none had to.
+    fn settle(&mut self, device: &Device, complete: bool) -> Result<(), Error>;
+
+    /// What each worker counted in the last search, two words each: where, and how many workers.
+    fn counts(&self) -> Option<(&wgpu::Buffer, u64, u32)>;
+}
+
+/// The schedule of a choice, with room for tasks of about `n` boxes.
+pub fn new(device: &Device, choice: Scheduling, n: u32) -> Result<Box<dyn Schedule>, Error> {
+    let front = choice.front != Front::Off;
+    let rule = match choice.scheduler.unwrap_or(Scheduler::Frontier) {
+        Scheduler::Frontier if !front => return Ok(Box::new(Levels::new(device, n)?)),
+        Scheduler::Frontier => Rule::FRONTIER,
+        Scheduler::Static => Rule::STATIC,
+        Scheduler::SelfScheduling => Rule::SELF_SCHEDULING,
+        Scheduler::Balanced { idle } => Rule { idle, ..Rule::STATIC },
+        other => {
+            let name = other.row().name;
+            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
+        }
+    };
+    Ok(Box::new(Workers::new(device, rule, n)?))
+}

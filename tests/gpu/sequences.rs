@@ -1,0 +1,142 @@
+//! Sessions over sequences by every scheduler, with a front and without one: on every frame the
+//! candidates are those of the CPU's default.
+
+use ccd::gpu::{Device, Path, Session};
+use ccd::scenes::{Sequence, cloth_on_ball, interpenetrating, n_body};
+use ccd::{
+    BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
+    Traversal, TreeOptions, Volume,
+};
+
+pub const TESTS: crate::Tests = &[
+    ("schedulers_over_sequences", check_sequences),
+    ("fronts_that_are_given_up", check_given_up),
+    ("rounds_that_are_too_few", check_rounds),
+];
+
+fn tree(volume: Volume) -> TreeOptions {
+    TreeOptions::default().traversal(Traversal::CUT).volume(volume)
+}
+
+fn session(
+    device: &Device,
+    scene: &Sequence,
+    tree: TreeOptions,
+    scheduling: Scheduling,
+) -> Session {
+    let broad_phase = BroadPhaseMethod::Tree(tree);
+    let options = Options { broad_phase, scheduling, ..Options::default() };
+    Session::new(device, scene.mesh.clone(), options).expect("a session")
+}
+
+/// Frames of a scene, with the candidates of each step.
+fn steps(scene: &Sequence, n: usize) -> (Vec<Vec<[f64; 3]>>, Vec<[Digest; 2]>) {
+    let frames: Vec<_> = (0..=n).map(|i| scene.frame(i)).collect();
+    let mut cpu = ccd::Session::new(scene.mesh.clone(), Options::default()).expect("a session");
+    let mut want = Vec::new();
+    for x in frames.windows(2) {
+        let found = cpu.candidates(&x[0], &x[1]).expect("candidates");
+        want.push([Digest::of(0, found.vf.iter()), Digest::of(1, found.ee.iter())]);
+    }
+    let n_changed = want.windows(2).filter(|two| two[0] != two[1]).count();
+    assert!(n_changed > n / 3, "{n_changed} of {n} steps differ from the one before");
+    (frames, want)
+}
+
+/// All steps; with how many pairs of a front each began.
+fn run(
+    what: &str,
+    session: &mut Session,
+    frames: &[Vec<[f64; 3]>],
+    want: &[[Digest; 2]],
+) -> Vec<u64> {
+    let mut begun = Vec::new();
+    for (i, (x, want)) in frames.windows(2).zip(want).enumerate() {
+        let found = session.candidates(&x[0], &x[1]).expect("candidates");
+        let found = [Digest::of(0, found.vf.into_iter()), Digest::of(1, found.ee.into_iter())];
+        assert!(found == *want, "{what}, step {i}: {found:?}, right is {want:?}");
+        begun.push(session.report().front.map_or(0, |front| front.begun));
+    }
+    begun
+}
+
+fn check_sequences(device: &Device) {
+    let scenes = [
+        ("interpenetrating", interpenetrating(64), 6),
+        ("n-body", n_body(12, 3), 8),
+        ("cloth on ball", cloth_on_ball(12), 8),
+    ];
+    let volumes = match device.info().path {
+        Path::Passthrough => &[Volume::Aabb, Volume::Obb][..],
+        Path::Wgsl => &[Volume::Aabb],
+    };
+    for (name, scene, n) in scenes {
+        let (frames, want) = steps(&scene, n);
+        for &volume in volumes {
+            for scheduling in Scheduling::every("gpu") {
+                let what = format!("{name}, {volume:?}, {scheduling}");
+                let mut session = session(device, &scene, tree(volume), scheduling);
+                let begun = run(&what, &mut session, &frames, &want);
+                let n_resumed = begun.iter().filter(|&&n| n > 0).count();
+                let has_front = scheduling.front != Front::Off;
+                assert_eq!(session.report().front.is_some(), has_front, "{what}");
+                assert!((n_resumed > 1) == has_front, "{what}: {begun:?}");
+                let counts = session.worker_counts().expect("counts of workers");
+                let busy = counts.iter().filter(|count| count.expanded > 0).count();
+                let by_level = scheduling.scheduler == Some(Scheduler::Frontier) && !has_front;
+                assert_eq!(busy == 0, by_level, "{what}: {busy} workers had work");
+                let all = |c: &ccd::gpu::WorkerCounts| {
+                    c.expanded <= c.turns * ccd::gpu::WorkerCounts::THREADS
+                };
+                assert!(counts.iter().all(all), "{what}: {counts:?}");
+            }
+        }
+    }
+}
+
+/// Fronts that may hardly grow, that must change, or that have no memory; lists that are made short
+/// in the middle.
+fn check_given_up(device: &Device) {
+    let scene = n_body(12, 3);
+    let (frames, want) = steps(&scene, 8);
+    let on = FrontOptions::default();
+    let kept = |options: FrontOptions, short: bool| {
+        let scheduling = Scheduling::default().scheduler(Scheduler::SelfScheduling);
+        let scheduling = scheduling.front(Front::On(options));
+        let mut session = session(device, &scene, tree(Volume::Aabb), scheduling);
+        let what = format!("{options:?}, {short}");
+        let mut begun = run(&what, &mut session, &frames[..4], &want[..3]);
+        if short {
+            session.reserve(3).expect("short lists");
+        }
+        begun.extend(run(&what, &mut session, &frames[3..], &want[3..]));
+        let front = session.report().front.expect("fronts are counted");
+        assert!(front.bytes <= (options.memory as u64) << 20, "{front:?}");
+        assert!(!short || session.grown() > 0);
+        begun
+    };
+    let n_resumed = |begun: Vec<u64>| begun.iter().filter(|&&n| n > 0).count();
+    assert_eq!(n_resumed(kept(on.growth(u32::MAX), false)), 7);
+    // What did not become a thousand times as long is given up at once.
+    let unchanged = kept(on.growth(u32::MAX).rebuild(1, 100_000), false);
+    assert_eq!(n_resumed(unchanged), 4);
+    // A list that is too short is sorted for anew.
+    let short = n_resumed(kept(on.growth(u32::MAX), true));
+    assert!((4..7).contains(&short), "{short}");
+}
+
+/// Where there are more levels than rounds, the search runs again with more.
+fn check_rounds(device: &Device) {
+    let scene = interpenetrating(64);
+    let (frames, want) = steps(&scene, 3);
+    let from_roots = Traversal::Cut { nodes: 1, descent: Descent::Larger };
+    let grown = |scheduler: Scheduler| {
+        let scheduling = Scheduling::default().scheduler(scheduler).front(Front::ON);
+        let tree = TreeOptions::default().traversal(from_roots);
+        let mut session = session(device, &scene, tree, scheduling);
+        run("from the roots", &mut session, &frames, &want);
+        session.grown()
+    };
+    let [levels, others] = [Scheduler::Frontier, Scheduler::SelfScheduling].map(grown);
+    assert!(levels > others, "{levels} more runs by levels, {others} by workers with stacks");
+}
