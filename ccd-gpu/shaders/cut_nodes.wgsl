@@ -34,93 +34,111 @@ struct type_14 {
 }
 
 struct type_15 {
-    member: type_6,
-    member_1: type_7,
-    member_2: type_7,
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+    member_6: u32,
+    member_7: u32,
+    member_8: u32,
+    member_9: u32,
+    member_10: u32,
+    member_11: u32,
+    member_12: u32,
 }
 
 struct type_16 {
-    member: type_15,
+    member: type_6,
+    member_1: type_7,
+    member_2: type_15,
+}
+
+struct type_17 {
+    member: type_16,
 }
 
 @group(0) @binding(1) 
 var<storage> branches: type_14;
 @group(0) @binding(0) 
-var<storage> params: type_16;
+var<storage> params: type_17;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage, read_write> cut: type_10;
+var<storage, read_write> cuts: type_10;
 var<workgroup> nodes: array<u32, 1024>;
 
 fn function_(lane_1: u32) {
-    var phi_87_: type_8;
-    var phi_88_: type_8;
-    var phi_111_: type_8;
-    var phi_122_: type_8;
-    var phi_123_: type_8;
-    var phi_146_: type_8;
-    var phi_211_: u32;
-    var phi_218_: type_8;
-    var phi_219_: type_8;
-    var phi_242_: type_8;
+    var phi_95_: type_8;
+    var phi_96_: type_8;
+    var phi_119_: type_8;
+    var phi_130_: type_8;
+    var phi_131_: type_8;
+    var phi_154_: type_8;
+    var phi_219_: u32;
+    var phi_226_: type_8;
+    var phi_227_: type_8;
+    var phi_250_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
-    let _e14 = lane_2;
-    let _e20 = params.member.member_2.member;
-    let _e24 = params.member.member.member[_e20];
-    let _e28 = params.member.member_2.member_2;
-    if (_e28 == 0u) {
+    let _e15 = lane_2;
+    let _e21 = params.member.member_1.member_1;
+    let _e22 = (_e21 * 1028u);
+    let _e26 = params.member.member_2.member;
+    let _e30 = params.member.member.member[_e26];
+    let _e34 = params.member.member_2.member_2;
+    if (_e34 == 0u) {
         return;
     }
-    if (_e14 == 0u) {
+    if (_e15 == 0u) {
         nodes[0u] = 0u;
         atomicStore((&counters[0u]), 1u);
         atomicStore((&counters[1u]), 0u);
     }
     workgroupBarrier();
-    phi_87_ = type_8(0u, 32u);
+    phi_95_ = type_8(0u, 32u);
     loop {
-        let _e36 = phi_87_;
-        if (_e36.member < _e36.member_1) {
-            phi_88_ = type_8((_e36.member + 1u), _e36.member_1);
-            phi_111_ = type_8(1u, _e36.member);
+        let _e42 = phi_95_;
+        if (_e42.member < _e42.member_1) {
+            phi_96_ = type_8((_e42.member + 1u), _e42.member_1);
+            phi_119_ = type_8(1u, _e42.member);
         } else {
-            phi_88_ = _e36;
-            phi_111_ = type_8(0u, type_8().member_1);
+            phi_96_ = _e42;
+            phi_119_ = type_8(0u, type_8().member_1);
         }
-        let _e48 = phi_88_;
-        let _e50 = phi_111_;
-        let _e53 = (bitcast<i32>(_e50.member) != 0i);
-        if _e53 {
-            let _e55 = atomicLoad((&counters[0u]));
+        let _e54 = phi_96_;
+        let _e56 = phi_119_;
+        let _e59 = (bitcast<i32>(_e56.member) != 0i);
+        if _e59 {
+            let _e61 = atomicLoad((&counters[0u]));
             workgroupBarrier();
-            phi_122_ = type_8(0u, 4u);
+            phi_130_ = type_8(0u, 4u);
             loop {
-                let _e57 = phi_122_;
-                if (_e57.member < _e57.member_1) {
-                    phi_123_ = type_8((_e57.member + 1u), _e57.member_1);
-                    phi_146_ = type_8(1u, _e57.member);
+                let _e63 = phi_130_;
+                if (_e63.member < _e63.member_1) {
+                    phi_131_ = type_8((_e63.member + 1u), _e63.member_1);
+                    phi_154_ = type_8(1u, _e63.member);
                 } else {
-                    phi_123_ = _e57;
-                    phi_146_ = type_8(0u, type_8().member_1);
+                    phi_131_ = _e63;
+                    phi_154_ = type_8(0u, type_8().member_1);
                 }
-                let _e69 = phi_123_;
-                let _e71 = phi_146_;
-                let _e75 = (bitcast<i32>(_e71.member) != 0i);
-                if _e75 {
-                    let _e77 = ((_e71.member_1 * 256u) + _e14);
-                    if (_e77 < _e55) {
-                        let _e80 = nodes[_e77];
-                        if (_e80 < (_e24 - 1u)) {
-                            let _e83 = branches.member[_e80];
-                            if ((_e83.member_3 - _e83.member_2) >= (_e24 / _e28)) {
-                                let _e89 = atomicAdd((&counters[1u]), 1u);
-                                let _e90 = (_e55 + _e89);
-                                let _e93 = params.member.member_2.member_2;
-                                if (_e90 < _e93) {
-                                    nodes[_e77] = _e83.member;
-                                    nodes[_e90] = _e83.member_1;
+                let _e75 = phi_131_;
+                let _e77 = phi_154_;
+                let _e81 = (bitcast<i32>(_e77.member) != 0i);
+                if _e81 {
+                    let _e83 = ((_e77.member_1 * 256u) + _e15);
+                    if (_e83 < _e61) {
+                        let _e86 = nodes[_e83];
+                        if (_e86 < (_e30 - 1u)) {
+                            let _e89 = branches.member[_e86];
+                            if ((_e89.member_3 - _e89.member_2) >= (_e30 / _e34)) {
+                                let _e95 = atomicAdd((&counters[1u]), 1u);
+                                let _e96 = (_e61 + _e95);
+                                let _e99 = params.member.member_2.member_2;
+                                if (_e96 < _e99) {
+                                    nodes[_e83] = _e89.member;
+                                    nodes[_e96] = _e89.member_1;
                                 }
                             }
                         }
@@ -128,61 +146,61 @@ fn function_(lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_122_ = _e69;
-                    break if !(_e75);
+                    phi_130_ = _e75;
+                    break if !(_e81);
                 }
             }
             workgroupBarrier();
-            if (_e14 == 0u) {
-                let _e102 = atomicLoad((&counters[1u]));
-                let _e103 = (_e55 + _e102);
-                let _e106 = params.member.member_2.member_2;
-                if (_e106 < _e103) {
-                    phi_211_ = _e106;
+            if (_e15 == 0u) {
+                let _e108 = atomicLoad((&counters[1u]));
+                let _e109 = (_e61 + _e108);
+                let _e112 = params.member.member_2.member_2;
+                if (_e112 < _e109) {
+                    phi_219_ = _e112;
                 } else {
-                    phi_211_ = _e103;
+                    phi_219_ = _e109;
                 }
-                let _e109 = phi_211_;
-                atomicStore((&counters[0u]), _e109);
+                let _e115 = phi_219_;
+                atomicStore((&counters[0u]), _e115);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_87_ = _e48;
-            break if !(_e53);
+            phi_95_ = _e54;
+            break if !(_e59);
         }
     }
-    let _e114 = atomicLoad((&counters[0u]));
-    phi_218_ = type_8(0u, 4u);
+    let _e120 = atomicLoad((&counters[0u]));
+    phi_226_ = type_8(0u, 4u);
     loop {
-        let _e116 = phi_218_;
-        if (_e116.member < _e116.member_1) {
-            phi_219_ = type_8((_e116.member + 1u), _e116.member_1);
-            phi_242_ = type_8(1u, _e116.member);
+        let _e122 = phi_226_;
+        if (_e122.member < _e122.member_1) {
+            phi_227_ = type_8((_e122.member + 1u), _e122.member_1);
+            phi_250_ = type_8(1u, _e122.member);
         } else {
-            phi_219_ = _e116;
-            phi_242_ = type_8(0u, type_8().member_1);
+            phi_227_ = _e122;
+            phi_250_ = type_8(0u, type_8().member_1);
         }
-        let _e128 = phi_219_;
-        let _e130 = phi_242_;
-        let _e134 = (bitcast<i32>(_e130.member) != 0i);
-        if _e134 {
-            let _e136 = ((_e130.member_1 * 256u) + _e14);
-            if (_e136 < _e114) {
-                let _e140 = nodes[_e136];
-                cut.member[(4u + _e136)] = _e140;
+        let _e134 = phi_227_;
+        let _e136 = phi_250_;
+        let _e140 = (bitcast<i32>(_e136.member) != 0i);
+        if _e140 {
+            let _e142 = ((_e136.member_1 * 256u) + _e15);
+            if (_e142 < _e120) {
+                let _e146 = nodes[_e142];
+                cuts.member[((_e22 + 4u) + _e142)] = _e146;
             }
         }
         continue;
         continuing {
-            phi_218_ = _e128;
-            break if !(_e134);
+            phi_226_ = _e134;
+            break if !(_e140);
         }
     }
-    if (_e14 == 0u) {
-        cut.member[0u] = _e114;
+    if (_e15 == 0u) {
+        cuts.member[_e22] = _e120;
     }
     return;
 }

@@ -36,38 +36,59 @@ struct type_15 {
 }
 
 struct type_16 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_8,
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+    member_6: u32,
+    member_7: u32,
+    member_8: u32,
+    member_9: u32,
+    member_10: u32,
+    member_11: u32,
+    member_12: u32,
 }
 
 struct type_17 {
-    member: type_16,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_16,
 }
 
-struct type_20 {
+struct type_18 {
+    member: type_17,
+}
+
+struct type_21 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(6) 
-var<storage, read_write> output: type_20;
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_15;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_15;
-@group(0) @binding(3) 
-var<storage> a_cut: type_10;
-@group(0) @binding(4) 
-var<storage> b_cut: type_10;
 @group(0) @binding(5) 
-var<storage, read_write> levels: type_20;
+var<storage, read_write> output: type_21;
+@group(0) @binding(3) 
+var<storage> cuts: type_10;
+@group(0) @binding(4) 
+var<storage, read_write> control: type_21;
+@group(0) @binding(6) 
+var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_180_: bool;
-    var phi_181_: bool;
-    var phi_182_: bool;
+    var phi_102_: u32;
+    var phi_139_: bool;
+    var phi_168_: array<u32, 2>;
+    var phi_169_: array<u32, 2>;
+    var phi_170_: array<u32, 2>;
+    var phi_208_: bool;
+    var phi_217_: bool;
+    var phi_218_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -75,59 +96,106 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e19 = id_2;
-    let _e20 = n_2;
-    let _e21 = lane_2;
-    let _e35 = ((((_e19.y * _e20.x) + _e19.x) * 256u) + _e21);
-    let _e38 = params.member.member_2.member_2;
-    if (_e38 == 0u) {
+    let _e23 = id_2;
+    let _e24 = n_2;
+    let _e25 = lane_2;
+    let _e40 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
+    let _e42 = params.member.member_2.member_2;
+    if (_e42 == 0u) {
         return;
     }
-    let _e40 = (_e35 / _e38);
-    let _e43 = params.member.member_2.member_2;
-    if (_e43 == 0u) {
+    let _e44 = (_e40 / _e42);
+    let _e46 = params.member.member_2.member_2;
+    if (_e46 == 0u) {
         return;
     }
-    let _e45 = (_e35 % _e43);
-    let _e47 = a_cut.member[0u];
-    if (_e40 < _e47) {
-        let _e50 = b_cut.member[0u];
-        if (_e45 < _e50) {
-            let _e54 = a_cut.member[(4u + _e40)];
-            let _e57 = b_cut.member[(4u + _e45)];
-            let _e59 = a_nodes.member[_e54];
-            let _e61 = b_nodes.member[_e57];
-            let _e64 = params.member.member_2.member;
-            if (_e64 == 1u) {
-                if (_e40 < _e45) {
-                    phi_181_ = true;
-                } else {
-                    if (_e40 == _e45) {
-                        phi_180_ = !((_e59.member_3 == 4294967295u));
-                    } else {
-                        phi_180_ = false;
-                    }
-                    let _e72 = phi_180_;
-                    phi_181_ = _e72;
-                }
-                let _e74 = phi_181_;
-                phi_182_ = _e74;
+    let _e48 = (_e40 % _e46);
+    let _e50 = params.member.member_2.member;
+    let _e51 = (_e50 == 1u);
+    if _e51 {
+        phi_102_ = 0u;
+    } else {
+        phi_102_ = 1u;
+    }
+    let _e53 = phi_102_;
+    let _e54 = (_e53 * 1028u);
+    let _e56 = cuts.member[0u];
+    if (_e44 < _e56) {
+        let _e59 = cuts.member[_e54];
+        if (_e48 < _e59) {
+            if _e51 {
+                phi_139_ = (_e44 <= _e48);
             } else {
-                phi_182_ = true;
+                phi_139_ = true;
             }
-            let _e76 = phi_182_;
-            if _e76 {
-                if ((((((_e59.member[0] <= _e61.member_2[0]) && (_e61.member[0] <= _e59.member_2[0])) && (_e59.member[1] <= _e61.member_2[1])) && (_e61.member[1] <= _e59.member_2[1])) && (_e59.member[2] <= _e61.member_2[2])) && (_e61.member[2] <= _e59.member_2[2])) {
-                    let _e105 = atomicAdd((&levels.member[0u]), 1u);
-                    let _e108 = atomicMax((&output.member[0u]), (_e105 + 1u));
-                    if ((_e105 + 1u) < _e105) {
-                        let _e112 = atomicAdd((&output.member[2u]), 1u);
+            let _e63 = phi_139_;
+            if _e63 {
+                let _e66 = cuts.member[(4u + _e44)];
+                let _e70 = cuts.member[((_e54 + 4u) + _e48)];
+                phi_168_ = array<u32, 2>(_e66, _e70);
+            } else {
+                phi_168_ = array<u32, 2>(4294967295u, 4294967295u);
+            }
+            let _e73 = phi_168_;
+            phi_169_ = _e73;
+        } else {
+            phi_169_ = array<u32, 2>(4294967295u, 4294967295u);
+        }
+        let _e75 = phi_169_;
+        phi_170_ = _e75;
+    } else {
+        phi_170_ = array<u32, 2>(4294967295u, 4294967295u);
+    }
+    let _e77 = phi_170_;
+    if (_e77[0] != 4294967295u) {
+        let _e82 = a_nodes.member[_e77[0]];
+        let _e85 = b_nodes.member[_e77[1]];
+        let _e88 = params.member.member_2.member;
+        if (_e88 == 1u) {
+            phi_208_ = (_e77[0] == _e77[1]);
+        } else {
+            phi_208_ = false;
+        }
+        let _e94 = phi_208_;
+        if _e94 {
+            if (_e82.member_3 == 4294967295u) {
+                phi_217_ = false;
+            } else {
+                phi_217_ = true;
+            }
+            let _e98 = phi_217_;
+            phi_218_ = _e98;
+        } else {
+            phi_218_ = true;
+        }
+        let _e100 = phi_218_;
+        if _e100 {
+            if ((((((_e82.member[0] <= _e85.member_2[0]) && (_e85.member[0] <= _e82.member_2[0])) && (_e82.member[1] <= _e85.member_2[1])) && (_e85.member[1] <= _e82.member_2[1])) && (_e82.member[2] <= _e85.member_2[2])) && (_e85.member[2] <= _e82.member_2[2])) {
+                let _e155 = atomicAdd((&control.member[0u]), 1u);
+                let _e158 = atomicMax((&output.member[0u]), (_e155 + 1u));
+                if ((_e155 + 1u) < _e155) {
+                    let _e162 = atomicAdd((&output.member[2u]), 1u);
+                }
+                let _e165 = params.member.member_2.member_3;
+                if (_e155 < _e165) {
+                    let _e169 = (2u * _e155);
+                    atomicStore((&output.member[(4u + _e169)]), _e77[0]);
+                    atomicStore((&output.member[(_e169 + 5u)]), _e77[1]);
+                }
+            } else {
+                let _e130 = params.member.member_2.member_4;
+                if (_e130 > 0u) {
+                    let _e133 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e133 + 1u) < _e133) {
+                        let _e137 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e115 = params.member.member_2.member_3;
-                    if (_e105 < _e115) {
-                        let _e117 = (2u * _e105);
-                        atomicStore((&output.member[(4u + _e117)]), _e54);
-                        atomicStore((&output.member[(_e117 + 5u)]), _e57);
+                    let _e140 = params.member.member_2.member_4;
+                    if (_e133 < _e140) {
+                        let _e143 = params.member.member_2.member_5;
+                        let _e145 = params.member.member_2.member_4;
+                        let _e148 = (2u * ((_e143 * _e145) + _e133));
+                        front.member[_e148] = _e77[0];
+                        front.member[(_e148 + 1u)] = _e77[1];
                     }
                 }
             }

@@ -36,16 +36,32 @@ struct type_15 {
 }
 
 struct type_16 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_8,
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+    member_6: u32,
+    member_7: u32,
+    member_8: u32,
+    member_9: u32,
+    member_10: u32,
+    member_11: u32,
+    member_12: u32,
 }
 
 struct type_17 {
-    member: type_16,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_16,
 }
 
-struct type_19 {
+struct type_18 {
+    member: type_17,
+}
+
+struct type_20 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -54,74 +70,75 @@ struct type_19 {
     member_5: f32,
 }
 
-struct type_21 {
+struct type_22 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_24 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: array<array<f32, 3>, 3>,
     member_2: array<f32, 3>,
 }
 
-struct type_27 {
+struct type_28 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(7) 
-var<storage, read_write> output: type_27;
+@group(0) @binding(6) 
+var<storage, read_write> output: type_28;
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_15;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_15;
 @group(0) @binding(3) 
-var<storage> a_cut: type_10;
+var<storage> cuts: type_10;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_10;
 @group(0) @binding(4) 
-var<storage> b_cut: type_10;
+var<storage> oriented: type_24;
 @group(0) @binding(5) 
-var<storage> oriented: type_23;
-@group(0) @binding(6) 
-var<storage, read_write> levels: type_27;
+var<storage, read_write> control: type_28;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_19;
-    var phi_205_: array<u32, 2>;
-    var phi_258_: bool;
-    var phi_259_: bool;
-    var phi_260_: bool;
-    var phi_300_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_398_: f32;
-    var phi_403_: f32;
-    var phi_408_: f32;
-    var phi_424_: type_24;
-    var phi_506_: f32;
-    var phi_511_: f32;
-    var phi_516_: f32;
-    var phi_532_: type_24;
-    var phi_722_: f32;
-    var phi_728_: f32;
-    var phi_735_: f32;
-    var phi_744_: f32;
-    var phi_751_: f32;
-    var phi_759_: f32;
-    var phi_768_: f32;
-    var phi_775_: f32;
-    var phi_783_: f32;
-    var phi_876_: f32;
-    var phi_883_: f32;
-    var phi_889_: f32;
-    var phi_895_: f32;
+    var local: type_20;
+    var phi_136_: u32;
+    var phi_173_: bool;
+    var phi_202_: array<u32, 2>;
+    var phi_203_: array<u32, 2>;
+    var phi_204_: array<u32, 2>;
+    var phi_241_: array<u32, 2>;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_296_: bool;
+    var phi_338_: bool;
+    var phi_350_: bool;
+    var phi_351_: bool;
+    var phi_436_: f32;
+    var phi_441_: f32;
+    var phi_446_: f32;
+    var phi_462_: type_25;
+    var phi_544_: f32;
+    var phi_549_: f32;
+    var phi_554_: f32;
+    var phi_570_: type_25;
+    var phi_760_: f32;
+    var phi_766_: f32;
+    var phi_773_: f32;
+    var phi_782_: f32;
+    var phi_789_: f32;
+    var phi_797_: f32;
+    var phi_806_: f32;
+    var phi_813_: f32;
+    var phi_821_: f32;
     var phi_914_: f32;
     var phi_921_: f32;
     var phi_927_: f32;
@@ -142,70 +159,75 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1073_: f32;
     var phi_1079_: f32;
     var phi_1085_: f32;
-    var phi_1100_: f32;
-    var phi_1105_: f32;
-    var phi_1110_: f32;
-    var phi_1115_: f32;
-    var phi_1120_: f32;
-    var phi_1179_: f32;
-    var phi_1202_: f32;
-    var phi_1225_: f32;
-    var phi_1247_: f32;
+    var phi_1104_: f32;
+    var phi_1111_: f32;
+    var phi_1117_: f32;
+    var phi_1123_: f32;
+    var phi_1138_: f32;
+    var phi_1143_: f32;
+    var phi_1148_: f32;
+    var phi_1153_: f32;
+    var phi_1158_: f32;
+    var phi_1217_: f32;
+    var phi_1240_: f32;
     var phi_1263_: f32;
-    var phi_1318_: f32;
-    var phi_1341_: f32;
-    var phi_1364_: f32;
-    var phi_1386_: f32;
+    var phi_1285_: f32;
+    var phi_1301_: f32;
+    var phi_1356_: f32;
+    var phi_1379_: f32;
     var phi_1402_: f32;
-    var phi_1457_: f32;
-    var phi_1480_: f32;
-    var phi_1503_: f32;
-    var phi_1525_: f32;
+    var phi_1424_: f32;
+    var phi_1440_: f32;
+    var phi_1495_: f32;
+    var phi_1518_: f32;
     var phi_1541_: f32;
-    var phi_1596_: f32;
-    var phi_1619_: f32;
-    var phi_1643_: f32;
-    var phi_1666_: f32;
-    var phi_1682_: f32;
-    var phi_1737_: f32;
-    var phi_1760_: f32;
-    var phi_1784_: f32;
-    var phi_1807_: f32;
-    var phi_1823_: f32;
-    var phi_1878_: f32;
-    var phi_1901_: f32;
-    var phi_1925_: f32;
-    var phi_1948_: f32;
-    var phi_1964_: f32;
-    var phi_2019_: f32;
-    var phi_2042_: f32;
-    var phi_2066_: f32;
-    var phi_2089_: f32;
-    var phi_2105_: f32;
-    var phi_2160_: f32;
-    var phi_2183_: f32;
-    var phi_2207_: f32;
-    var phi_2230_: f32;
-    var phi_2246_: f32;
-    var phi_2301_: f32;
-    var phi_2324_: f32;
-    var phi_2348_: f32;
-    var phi_2371_: f32;
-    var phi_2387_: f32;
-    var phi_2394_: f32;
-    var phi_2399_: f32;
-    var phi_2404_: f32;
+    var phi_1563_: f32;
+    var phi_1579_: f32;
+    var phi_1634_: f32;
+    var phi_1657_: f32;
+    var phi_1681_: f32;
+    var phi_1704_: f32;
+    var phi_1720_: f32;
+    var phi_1775_: f32;
+    var phi_1798_: f32;
+    var phi_1822_: f32;
+    var phi_1845_: f32;
+    var phi_1861_: f32;
+    var phi_1916_: f32;
+    var phi_1939_: f32;
+    var phi_1963_: f32;
+    var phi_1986_: f32;
+    var phi_2002_: f32;
+    var phi_2057_: f32;
+    var phi_2080_: f32;
+    var phi_2104_: f32;
+    var phi_2127_: f32;
+    var phi_2143_: f32;
+    var phi_2198_: f32;
+    var phi_2221_: f32;
+    var phi_2245_: f32;
+    var phi_2268_: f32;
+    var phi_2284_: f32;
+    var phi_2339_: f32;
+    var phi_2362_: f32;
+    var phi_2386_: f32;
     var phi_2409_: f32;
-    var phi_2414_: f32;
-    var phi_2419_: f32;
-    var phi_2424_: f32;
-    var phi_2429_: f32;
-    var phi_2433_: bool;
-    var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
-    var phi_2442_: bool;
+    var phi_2425_: f32;
+    var phi_2432_: f32;
+    var phi_2437_: f32;
+    var phi_2442_: f32;
+    var phi_2447_: f32;
+    var phi_2452_: f32;
+    var phi_2457_: f32;
+    var phi_2462_: f32;
+    var phi_2467_: f32;
+    var phi_2471_: bool;
+    var phi_2473_: bool;
+    var phi_2474_: bool;
+    var phi_2475_: bool;
+    var phi_2476_: bool;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -213,898 +235,949 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e34 = id_2;
-    let _e35 = n_2;
-    let _e36 = lane_2;
-    let _e51 = ((((_e34.y * _e35.x) + _e34.x) * 256u) + _e36);
-    let _e54 = params.member.member_2.member_2;
-    if (_e54 == 0u) {
+    let _e38 = id_2;
+    let _e39 = n_2;
+    let _e40 = lane_2;
+    let _e56 = ((((_e38.y * _e39.x) + _e38.x) * 256u) + _e40);
+    let _e58 = params.member.member_2.member_2;
+    if (_e58 == 0u) {
         return;
     }
-    let _e56 = (_e51 / _e54);
-    let _e59 = params.member.member_2.member_2;
-    if (_e59 == 0u) {
+    let _e60 = (_e56 / _e58);
+    let _e62 = params.member.member_2.member_2;
+    if (_e62 == 0u) {
         return;
     }
-    let _e61 = (_e51 % _e59);
-    let _e63 = a_cut.member[0u];
-    if (_e56 < _e63) {
-        let _e66 = b_cut.member[0u];
-        if (_e61 < _e66) {
-            let _e70 = a_cut.member[(4u + _e56)];
-            let _e73 = b_cut.member[(4u + _e61)];
-            let _e75 = a_nodes.member[_e70];
-            let _e77 = b_nodes.member[_e73];
-            let _e80 = params.member.member_2.member;
-            if (_e80 == 0u) {
-                phi_205_ = array<u32, 2>(0u, 2u);
+    let _e64 = (_e56 % _e62);
+    let _e66 = params.member.member_2.member;
+    let _e67 = (_e66 == 1u);
+    if _e67 {
+        phi_136_ = 0u;
+    } else {
+        phi_136_ = 1u;
+    }
+    let _e69 = phi_136_;
+    let _e70 = (_e69 * 1028u);
+    let _e72 = cuts.member[0u];
+    if (_e60 < _e72) {
+        let _e75 = cuts.member[_e70];
+        if (_e64 < _e75) {
+            if _e67 {
+                phi_173_ = (_e60 <= _e64);
             } else {
-                phi_205_ = array<u32, 2>(1u, 1u);
+                phi_173_ = true;
             }
-            let _e83 = phi_205_;
-            let _e89 = params.member.member.member[_e83[0]];
-            let _e90 = (_e89 - 1u);
-            let _e94 = params.member.member.member[_e83[1]];
-            let _e95 = (_e94 - 1u);
-            let _e99 = params.member.member.member_2[_e83[0]];
-            let _e103 = params.member.member.member_2[_e83[1]];
-            let _e106 = params.member.member_2.member;
-            let _e107 = (_e106 == 1u);
-            if _e107 {
-                if (_e56 < _e61) {
-                    phi_259_ = true;
+            let _e79 = phi_173_;
+            if _e79 {
+                let _e82 = cuts.member[(4u + _e60)];
+                let _e86 = cuts.member[((_e70 + 4u) + _e64)];
+                phi_202_ = array<u32, 2>(_e82, _e86);
+            } else {
+                phi_202_ = array<u32, 2>(4294967295u, 4294967295u);
+            }
+            let _e89 = phi_202_;
+            phi_203_ = _e89;
+        } else {
+            phi_203_ = array<u32, 2>(4294967295u, 4294967295u);
+        }
+        let _e91 = phi_203_;
+        phi_204_ = _e91;
+    } else {
+        phi_204_ = array<u32, 2>(4294967295u, 4294967295u);
+    }
+    let _e93 = phi_204_;
+    if (_e93[0] != 4294967295u) {
+        let _e98 = a_nodes.member[_e93[0]];
+        let _e101 = b_nodes.member[_e93[1]];
+        let _e104 = params.member.member_2.member;
+        if (_e104 == 0u) {
+            phi_241_ = array<u32, 2>(0u, 2u);
+        } else {
+            phi_241_ = array<u32, 2>(1u, 1u);
+        }
+        let _e107 = phi_241_;
+        let _e113 = params.member.member.member[_e107[0]];
+        let _e114 = (_e113 - 1u);
+        let _e118 = params.member.member.member[_e107[1]];
+        let _e119 = (_e118 - 1u);
+        let _e123 = params.member.member.member_2[_e107[0]];
+        let _e127 = params.member.member.member_2[_e107[1]];
+        let _e130 = params.member.member_2.member;
+        let _e131 = (_e130 == 1u);
+        if _e131 {
+            if (_e93[0] == _e93[1]) {
+                if (_e98.member_3 == 4294967295u) {
+                    phi_294_ = false;
                 } else {
-                    if (_e56 == _e61) {
-                        phi_258_ = !((_e75.member_3 == 4294967295u));
-                    } else {
-                        phi_258_ = false;
-                    }
-                    let _e114 = phi_258_;
-                    phi_259_ = _e114;
+                    phi_294_ = true;
                 }
-                let _e116 = phi_259_;
-                phi_260_ = _e116;
+                let _e138 = phi_294_;
+                phi_295_ = _e138;
             } else {
-                phi_260_ = true;
+                phi_295_ = true;
             }
-            let _e118 = phi_260_;
-            if _e118 {
-                if ((((((_e75.member[0] <= _e77.member_2[0]) && (_e77.member[0] <= _e75.member_2[0])) && (_e75.member[1] <= _e77.member_2[1])) && (_e77.member[1] <= _e75.member_2[1])) && (_e75.member[2] <= _e77.member_2[2])) && (_e77.member[2] <= _e75.member_2[2])) {
-                    if _e107 {
-                        phi_300_ = (_e70 == _e73);
-                    } else {
-                        phi_300_ = false;
-                    }
-                    let _e148 = phi_300_;
-                    if _e148 {
-                        phi_2437_ = bool();
-                        phi_2438_ = true;
-                    } else {
-                        if (_e70 >= _e90) {
-                            if (_e73 >= _e95) {
-                                phi_312_ = false;
-                            } else {
-                                phi_312_ = true;
-                            }
-                            let _e152 = phi_312_;
-                            phi_313_ = _e152;
+            let _e140 = phi_295_;
+            phi_296_ = _e140;
+        } else {
+            phi_296_ = true;
+        }
+        let _e142 = phi_296_;
+        if _e142 {
+            if ((((((_e98.member[0] <= _e101.member_2[0]) && (_e101.member[0] <= _e98.member_2[0])) && (_e98.member[1] <= _e101.member_2[1])) && (_e101.member[1] <= _e98.member_2[1])) && (_e98.member[2] <= _e101.member_2[2])) && (_e101.member[2] <= _e98.member_2[2])) {
+                if _e131 {
+                    phi_338_ = (_e93[0] == _e93[1]);
+                } else {
+                    phi_338_ = false;
+                }
+                let _e174 = phi_338_;
+                if _e174 {
+                    phi_2475_ = bool();
+                    phi_2476_ = true;
+                } else {
+                    if (_e93[0] >= _e114) {
+                        if (_e93[1] >= _e119) {
+                            phi_350_ = false;
                         } else {
-                            phi_313_ = true;
+                            phi_350_ = true;
                         }
-                        let _e154 = phi_313_;
-                        if _e154 {
-                            if (_e70 < _e90) {
-                                let _e210 = oriented.member[(_e99 + _e70)];
-                                phi_424_ = type_24(array<f32, 3>(_e210.member.x, _e210.member.y, _e210.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e210.member.w, _e210.member_1.x, _e210.member_1.y), array<f32, 3>(_e210.member_1.z, _e210.member_1.w, _e210.member_2.x), array<f32, 3>(_e210.member_2.y, _e210.member_2.z, _e210.member_2.w)), array<f32, 3>(_e210.member_3.x, _e210.member_3.y, _e210.member_3.z));
-                            } else {
-                                let _e157 = a_nodes.member[_e70];
-                                let _e172 = ((_e157.member[0] * 0.5f) + (_e157.member_2[0] * 0.5f));
-                                let _e173 = ((_e157.member[1] * 0.5f) + (_e157.member_2[1] * 0.5f));
-                                let _e174 = ((_e157.member[2] * 0.5f) + (_e157.member_2[2] * 0.5f));
-                                let _e177 = (_e157.member_2[0] - _e172);
-                                let _e179 = (_e157.member_2[1] - _e173);
-                                let _e181 = (_e157.member_2[2] - _e174);
-                                let _e183 = (_e172 - _e157.member[0]);
-                                let _e185 = (_e173 - _e157.member[1]);
-                                let _e187 = (_e174 - _e157.member[2]);
-                                if (_e177 > _e183) {
-                                    phi_398_ = _e177;
-                                } else {
-                                    phi_398_ = _e183;
-                                }
-                                let _e190 = phi_398_;
-                                if (_e179 > _e185) {
-                                    phi_403_ = _e179;
-                                } else {
-                                    phi_403_ = _e185;
-                                }
-                                let _e193 = phi_403_;
-                                if (_e181 > _e187) {
-                                    phi_408_ = _e181;
-                                } else {
-                                    phi_408_ = _e187;
-                                }
-                                let _e196 = phi_408_;
-                                let _e198 = (1f + (0.000000059604645f * 4f));
-                                let _e202 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_424_ = type_24(array<f32, 3>(_e172, _e173, _e174), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e190 * _e198) + _e202), ((_e193 * _e198) + _e202), ((_e196 * _e198) + _e202)));
-                            }
-                            let _e249 = phi_424_;
-                            if (_e73 < _e95) {
-                                let _e305 = oriented.member[(_e103 + _e73)];
-                                phi_532_ = type_24(array<f32, 3>(_e305.member.x, _e305.member.y, _e305.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e305.member.w, _e305.member_1.x, _e305.member_1.y), array<f32, 3>(_e305.member_1.z, _e305.member_1.w, _e305.member_2.x), array<f32, 3>(_e305.member_2.y, _e305.member_2.z, _e305.member_2.w)), array<f32, 3>(_e305.member_3.x, _e305.member_3.y, _e305.member_3.z));
-                            } else {
-                                let _e252 = b_nodes.member[_e73];
-                                let _e267 = ((_e252.member[0] * 0.5f) + (_e252.member_2[0] * 0.5f));
-                                let _e268 = ((_e252.member[1] * 0.5f) + (_e252.member_2[1] * 0.5f));
-                                let _e269 = ((_e252.member[2] * 0.5f) + (_e252.member_2[2] * 0.5f));
-                                let _e272 = (_e252.member_2[0] - _e267);
-                                let _e274 = (_e252.member_2[1] - _e268);
-                                let _e276 = (_e252.member_2[2] - _e269);
-                                let _e278 = (_e267 - _e252.member[0]);
-                                let _e280 = (_e268 - _e252.member[1]);
-                                let _e282 = (_e269 - _e252.member[2]);
-                                if (_e272 > _e278) {
-                                    phi_506_ = _e272;
-                                } else {
-                                    phi_506_ = _e278;
-                                }
-                                let _e285 = phi_506_;
-                                if (_e274 > _e280) {
-                                    phi_511_ = _e274;
-                                } else {
-                                    phi_511_ = _e280;
-                                }
-                                let _e288 = phi_511_;
-                                if (_e276 > _e282) {
-                                    phi_516_ = _e276;
-                                } else {
-                                    phi_516_ = _e282;
-                                }
-                                let _e291 = phi_516_;
-                                let _e293 = (1f + (0.000000059604645f * 4f));
-                                let _e297 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_532_ = type_24(array<f32, 3>(_e267, _e268, _e269), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e285 * _e293) + _e297), ((_e288 * _e293) + _e297), ((_e291 * _e293) + _e297)));
-                            }
-                            let _e344 = phi_532_;
-                            let _e349 = (_e344.member[0] - _e249.member[0]);
-                            let _e352 = (_e344.member[1] - _e249.member[1]);
-                            let _e355 = (_e344.member[2] - _e249.member[2]);
-                            if (_e349 < 0f) {
-                                phi_722_ = -(_e349);
-                            } else {
-                                phi_722_ = _e349;
-                            }
-                            let _e544 = phi_722_;
-                            if (_e352 < 0f) {
-                                phi_728_ = -(_e352);
-                            } else {
-                                phi_728_ = _e352;
-                            }
-                            let _e548 = phi_728_;
-                            if (_e355 < 0f) {
-                                phi_735_ = -(_e355);
-                            } else {
-                                phi_735_ = _e355;
-                            }
-                            let _e553 = phi_735_;
-                            if (_e249.member_2[0] < 0f) {
-                                phi_744_ = -(_e249.member_2[0]);
-                            } else {
-                                phi_744_ = _e249.member_2[0];
-                            }
-                            let _e560 = phi_744_;
-                            if (_e249.member_2[1] < 0f) {
-                                phi_751_ = -(_e249.member_2[1]);
-                            } else {
-                                phi_751_ = _e249.member_2[1];
-                            }
-                            let _e565 = phi_751_;
-                            if (_e249.member_2[2] < 0f) {
-                                phi_759_ = -(_e249.member_2[2]);
-                            } else {
-                                phi_759_ = _e249.member_2[2];
-                            }
-                            let _e571 = phi_759_;
-                            if (_e344.member_2[0] < 0f) {
-                                phi_768_ = -(_e344.member_2[0]);
-                            } else {
-                                phi_768_ = _e344.member_2[0];
-                            }
-                            let _e578 = phi_768_;
-                            if (_e344.member_2[1] < 0f) {
-                                phi_775_ = -(_e344.member_2[1]);
-                            } else {
-                                phi_775_ = _e344.member_2[1];
-                            }
-                            let _e583 = phi_775_;
-                            if (_e344.member_2[2] < 0f) {
-                                phi_783_ = -(_e344.member_2[2]);
-                            } else {
-                                phi_783_ = _e344.member_2[2];
-                            }
-                            let _e589 = phi_783_;
-                            local = type_19(array<array<f32, 3>, 3>(array<f32, 3>((((_e344.member_1[0][0] * _e249.member_1[0][0]) + (_e344.member_1[0][1] * _e249.member_1[0][1])) + (_e344.member_1[0][2] * _e249.member_1[0][2])), (((_e344.member_1[1][0] * _e249.member_1[0][0]) + (_e344.member_1[1][1] * _e249.member_1[0][1])) + (_e344.member_1[1][2] * _e249.member_1[0][2])), (((_e344.member_1[2][0] * _e249.member_1[0][0]) + (_e344.member_1[2][1] * _e249.member_1[0][1])) + (_e344.member_1[2][2] * _e249.member_1[0][2]))), array<f32, 3>((((_e344.member_1[0][0] * _e249.member_1[1][0]) + (_e344.member_1[0][1] * _e249.member_1[1][1])) + (_e344.member_1[0][2] * _e249.member_1[1][2])), (((_e344.member_1[1][0] * _e249.member_1[1][0]) + (_e344.member_1[1][1] * _e249.member_1[1][1])) + (_e344.member_1[1][2] * _e249.member_1[1][2])), (((_e344.member_1[2][0] * _e249.member_1[1][0]) + (_e344.member_1[2][1] * _e249.member_1[1][1])) + (_e344.member_1[2][2] * _e249.member_1[1][2]))), array<f32, 3>((((_e344.member_1[0][0] * _e249.member_1[2][0]) + (_e344.member_1[0][1] * _e249.member_1[2][1])) + (_e344.member_1[0][2] * _e249.member_1[2][2])), (((_e344.member_1[1][0] * _e249.member_1[2][0]) + (_e344.member_1[1][1] * _e249.member_1[2][1])) + (_e344.member_1[1][2] * _e249.member_1[2][2])), (((_e344.member_1[2][0] * _e249.member_1[2][0]) + (_e344.member_1[2][1] * _e249.member_1[2][1])) + (_e344.member_1[2][2] * _e249.member_1[2][2])))), array<f32, 3>((((_e249.member_1[0][0] * _e349) + (_e249.member_1[0][1] * _e352)) + (_e249.member_1[0][2] * _e355)), (((_e249.member_1[1][0] * _e349) + (_e249.member_1[1][1] * _e352)) + (_e249.member_1[1][2] * _e355)), (((_e249.member_1[2][0] * _e349) + (_e249.member_1[2][1] * _e352)) + (_e249.member_1[2][2] * _e355))), array<f32, 3>((((_e344.member_1[0][0] * _e349) + (_e344.member_1[0][1] * _e352)) + (_e344.member_1[0][2] * _e355)), (((_e344.member_1[1][0] * _e349) + (_e344.member_1[1][1] * _e352)) + (_e344.member_1[1][2] * _e355)), (((_e344.member_1[2][0] * _e349) + (_e344.member_1[2][1] * _e352)) + (_e344.member_1[2][2] * _e355))), array<f32, 3>(_e249.member_2[0], _e249.member_2[1], _e249.member_2[2]), array<f32, 3>(_e344.member_2[0], _e344.member_2[1], _e344.member_2[2]), ((((((_e544 + _e548) + _e553) + (((_e560 + _e565) + _e571) + ((_e578 + _e583) + _e589))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                            let _e616 = local.member[0u][0u];
-                            let _e620 = local.member[0u][1u];
-                            let _e624 = local.member[0u][2u];
-                            let _e628 = local.member[1u][0u];
-                            let _e632 = local.member[1u][1u];
-                            let _e636 = local.member[1u][2u];
-                            let _e640 = local.member[2u][0u];
-                            let _e644 = local.member[2u][1u];
-                            let _e648 = local.member[2u][2u];
-                            let _e650 = local.member_3;
-                            let _e655 = local.member_4;
-                            let _e661 = local.member_1[0u];
-                            if (_e661 < 0f) {
-                                phi_876_ = -(_e661);
-                            } else {
-                                phi_876_ = _e661;
-                            }
-                            let _e665 = phi_876_;
-                            if (_e616 < 0f) {
-                                phi_883_ = -(_e616);
-                            } else {
-                                phi_883_ = _e616;
-                            }
-                            let _e669 = phi_883_;
-                            if (_e620 < 0f) {
-                                phi_889_ = -(_e620);
-                            } else {
-                                phi_889_ = _e620;
-                            }
-                            let _e673 = phi_889_;
-                            if (_e624 < 0f) {
-                                phi_895_ = -(_e624);
-                            } else {
-                                phi_895_ = _e624;
-                            }
-                            let _e677 = phi_895_;
-                            let _e684 = (_e665 - (_e650[0] + (((_e669 * _e655[0]) + (_e673 * _e655[1])) + (_e677 * _e655[2]))));
-                            let _e687 = local.member_1[1u];
-                            if (_e687 < 0f) {
-                                phi_914_ = -(_e687);
-                            } else {
-                                phi_914_ = _e687;
-                            }
-                            let _e691 = phi_914_;
-                            if (_e628 < 0f) {
-                                phi_921_ = -(_e628);
-                            } else {
-                                phi_921_ = _e628;
-                            }
-                            let _e695 = phi_921_;
-                            if (_e632 < 0f) {
-                                phi_927_ = -(_e632);
-                            } else {
-                                phi_927_ = _e632;
-                            }
-                            let _e699 = phi_927_;
-                            if (_e636 < 0f) {
-                                phi_933_ = -(_e636);
-                            } else {
-                                phi_933_ = _e636;
-                            }
-                            let _e703 = phi_933_;
-                            let _e710 = (_e691 - (_e650[1] + (((_e695 * _e655[0]) + (_e699 * _e655[1])) + (_e703 * _e655[2]))));
-                            let _e713 = local.member_1[2u];
-                            if (_e713 < 0f) {
-                                phi_952_ = -(_e713);
-                            } else {
-                                phi_952_ = _e713;
-                            }
-                            let _e717 = phi_952_;
-                            if (_e640 < 0f) {
-                                phi_959_ = -(_e640);
-                            } else {
-                                phi_959_ = _e640;
-                            }
-                            let _e721 = phi_959_;
-                            if (_e644 < 0f) {
-                                phi_965_ = -(_e644);
-                            } else {
-                                phi_965_ = _e644;
-                            }
-                            let _e725 = phi_965_;
-                            if (_e648 < 0f) {
-                                phi_971_ = -(_e648);
-                            } else {
-                                phi_971_ = _e648;
-                            }
-                            let _e729 = phi_971_;
-                            let _e736 = (_e717 - (_e650[2] + (((_e721 * _e655[0]) + (_e725 * _e655[1])) + (_e729 * _e655[2]))));
-                            let _e739 = local.member_2[0u];
-                            if (_e739 < 0f) {
-                                phi_990_ = -(_e739);
-                            } else {
-                                phi_990_ = _e739;
-                            }
-                            let _e743 = phi_990_;
-                            if (_e616 < 0f) {
-                                phi_997_ = -(_e616);
-                            } else {
-                                phi_997_ = _e616;
-                            }
-                            let _e747 = phi_997_;
-                            if (_e628 < 0f) {
-                                phi_1003_ = -(_e628);
-                            } else {
-                                phi_1003_ = _e628;
-                            }
-                            let _e751 = phi_1003_;
-                            if (_e640 < 0f) {
-                                phi_1009_ = -(_e640);
-                            } else {
-                                phi_1009_ = _e640;
-                            }
-                            let _e755 = phi_1009_;
-                            let _e762 = (_e743 - (_e655[0] + (((_e747 * _e650[0]) + (_e751 * _e650[1])) + (_e755 * _e650[2]))));
-                            let _e765 = local.member_2[1u];
-                            if (_e765 < 0f) {
-                                phi_1028_ = -(_e765);
-                            } else {
-                                phi_1028_ = _e765;
-                            }
-                            let _e769 = phi_1028_;
-                            if (_e620 < 0f) {
-                                phi_1035_ = -(_e620);
-                            } else {
-                                phi_1035_ = _e620;
-                            }
-                            let _e773 = phi_1035_;
-                            if (_e632 < 0f) {
-                                phi_1041_ = -(_e632);
-                            } else {
-                                phi_1041_ = _e632;
-                            }
-                            let _e777 = phi_1041_;
-                            if (_e644 < 0f) {
-                                phi_1047_ = -(_e644);
-                            } else {
-                                phi_1047_ = _e644;
-                            }
-                            let _e781 = phi_1047_;
-                            let _e788 = (_e769 - (_e655[1] + (((_e773 * _e650[0]) + (_e777 * _e650[1])) + (_e781 * _e650[2]))));
-                            let _e791 = local.member_2[2u];
-                            if (_e791 < 0f) {
-                                phi_1066_ = -(_e791);
-                            } else {
-                                phi_1066_ = _e791;
-                            }
-                            let _e795 = phi_1066_;
-                            if (_e624 < 0f) {
-                                phi_1073_ = -(_e624);
-                            } else {
-                                phi_1073_ = _e624;
-                            }
-                            let _e799 = phi_1073_;
-                            if (_e636 < 0f) {
-                                phi_1079_ = -(_e636);
-                            } else {
-                                phi_1079_ = _e636;
-                            }
-                            let _e803 = phi_1079_;
-                            if (_e648 < 0f) {
-                                phi_1085_ = -(_e648);
-                            } else {
-                                phi_1085_ = _e648;
-                            }
-                            let _e807 = phi_1085_;
-                            let _e814 = (_e795 - (_e655[2] + (((_e799 * _e650[0]) + (_e803 * _e650[1])) + (_e807 * _e650[2]))));
-                            if (_e684 > _e710) {
-                                phi_1100_ = _e684;
-                            } else {
-                                phi_1100_ = _e710;
-                            }
-                            let _e817 = phi_1100_;
-                            if (_e817 > _e736) {
-                                phi_1105_ = _e817;
-                            } else {
-                                phi_1105_ = _e736;
-                            }
-                            let _e820 = phi_1105_;
-                            if (_e762 > _e788) {
-                                phi_1110_ = _e762;
-                            } else {
-                                phi_1110_ = _e788;
-                            }
-                            let _e823 = phi_1110_;
-                            if (_e823 > _e814) {
-                                phi_1115_ = _e823;
-                            } else {
-                                phi_1115_ = _e814;
-                            }
-                            let _e826 = phi_1115_;
-                            if (_e820 > _e826) {
-                                phi_1120_ = _e820;
-                            } else {
-                                phi_1120_ = _e826;
-                            }
-                            let _e829 = phi_1120_;
-                            let _e831 = local.member_5;
-                            if (_e829 > _e831) {
-                                phi_2433_ = true;
-                            } else {
-                                let _e836 = local.member[1u][0u];
-                                let _e839 = local.member_1[2u];
-                                let _e844 = local.member[2u][0u];
-                                let _e847 = local.member_1[1u];
-                                let _e849 = ((_e836 * _e839) - (_e844 * _e847));
-                                let _e853 = local.member[2u][0u];
-                                if (_e853 < 0f) {
-                                    phi_1179_ = -(_e853);
-                                } else {
-                                    phi_1179_ = _e853;
-                                }
-                                let _e857 = phi_1179_;
-                                let _e860 = local.member_3[1u];
-                                let _e865 = local.member[1u][0u];
-                                if (_e865 < 0f) {
-                                    phi_1202_ = -(_e865);
-                                } else {
-                                    phi_1202_ = _e865;
-                                }
-                                let _e869 = phi_1202_;
-                                let _e872 = local.member_3[2u];
-                                let _e878 = local.member[0u][2u];
-                                if (_e878 < 0f) {
-                                    phi_1225_ = -(_e878);
-                                } else {
-                                    phi_1225_ = _e878;
-                                }
-                                let _e882 = phi_1225_;
-                                let _e885 = local.member_4[1u];
-                                let _e890 = local.member[0u][1u];
-                                if (_e890 < 0f) {
-                                    phi_1247_ = -(_e890);
-                                } else {
-                                    phi_1247_ = _e890;
-                                }
-                                let _e894 = phi_1247_;
-                                let _e897 = local.member_4[2u];
-                                if (_e849 < 0f) {
-                                    phi_1263_ = -(_e849);
-                                } else {
-                                    phi_1263_ = _e849;
-                                }
-                                let _e903 = phi_1263_;
-                                let _e905 = (_e903 - (((_e857 * _e860) + (_e869 * _e872)) + ((_e882 * _e885) + (_e894 * _e897))));
-                                let _e909 = local.member[1u][1u];
-                                let _e912 = local.member_1[2u];
-                                let _e917 = local.member[2u][1u];
-                                let _e920 = local.member_1[1u];
-                                let _e922 = ((_e909 * _e912) - (_e917 * _e920));
-                                let _e926 = local.member[2u][1u];
-                                if (_e926 < 0f) {
-                                    phi_1318_ = -(_e926);
-                                } else {
-                                    phi_1318_ = _e926;
-                                }
-                                let _e930 = phi_1318_;
-                                let _e933 = local.member_3[1u];
-                                let _e938 = local.member[1u][1u];
-                                if (_e938 < 0f) {
-                                    phi_1341_ = -(_e938);
-                                } else {
-                                    phi_1341_ = _e938;
-                                }
-                                let _e942 = phi_1341_;
-                                let _e945 = local.member_3[2u];
-                                let _e951 = local.member[0u][0u];
-                                if (_e951 < 0f) {
-                                    phi_1364_ = -(_e951);
-                                } else {
-                                    phi_1364_ = _e951;
-                                }
-                                let _e955 = phi_1364_;
-                                let _e958 = local.member_4[2u];
-                                let _e963 = local.member[0u][2u];
-                                if (_e963 < 0f) {
-                                    phi_1386_ = -(_e963);
-                                } else {
-                                    phi_1386_ = _e963;
-                                }
-                                let _e967 = phi_1386_;
-                                let _e970 = local.member_4[0u];
-                                if (_e922 < 0f) {
-                                    phi_1402_ = -(_e922);
-                                } else {
-                                    phi_1402_ = _e922;
-                                }
-                                let _e976 = phi_1402_;
-                                let _e978 = (_e976 - (((_e930 * _e933) + (_e942 * _e945)) + ((_e955 * _e958) + (_e967 * _e970))));
-                                let _e982 = local.member[1u][2u];
-                                let _e985 = local.member_1[2u];
-                                let _e990 = local.member[2u][2u];
-                                let _e993 = local.member_1[1u];
-                                let _e995 = ((_e982 * _e985) - (_e990 * _e993));
-                                let _e999 = local.member[2u][2u];
-                                if (_e999 < 0f) {
-                                    phi_1457_ = -(_e999);
-                                } else {
-                                    phi_1457_ = _e999;
-                                }
-                                let _e1003 = phi_1457_;
-                                let _e1006 = local.member_3[1u];
-                                let _e1011 = local.member[1u][2u];
-                                if (_e1011 < 0f) {
-                                    phi_1480_ = -(_e1011);
-                                } else {
-                                    phi_1480_ = _e1011;
-                                }
-                                let _e1015 = phi_1480_;
-                                let _e1018 = local.member_3[2u];
-                                let _e1024 = local.member[0u][1u];
-                                if (_e1024 < 0f) {
-                                    phi_1503_ = -(_e1024);
-                                } else {
-                                    phi_1503_ = _e1024;
-                                }
-                                let _e1028 = phi_1503_;
-                                let _e1031 = local.member_4[0u];
-                                let _e1036 = local.member[0u][0u];
-                                if (_e1036 < 0f) {
-                                    phi_1525_ = -(_e1036);
-                                } else {
-                                    phi_1525_ = _e1036;
-                                }
-                                let _e1040 = phi_1525_;
-                                let _e1043 = local.member_4[1u];
-                                if (_e995 < 0f) {
-                                    phi_1541_ = -(_e995);
-                                } else {
-                                    phi_1541_ = _e995;
-                                }
-                                let _e1049 = phi_1541_;
-                                let _e1051 = (_e1049 - (((_e1003 * _e1006) + (_e1015 * _e1018)) + ((_e1028 * _e1031) + (_e1040 * _e1043))));
-                                let _e1055 = local.member[2u][0u];
-                                let _e1058 = local.member_1[0u];
-                                let _e1063 = local.member[0u][0u];
-                                let _e1066 = local.member_1[2u];
-                                let _e1068 = ((_e1055 * _e1058) - (_e1063 * _e1066));
-                                let _e1072 = local.member[0u][0u];
-                                if (_e1072 < 0f) {
-                                    phi_1596_ = -(_e1072);
-                                } else {
-                                    phi_1596_ = _e1072;
-                                }
-                                let _e1076 = phi_1596_;
-                                let _e1079 = local.member_3[2u];
-                                let _e1084 = local.member[2u][0u];
-                                if (_e1084 < 0f) {
-                                    phi_1619_ = -(_e1084);
-                                } else {
-                                    phi_1619_ = _e1084;
-                                }
-                                let _e1088 = phi_1619_;
-                                let _e1091 = local.member_3[0u];
-                                let _e1097 = local.member[1u][2u];
-                                if (_e1097 < 0f) {
-                                    phi_1643_ = -(_e1097);
-                                } else {
-                                    phi_1643_ = _e1097;
-                                }
-                                let _e1101 = phi_1643_;
-                                let _e1104 = local.member_4[1u];
-                                let _e1109 = local.member[1u][1u];
-                                if (_e1109 < 0f) {
-                                    phi_1666_ = -(_e1109);
-                                } else {
-                                    phi_1666_ = _e1109;
-                                }
-                                let _e1113 = phi_1666_;
-                                let _e1116 = local.member_4[2u];
-                                if (_e1068 < 0f) {
-                                    phi_1682_ = -(_e1068);
-                                } else {
-                                    phi_1682_ = _e1068;
-                                }
-                                let _e1122 = phi_1682_;
-                                let _e1124 = (_e1122 - (((_e1076 * _e1079) + (_e1088 * _e1091)) + ((_e1101 * _e1104) + (_e1113 * _e1116))));
-                                let _e1128 = local.member[2u][1u];
-                                let _e1131 = local.member_1[0u];
-                                let _e1136 = local.member[0u][1u];
-                                let _e1139 = local.member_1[2u];
-                                let _e1141 = ((_e1128 * _e1131) - (_e1136 * _e1139));
-                                let _e1145 = local.member[0u][1u];
-                                if (_e1145 < 0f) {
-                                    phi_1737_ = -(_e1145);
-                                } else {
-                                    phi_1737_ = _e1145;
-                                }
-                                let _e1149 = phi_1737_;
-                                let _e1152 = local.member_3[2u];
-                                let _e1157 = local.member[2u][1u];
-                                if (_e1157 < 0f) {
-                                    phi_1760_ = -(_e1157);
-                                } else {
-                                    phi_1760_ = _e1157;
-                                }
-                                let _e1161 = phi_1760_;
-                                let _e1164 = local.member_3[0u];
-                                let _e1170 = local.member[1u][0u];
-                                if (_e1170 < 0f) {
-                                    phi_1784_ = -(_e1170);
-                                } else {
-                                    phi_1784_ = _e1170;
-                                }
-                                let _e1174 = phi_1784_;
-                                let _e1177 = local.member_4[2u];
-                                let _e1182 = local.member[1u][2u];
-                                if (_e1182 < 0f) {
-                                    phi_1807_ = -(_e1182);
-                                } else {
-                                    phi_1807_ = _e1182;
-                                }
-                                let _e1186 = phi_1807_;
-                                let _e1189 = local.member_4[0u];
-                                if (_e1141 < 0f) {
-                                    phi_1823_ = -(_e1141);
-                                } else {
-                                    phi_1823_ = _e1141;
-                                }
-                                let _e1195 = phi_1823_;
-                                let _e1197 = (_e1195 - (((_e1149 * _e1152) + (_e1161 * _e1164)) + ((_e1174 * _e1177) + (_e1186 * _e1189))));
-                                let _e1201 = local.member[2u][2u];
-                                let _e1204 = local.member_1[0u];
-                                let _e1209 = local.member[0u][2u];
-                                let _e1212 = local.member_1[2u];
-                                let _e1214 = ((_e1201 * _e1204) - (_e1209 * _e1212));
-                                let _e1218 = local.member[0u][2u];
-                                if (_e1218 < 0f) {
-                                    phi_1878_ = -(_e1218);
-                                } else {
-                                    phi_1878_ = _e1218;
-                                }
-                                let _e1222 = phi_1878_;
-                                let _e1225 = local.member_3[2u];
-                                let _e1230 = local.member[2u][2u];
-                                if (_e1230 < 0f) {
-                                    phi_1901_ = -(_e1230);
-                                } else {
-                                    phi_1901_ = _e1230;
-                                }
-                                let _e1234 = phi_1901_;
-                                let _e1237 = local.member_3[0u];
-                                let _e1243 = local.member[1u][1u];
-                                if (_e1243 < 0f) {
-                                    phi_1925_ = -(_e1243);
-                                } else {
-                                    phi_1925_ = _e1243;
-                                }
-                                let _e1247 = phi_1925_;
-                                let _e1250 = local.member_4[0u];
-                                let _e1255 = local.member[1u][0u];
-                                if (_e1255 < 0f) {
-                                    phi_1948_ = -(_e1255);
-                                } else {
-                                    phi_1948_ = _e1255;
-                                }
-                                let _e1259 = phi_1948_;
-                                let _e1262 = local.member_4[1u];
-                                if (_e1214 < 0f) {
-                                    phi_1964_ = -(_e1214);
-                                } else {
-                                    phi_1964_ = _e1214;
-                                }
-                                let _e1268 = phi_1964_;
-                                let _e1270 = (_e1268 - (((_e1222 * _e1225) + (_e1234 * _e1237)) + ((_e1247 * _e1250) + (_e1259 * _e1262))));
-                                let _e1274 = local.member[0u][0u];
-                                let _e1277 = local.member_1[1u];
-                                let _e1282 = local.member[1u][0u];
-                                let _e1285 = local.member_1[0u];
-                                let _e1287 = ((_e1274 * _e1277) - (_e1282 * _e1285));
-                                let _e1291 = local.member[1u][0u];
-                                if (_e1291 < 0f) {
-                                    phi_2019_ = -(_e1291);
-                                } else {
-                                    phi_2019_ = _e1291;
-                                }
-                                let _e1295 = phi_2019_;
-                                let _e1298 = local.member_3[0u];
-                                let _e1303 = local.member[0u][0u];
-                                if (_e1303 < 0f) {
-                                    phi_2042_ = -(_e1303);
-                                } else {
-                                    phi_2042_ = _e1303;
-                                }
-                                let _e1307 = phi_2042_;
-                                let _e1310 = local.member_3[1u];
-                                let _e1316 = local.member[2u][2u];
-                                if (_e1316 < 0f) {
-                                    phi_2066_ = -(_e1316);
-                                } else {
-                                    phi_2066_ = _e1316;
-                                }
-                                let _e1320 = phi_2066_;
-                                let _e1323 = local.member_4[1u];
-                                let _e1328 = local.member[2u][1u];
-                                if (_e1328 < 0f) {
-                                    phi_2089_ = -(_e1328);
-                                } else {
-                                    phi_2089_ = _e1328;
-                                }
-                                let _e1332 = phi_2089_;
-                                let _e1335 = local.member_4[2u];
-                                if (_e1287 < 0f) {
-                                    phi_2105_ = -(_e1287);
-                                } else {
-                                    phi_2105_ = _e1287;
-                                }
-                                let _e1341 = phi_2105_;
-                                let _e1343 = (_e1341 - (((_e1295 * _e1298) + (_e1307 * _e1310)) + ((_e1320 * _e1323) + (_e1332 * _e1335))));
-                                let _e1347 = local.member[0u][1u];
-                                let _e1350 = local.member_1[1u];
-                                let _e1355 = local.member[1u][1u];
-                                let _e1358 = local.member_1[0u];
-                                let _e1360 = ((_e1347 * _e1350) - (_e1355 * _e1358));
-                                let _e1364 = local.member[1u][1u];
-                                if (_e1364 < 0f) {
-                                    phi_2160_ = -(_e1364);
-                                } else {
-                                    phi_2160_ = _e1364;
-                                }
-                                let _e1368 = phi_2160_;
-                                let _e1371 = local.member_3[0u];
-                                let _e1376 = local.member[0u][1u];
-                                if (_e1376 < 0f) {
-                                    phi_2183_ = -(_e1376);
-                                } else {
-                                    phi_2183_ = _e1376;
-                                }
-                                let _e1380 = phi_2183_;
-                                let _e1383 = local.member_3[1u];
-                                let _e1389 = local.member[2u][0u];
-                                if (_e1389 < 0f) {
-                                    phi_2207_ = -(_e1389);
-                                } else {
-                                    phi_2207_ = _e1389;
-                                }
-                                let _e1393 = phi_2207_;
-                                let _e1396 = local.member_4[2u];
-                                let _e1401 = local.member[2u][2u];
-                                if (_e1401 < 0f) {
-                                    phi_2230_ = -(_e1401);
-                                } else {
-                                    phi_2230_ = _e1401;
-                                }
-                                let _e1405 = phi_2230_;
-                                let _e1408 = local.member_4[0u];
-                                if (_e1360 < 0f) {
-                                    phi_2246_ = -(_e1360);
-                                } else {
-                                    phi_2246_ = _e1360;
-                                }
-                                let _e1414 = phi_2246_;
-                                let _e1416 = (_e1414 - (((_e1368 * _e1371) + (_e1380 * _e1383)) + ((_e1393 * _e1396) + (_e1405 * _e1408))));
-                                let _e1420 = local.member[0u][2u];
-                                let _e1423 = local.member_1[1u];
-                                let _e1428 = local.member[1u][2u];
-                                let _e1431 = local.member_1[0u];
-                                let _e1433 = ((_e1420 * _e1423) - (_e1428 * _e1431));
-                                let _e1437 = local.member[1u][2u];
-                                if (_e1437 < 0f) {
-                                    phi_2301_ = -(_e1437);
-                                } else {
-                                    phi_2301_ = _e1437;
-                                }
-                                let _e1441 = phi_2301_;
-                                let _e1444 = local.member_3[0u];
-                                let _e1449 = local.member[0u][2u];
-                                if (_e1449 < 0f) {
-                                    phi_2324_ = -(_e1449);
-                                } else {
-                                    phi_2324_ = _e1449;
-                                }
-                                let _e1453 = phi_2324_;
-                                let _e1456 = local.member_3[1u];
-                                let _e1462 = local.member[2u][1u];
-                                if (_e1462 < 0f) {
-                                    phi_2348_ = -(_e1462);
-                                } else {
-                                    phi_2348_ = _e1462;
-                                }
-                                let _e1466 = phi_2348_;
-                                let _e1469 = local.member_4[0u];
-                                let _e1474 = local.member[2u][0u];
-                                if (_e1474 < 0f) {
-                                    phi_2371_ = -(_e1474);
-                                } else {
-                                    phi_2371_ = _e1474;
-                                }
-                                let _e1478 = phi_2371_;
-                                let _e1481 = local.member_4[1u];
-                                if (_e1433 < 0f) {
-                                    phi_2387_ = -(_e1433);
-                                } else {
-                                    phi_2387_ = _e1433;
-                                }
-                                let _e1487 = phi_2387_;
-                                let _e1489 = (_e1487 - (((_e1441 * _e1444) + (_e1453 * _e1456)) + ((_e1466 * _e1469) + (_e1478 * _e1481))));
-                                if (_e905 > _e978) {
-                                    phi_2394_ = _e905;
-                                } else {
-                                    phi_2394_ = _e978;
-                                }
-                                let _e1492 = phi_2394_;
-                                if (_e1492 > _e1051) {
-                                    phi_2399_ = _e1492;
-                                } else {
-                                    phi_2399_ = _e1051;
-                                }
-                                let _e1495 = phi_2399_;
-                                if (_e1124 > _e1197) {
-                                    phi_2404_ = _e1124;
-                                } else {
-                                    phi_2404_ = _e1197;
-                                }
-                                let _e1498 = phi_2404_;
-                                if (_e1498 > _e1270) {
-                                    phi_2409_ = _e1498;
-                                } else {
-                                    phi_2409_ = _e1270;
-                                }
-                                let _e1501 = phi_2409_;
-                                if (_e1495 > _e1501) {
-                                    phi_2414_ = _e1495;
-                                } else {
-                                    phi_2414_ = _e1501;
-                                }
-                                let _e1504 = phi_2414_;
-                                if (_e1343 > _e1416) {
-                                    phi_2419_ = _e1343;
-                                } else {
-                                    phi_2419_ = _e1416;
-                                }
-                                let _e1507 = phi_2419_;
-                                if (_e1507 > _e1489) {
-                                    phi_2424_ = _e1507;
-                                } else {
-                                    phi_2424_ = _e1489;
-                                }
-                                let _e1510 = phi_2424_;
-                                if (_e1504 > _e1510) {
-                                    phi_2429_ = _e1504;
-                                } else {
-                                    phi_2429_ = _e1510;
-                                }
-                                let _e1513 = phi_2429_;
-                                let _e1515 = local.member_5;
-                                phi_2433_ = (_e1513 > _e1515);
-                            }
-                            let _e1518 = phi_2433_;
-                            phi_2435_ = !(_e1518);
-                            phi_2436_ = false;
-                        } else {
-                            phi_2435_ = bool();
-                            phi_2436_ = true;
-                        }
-                        let _e1521 = phi_2435_;
-                        let _e1523 = phi_2436_;
-                        phi_2437_ = _e1521;
-                        phi_2438_ = _e1523;
-                    }
-                    let _e1525 = phi_2437_;
-                    let _e1527 = phi_2438_;
-                    if _e1527 {
-                        phi_2442_ = true;
+                        let _e178 = phi_350_;
+                        phi_351_ = _e178;
                     } else {
-                        phi_2442_ = _e1525;
+                        phi_351_ = true;
                     }
-                    let _e1529 = phi_2442_;
-                    if _e1529 {
-                        let _e1531 = atomicAdd((&levels.member[0u]), 1u);
-                        let _e1534 = atomicMax((&output.member[0u]), (_e1531 + 1u));
-                        if ((_e1531 + 1u) < _e1531) {
-                            let _e1538 = atomicAdd((&output.member[2u]), 1u);
+                    let _e180 = phi_351_;
+                    if _e180 {
+                        if (_e93[0] < _e114) {
+                            let _e236 = oriented.member[(_e123 + _e93[0])];
+                            phi_462_ = type_25(array<f32, 3>(_e236.member.x, _e236.member.y, _e236.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e236.member.w, _e236.member_1.x, _e236.member_1.y), array<f32, 3>(_e236.member_1.z, _e236.member_1.w, _e236.member_2.x), array<f32, 3>(_e236.member_2.y, _e236.member_2.z, _e236.member_2.w)), array<f32, 3>(_e236.member_3.x, _e236.member_3.y, _e236.member_3.z));
+                        } else {
+                            let _e183 = a_nodes.member[_e93[0]];
+                            let _e198 = ((_e183.member[0] * 0.5f) + (_e183.member_2[0] * 0.5f));
+                            let _e199 = ((_e183.member[1] * 0.5f) + (_e183.member_2[1] * 0.5f));
+                            let _e200 = ((_e183.member[2] * 0.5f) + (_e183.member_2[2] * 0.5f));
+                            let _e203 = (_e183.member_2[0] - _e198);
+                            let _e205 = (_e183.member_2[1] - _e199);
+                            let _e207 = (_e183.member_2[2] - _e200);
+                            let _e209 = (_e198 - _e183.member[0]);
+                            let _e211 = (_e199 - _e183.member[1]);
+                            let _e213 = (_e200 - _e183.member[2]);
+                            if (_e203 > _e209) {
+                                phi_436_ = _e203;
+                            } else {
+                                phi_436_ = _e209;
+                            }
+                            let _e216 = phi_436_;
+                            if (_e205 > _e211) {
+                                phi_441_ = _e205;
+                            } else {
+                                phi_441_ = _e211;
+                            }
+                            let _e219 = phi_441_;
+                            if (_e207 > _e213) {
+                                phi_446_ = _e207;
+                            } else {
+                                phi_446_ = _e213;
+                            }
+                            let _e222 = phi_446_;
+                            let _e224 = (1f + (0.000000059604645f * 4f));
+                            let _e228 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_462_ = type_25(array<f32, 3>(_e198, _e199, _e200), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e216 * _e224) + _e228), ((_e219 * _e224) + _e228), ((_e222 * _e224) + _e228)));
                         }
-                        let _e1541 = params.member.member_2.member_3;
-                        if (_e1531 < _e1541) {
-                            let _e1543 = (2u * _e1531);
-                            atomicStore((&output.member[(4u + _e1543)]), _e70);
-                            atomicStore((&output.member[(_e1543 + 5u)]), _e73);
+                        let _e275 = phi_462_;
+                        if (_e93[1] < _e119) {
+                            let _e331 = oriented.member[(_e127 + _e93[1])];
+                            phi_570_ = type_25(array<f32, 3>(_e331.member.x, _e331.member.y, _e331.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e331.member.w, _e331.member_1.x, _e331.member_1.y), array<f32, 3>(_e331.member_1.z, _e331.member_1.w, _e331.member_2.x), array<f32, 3>(_e331.member_2.y, _e331.member_2.z, _e331.member_2.w)), array<f32, 3>(_e331.member_3.x, _e331.member_3.y, _e331.member_3.z));
+                        } else {
+                            let _e278 = b_nodes.member[_e93[1]];
+                            let _e293 = ((_e278.member[0] * 0.5f) + (_e278.member_2[0] * 0.5f));
+                            let _e294 = ((_e278.member[1] * 0.5f) + (_e278.member_2[1] * 0.5f));
+                            let _e295 = ((_e278.member[2] * 0.5f) + (_e278.member_2[2] * 0.5f));
+                            let _e298 = (_e278.member_2[0] - _e293);
+                            let _e300 = (_e278.member_2[1] - _e294);
+                            let _e302 = (_e278.member_2[2] - _e295);
+                            let _e304 = (_e293 - _e278.member[0]);
+                            let _e306 = (_e294 - _e278.member[1]);
+                            let _e308 = (_e295 - _e278.member[2]);
+                            if (_e298 > _e304) {
+                                phi_544_ = _e298;
+                            } else {
+                                phi_544_ = _e304;
+                            }
+                            let _e311 = phi_544_;
+                            if (_e300 > _e306) {
+                                phi_549_ = _e300;
+                            } else {
+                                phi_549_ = _e306;
+                            }
+                            let _e314 = phi_549_;
+                            if (_e302 > _e308) {
+                                phi_554_ = _e302;
+                            } else {
+                                phi_554_ = _e308;
+                            }
+                            let _e317 = phi_554_;
+                            let _e319 = (1f + (0.000000059604645f * 4f));
+                            let _e323 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_570_ = type_25(array<f32, 3>(_e293, _e294, _e295), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e311 * _e319) + _e323), ((_e314 * _e319) + _e323), ((_e317 * _e319) + _e323)));
                         }
+                        let _e370 = phi_570_;
+                        let _e375 = (_e370.member[0] - _e275.member[0]);
+                        let _e378 = (_e370.member[1] - _e275.member[1]);
+                        let _e381 = (_e370.member[2] - _e275.member[2]);
+                        if (_e375 < 0f) {
+                            phi_760_ = -(_e375);
+                        } else {
+                            phi_760_ = _e375;
+                        }
+                        let _e570 = phi_760_;
+                        if (_e378 < 0f) {
+                            phi_766_ = -(_e378);
+                        } else {
+                            phi_766_ = _e378;
+                        }
+                        let _e574 = phi_766_;
+                        if (_e381 < 0f) {
+                            phi_773_ = -(_e381);
+                        } else {
+                            phi_773_ = _e381;
+                        }
+                        let _e579 = phi_773_;
+                        if (_e275.member_2[0] < 0f) {
+                            phi_782_ = -(_e275.member_2[0]);
+                        } else {
+                            phi_782_ = _e275.member_2[0];
+                        }
+                        let _e586 = phi_782_;
+                        if (_e275.member_2[1] < 0f) {
+                            phi_789_ = -(_e275.member_2[1]);
+                        } else {
+                            phi_789_ = _e275.member_2[1];
+                        }
+                        let _e591 = phi_789_;
+                        if (_e275.member_2[2] < 0f) {
+                            phi_797_ = -(_e275.member_2[2]);
+                        } else {
+                            phi_797_ = _e275.member_2[2];
+                        }
+                        let _e597 = phi_797_;
+                        if (_e370.member_2[0] < 0f) {
+                            phi_806_ = -(_e370.member_2[0]);
+                        } else {
+                            phi_806_ = _e370.member_2[0];
+                        }
+                        let _e604 = phi_806_;
+                        if (_e370.member_2[1] < 0f) {
+                            phi_813_ = -(_e370.member_2[1]);
+                        } else {
+                            phi_813_ = _e370.member_2[1];
+                        }
+                        let _e609 = phi_813_;
+                        if (_e370.member_2[2] < 0f) {
+                            phi_821_ = -(_e370.member_2[2]);
+                        } else {
+                            phi_821_ = _e370.member_2[2];
+                        }
+                        let _e615 = phi_821_;
+                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[0][0]) + (_e370.member_1[0][1] * _e275.member_1[0][1])) + (_e370.member_1[0][2] * _e275.member_1[0][2])), (((_e370.member_1[1][0] * _e275.member_1[0][0]) + (_e370.member_1[1][1] * _e275.member_1[0][1])) + (_e370.member_1[1][2] * _e275.member_1[0][2])), (((_e370.member_1[2][0] * _e275.member_1[0][0]) + (_e370.member_1[2][1] * _e275.member_1[0][1])) + (_e370.member_1[2][2] * _e275.member_1[0][2]))), array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[1][0]) + (_e370.member_1[0][1] * _e275.member_1[1][1])) + (_e370.member_1[0][2] * _e275.member_1[1][2])), (((_e370.member_1[1][0] * _e275.member_1[1][0]) + (_e370.member_1[1][1] * _e275.member_1[1][1])) + (_e370.member_1[1][2] * _e275.member_1[1][2])), (((_e370.member_1[2][0] * _e275.member_1[1][0]) + (_e370.member_1[2][1] * _e275.member_1[1][1])) + (_e370.member_1[2][2] * _e275.member_1[1][2]))), array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[2][0]) + (_e370.member_1[0][1] * _e275.member_1[2][1])) + (_e370.member_1[0][2] * _e275.member_1[2][2])), (((_e370.member_1[1][0] * _e275.member_1[2][0]) + (_e370.member_1[1][1] * _e275.member_1[2][1])) + (_e370.member_1[1][2] * _e275.member_1[2][2])), (((_e370.member_1[2][0] * _e275.member_1[2][0]) + (_e370.member_1[2][1] * _e275.member_1[2][1])) + (_e370.member_1[2][2] * _e275.member_1[2][2])))), array<f32, 3>((((_e275.member_1[0][0] * _e375) + (_e275.member_1[0][1] * _e378)) + (_e275.member_1[0][2] * _e381)), (((_e275.member_1[1][0] * _e375) + (_e275.member_1[1][1] * _e378)) + (_e275.member_1[1][2] * _e381)), (((_e275.member_1[2][0] * _e375) + (_e275.member_1[2][1] * _e378)) + (_e275.member_1[2][2] * _e381))), array<f32, 3>((((_e370.member_1[0][0] * _e375) + (_e370.member_1[0][1] * _e378)) + (_e370.member_1[0][2] * _e381)), (((_e370.member_1[1][0] * _e375) + (_e370.member_1[1][1] * _e378)) + (_e370.member_1[1][2] * _e381)), (((_e370.member_1[2][0] * _e375) + (_e370.member_1[2][1] * _e378)) + (_e370.member_1[2][2] * _e381))), array<f32, 3>(_e275.member_2[0], _e275.member_2[1], _e275.member_2[2]), array<f32, 3>(_e370.member_2[0], _e370.member_2[1], _e370.member_2[2]), ((((((_e570 + _e574) + _e579) + (((_e586 + _e591) + _e597) + ((_e604 + _e609) + _e615))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                        let _e642 = local.member[0u][0u];
+                        let _e646 = local.member[0u][1u];
+                        let _e650 = local.member[0u][2u];
+                        let _e654 = local.member[1u][0u];
+                        let _e658 = local.member[1u][1u];
+                        let _e662 = local.member[1u][2u];
+                        let _e666 = local.member[2u][0u];
+                        let _e670 = local.member[2u][1u];
+                        let _e674 = local.member[2u][2u];
+                        let _e676 = local.member_3;
+                        let _e681 = local.member_4;
+                        let _e687 = local.member_1[0u];
+                        if (_e687 < 0f) {
+                            phi_914_ = -(_e687);
+                        } else {
+                            phi_914_ = _e687;
+                        }
+                        let _e691 = phi_914_;
+                        if (_e642 < 0f) {
+                            phi_921_ = -(_e642);
+                        } else {
+                            phi_921_ = _e642;
+                        }
+                        let _e695 = phi_921_;
+                        if (_e646 < 0f) {
+                            phi_927_ = -(_e646);
+                        } else {
+                            phi_927_ = _e646;
+                        }
+                        let _e699 = phi_927_;
+                        if (_e650 < 0f) {
+                            phi_933_ = -(_e650);
+                        } else {
+                            phi_933_ = _e650;
+                        }
+                        let _e703 = phi_933_;
+                        let _e710 = (_e691 - (_e676[0] + (((_e695 * _e681[0]) + (_e699 * _e681[1])) + (_e703 * _e681[2]))));
+                        let _e713 = local.member_1[1u];
+                        if (_e713 < 0f) {
+                            phi_952_ = -(_e713);
+                        } else {
+                            phi_952_ = _e713;
+                        }
+                        let _e717 = phi_952_;
+                        if (_e654 < 0f) {
+                            phi_959_ = -(_e654);
+                        } else {
+                            phi_959_ = _e654;
+                        }
+                        let _e721 = phi_959_;
+                        if (_e658 < 0f) {
+                            phi_965_ = -(_e658);
+                        } else {
+                            phi_965_ = _e658;
+                        }
+                        let _e725 = phi_965_;
+                        if (_e662 < 0f) {
+                            phi_971_ = -(_e662);
+                        } else {
+                            phi_971_ = _e662;
+                        }
+                        let _e729 = phi_971_;
+                        let _e736 = (_e717 - (_e676[1] + (((_e721 * _e681[0]) + (_e725 * _e681[1])) + (_e729 * _e681[2]))));
+                        let _e739 = local.member_1[2u];
+                        if (_e739 < 0f) {
+                            phi_990_ = -(_e739);
+                        } else {
+                            phi_990_ = _e739;
+                        }
+                        let _e743 = phi_990_;
+                        if (_e666 < 0f) {
+                            phi_997_ = -(_e666);
+                        } else {
+                            phi_997_ = _e666;
+                        }
+                        let _e747 = phi_997_;
+                        if (_e670 < 0f) {
+                            phi_1003_ = -(_e670);
+                        } else {
+                            phi_1003_ = _e670;
+                        }
+                        let _e751 = phi_1003_;
+                        if (_e674 < 0f) {
+                            phi_1009_ = -(_e674);
+                        } else {
+                            phi_1009_ = _e674;
+                        }
+                        let _e755 = phi_1009_;
+                        let _e762 = (_e743 - (_e676[2] + (((_e747 * _e681[0]) + (_e751 * _e681[1])) + (_e755 * _e681[2]))));
+                        let _e765 = local.member_2[0u];
+                        if (_e765 < 0f) {
+                            phi_1028_ = -(_e765);
+                        } else {
+                            phi_1028_ = _e765;
+                        }
+                        let _e769 = phi_1028_;
+                        if (_e642 < 0f) {
+                            phi_1035_ = -(_e642);
+                        } else {
+                            phi_1035_ = _e642;
+                        }
+                        let _e773 = phi_1035_;
+                        if (_e654 < 0f) {
+                            phi_1041_ = -(_e654);
+                        } else {
+                            phi_1041_ = _e654;
+                        }
+                        let _e777 = phi_1041_;
+                        if (_e666 < 0f) {
+                            phi_1047_ = -(_e666);
+                        } else {
+                            phi_1047_ = _e666;
+                        }
+                        let _e781 = phi_1047_;
+                        let _e788 = (_e769 - (_e681[0] + (((_e773 * _e676[0]) + (_e777 * _e676[1])) + (_e781 * _e676[2]))));
+                        let _e791 = local.member_2[1u];
+                        if (_e791 < 0f) {
+                            phi_1066_ = -(_e791);
+                        } else {
+                            phi_1066_ = _e791;
+                        }
+                        let _e795 = phi_1066_;
+                        if (_e646 < 0f) {
+                            phi_1073_ = -(_e646);
+                        } else {
+                            phi_1073_ = _e646;
+                        }
+                        let _e799 = phi_1073_;
+                        if (_e658 < 0f) {
+                            phi_1079_ = -(_e658);
+                        } else {
+                            phi_1079_ = _e658;
+                        }
+                        let _e803 = phi_1079_;
+                        if (_e670 < 0f) {
+                            phi_1085_ = -(_e670);
+                        } else {
+                            phi_1085_ = _e670;
+                        }
+                        let _e807 = phi_1085_;
+                        let _e814 = (_e795 - (_e681[1] + (((_e799 * _e676[0]) + (_e803 * _e676[1])) + (_e807 * _e676[2]))));
+                        let _e817 = local.member_2[2u];
+                        if (_e817 < 0f) {
+                            phi_1104_ = -(_e817);
+                        } else {
+                            phi_1104_ = _e817;
+                        }
+                        let _e821 = phi_1104_;
+                        if (_e650 < 0f) {
+                            phi_1111_ = -(_e650);
+                        } else {
+                            phi_1111_ = _e650;
+                        }
+                        let _e825 = phi_1111_;
+                        if (_e662 < 0f) {
+                            phi_1117_ = -(_e662);
+                        } else {
+                            phi_1117_ = _e662;
+                        }
+                        let _e829 = phi_1117_;
+                        if (_e674 < 0f) {
+                            phi_1123_ = -(_e674);
+                        } else {
+                            phi_1123_ = _e674;
+                        }
+                        let _e833 = phi_1123_;
+                        let _e840 = (_e821 - (_e681[2] + (((_e825 * _e676[0]) + (_e829 * _e676[1])) + (_e833 * _e676[2]))));
+                        if (_e710 > _e736) {
+                            phi_1138_ = _e710;
+                        } else {
+                            phi_1138_ = _e736;
+                        }
+                        let _e843 = phi_1138_;
+                        if (_e843 > _e762) {
+                            phi_1143_ = _e843;
+                        } else {
+                            phi_1143_ = _e762;
+                        }
+                        let _e846 = phi_1143_;
+                        if (_e788 > _e814) {
+                            phi_1148_ = _e788;
+                        } else {
+                            phi_1148_ = _e814;
+                        }
+                        let _e849 = phi_1148_;
+                        if (_e849 > _e840) {
+                            phi_1153_ = _e849;
+                        } else {
+                            phi_1153_ = _e840;
+                        }
+                        let _e852 = phi_1153_;
+                        if (_e846 > _e852) {
+                            phi_1158_ = _e846;
+                        } else {
+                            phi_1158_ = _e852;
+                        }
+                        let _e855 = phi_1158_;
+                        let _e857 = local.member_5;
+                        if (_e855 > _e857) {
+                            phi_2471_ = true;
+                        } else {
+                            let _e862 = local.member[1u][0u];
+                            let _e865 = local.member_1[2u];
+                            let _e870 = local.member[2u][0u];
+                            let _e873 = local.member_1[1u];
+                            let _e875 = ((_e862 * _e865) - (_e870 * _e873));
+                            let _e879 = local.member[2u][0u];
+                            if (_e879 < 0f) {
+                                phi_1217_ = -(_e879);
+                            } else {
+                                phi_1217_ = _e879;
+                            }
+                            let _e883 = phi_1217_;
+                            let _e886 = local.member_3[1u];
+                            let _e891 = local.member[1u][0u];
+                            if (_e891 < 0f) {
+                                phi_1240_ = -(_e891);
+                            } else {
+                                phi_1240_ = _e891;
+                            }
+                            let _e895 = phi_1240_;
+                            let _e898 = local.member_3[2u];
+                            let _e904 = local.member[0u][2u];
+                            if (_e904 < 0f) {
+                                phi_1263_ = -(_e904);
+                            } else {
+                                phi_1263_ = _e904;
+                            }
+                            let _e908 = phi_1263_;
+                            let _e911 = local.member_4[1u];
+                            let _e916 = local.member[0u][1u];
+                            if (_e916 < 0f) {
+                                phi_1285_ = -(_e916);
+                            } else {
+                                phi_1285_ = _e916;
+                            }
+                            let _e920 = phi_1285_;
+                            let _e923 = local.member_4[2u];
+                            if (_e875 < 0f) {
+                                phi_1301_ = -(_e875);
+                            } else {
+                                phi_1301_ = _e875;
+                            }
+                            let _e929 = phi_1301_;
+                            let _e931 = (_e929 - (((_e883 * _e886) + (_e895 * _e898)) + ((_e908 * _e911) + (_e920 * _e923))));
+                            let _e935 = local.member[1u][1u];
+                            let _e938 = local.member_1[2u];
+                            let _e943 = local.member[2u][1u];
+                            let _e946 = local.member_1[1u];
+                            let _e948 = ((_e935 * _e938) - (_e943 * _e946));
+                            let _e952 = local.member[2u][1u];
+                            if (_e952 < 0f) {
+                                phi_1356_ = -(_e952);
+                            } else {
+                                phi_1356_ = _e952;
+                            }
+                            let _e956 = phi_1356_;
+                            let _e959 = local.member_3[1u];
+                            let _e964 = local.member[1u][1u];
+                            if (_e964 < 0f) {
+                                phi_1379_ = -(_e964);
+                            } else {
+                                phi_1379_ = _e964;
+                            }
+                            let _e968 = phi_1379_;
+                            let _e971 = local.member_3[2u];
+                            let _e977 = local.member[0u][0u];
+                            if (_e977 < 0f) {
+                                phi_1402_ = -(_e977);
+                            } else {
+                                phi_1402_ = _e977;
+                            }
+                            let _e981 = phi_1402_;
+                            let _e984 = local.member_4[2u];
+                            let _e989 = local.member[0u][2u];
+                            if (_e989 < 0f) {
+                                phi_1424_ = -(_e989);
+                            } else {
+                                phi_1424_ = _e989;
+                            }
+                            let _e993 = phi_1424_;
+                            let _e996 = local.member_4[0u];
+                            if (_e948 < 0f) {
+                                phi_1440_ = -(_e948);
+                            } else {
+                                phi_1440_ = _e948;
+                            }
+                            let _e1002 = phi_1440_;
+                            let _e1004 = (_e1002 - (((_e956 * _e959) + (_e968 * _e971)) + ((_e981 * _e984) + (_e993 * _e996))));
+                            let _e1008 = local.member[1u][2u];
+                            let _e1011 = local.member_1[2u];
+                            let _e1016 = local.member[2u][2u];
+                            let _e1019 = local.member_1[1u];
+                            let _e1021 = ((_e1008 * _e1011) - (_e1016 * _e1019));
+                            let _e1025 = local.member[2u][2u];
+                            if (_e1025 < 0f) {
+                                phi_1495_ = -(_e1025);
+                            } else {
+                                phi_1495_ = _e1025;
+                            }
+                            let _e1029 = phi_1495_;
+                            let _e1032 = local.member_3[1u];
+                            let _e1037 = local.member[1u][2u];
+                            if (_e1037 < 0f) {
+                                phi_1518_ = -(_e1037);
+                            } else {
+                                phi_1518_ = _e1037;
+                            }
+                            let _e1041 = phi_1518_;
+                            let _e1044 = local.member_3[2u];
+                            let _e1050 = local.member[0u][1u];
+                            if (_e1050 < 0f) {
+                                phi_1541_ = -(_e1050);
+                            } else {
+                                phi_1541_ = _e1050;
+                            }
+                            let _e1054 = phi_1541_;
+                            let _e1057 = local.member_4[0u];
+                            let _e1062 = local.member[0u][0u];
+                            if (_e1062 < 0f) {
+                                phi_1563_ = -(_e1062);
+                            } else {
+                                phi_1563_ = _e1062;
+                            }
+                            let _e1066 = phi_1563_;
+                            let _e1069 = local.member_4[1u];
+                            if (_e1021 < 0f) {
+                                phi_1579_ = -(_e1021);
+                            } else {
+                                phi_1579_ = _e1021;
+                            }
+                            let _e1075 = phi_1579_;
+                            let _e1077 = (_e1075 - (((_e1029 * _e1032) + (_e1041 * _e1044)) + ((_e1054 * _e1057) + (_e1066 * _e1069))));
+                            let _e1081 = local.member[2u][0u];
+                            let _e1084 = local.member_1[0u];
+                            let _e1089 = local.member[0u][0u];
+                            let _e1092 = local.member_1[2u];
+                            let _e1094 = ((_e1081 * _e1084) - (_e1089 * _e1092));
+                            let _e1098 = local.member[0u][0u];
+                            if (_e1098 < 0f) {
+                                phi_1634_ = -(_e1098);
+                            } else {
+                                phi_1634_ = _e1098;
+                            }
+                            let _e1102 = phi_1634_;
+                            let _e1105 = local.member_3[2u];
+                            let _e1110 = local.member[2u][0u];
+                            if (_e1110 < 0f) {
+                                phi_1657_ = -(_e1110);
+                            } else {
+                                phi_1657_ = _e1110;
+                            }
+                            let _e1114 = phi_1657_;
+                            let _e1117 = local.member_3[0u];
+                            let _e1123 = local.member[1u][2u];
+                            if (_e1123 < 0f) {
+                                phi_1681_ = -(_e1123);
+                            } else {
+                                phi_1681_ = _e1123;
+                            }
+                            let _e1127 = phi_1681_;
+                            let _e1130 = local.member_4[1u];
+                            let _e1135 = local.member[1u][1u];
+                            if (_e1135 < 0f) {
+                                phi_1704_ = -(_e1135);
+                            } else {
+                                phi_1704_ = _e1135;
+                            }
+                            let _e1139 = phi_1704_;
+                            let _e1142 = local.member_4[2u];
+                            if (_e1094 < 0f) {
+                                phi_1720_ = -(_e1094);
+                            } else {
+                                phi_1720_ = _e1094;
+                            }
+                            let _e1148 = phi_1720_;
+                            let _e1150 = (_e1148 - (((_e1102 * _e1105) + (_e1114 * _e1117)) + ((_e1127 * _e1130) + (_e1139 * _e1142))));
+                            let _e1154 = local.member[2u][1u];
+                            let _e1157 = local.member_1[0u];
+                            let _e1162 = local.member[0u][1u];
+                            let _e1165 = local.member_1[2u];
+                            let _e1167 = ((_e1154 * _e1157) - (_e1162 * _e1165));
+                            let _e1171 = local.member[0u][1u];
+                            if (_e1171 < 0f) {
+                                phi_1775_ = -(_e1171);
+                            } else {
+                                phi_1775_ = _e1171;
+                            }
+                            let _e1175 = phi_1775_;
+                            let _e1178 = local.member_3[2u];
+                            let _e1183 = local.member[2u][1u];
+                            if (_e1183 < 0f) {
+                                phi_1798_ = -(_e1183);
+                            } else {
+                                phi_1798_ = _e1183;
+                            }
+                            let _e1187 = phi_1798_;
+                            let _e1190 = local.member_3[0u];
+                            let _e1196 = local.member[1u][0u];
+                            if (_e1196 < 0f) {
+                                phi_1822_ = -(_e1196);
+                            } else {
+                                phi_1822_ = _e1196;
+                            }
+                            let _e1200 = phi_1822_;
+                            let _e1203 = local.member_4[2u];
+                            let _e1208 = local.member[1u][2u];
+                            if (_e1208 < 0f) {
+                                phi_1845_ = -(_e1208);
+                            } else {
+                                phi_1845_ = _e1208;
+                            }
+                            let _e1212 = phi_1845_;
+                            let _e1215 = local.member_4[0u];
+                            if (_e1167 < 0f) {
+                                phi_1861_ = -(_e1167);
+                            } else {
+                                phi_1861_ = _e1167;
+                            }
+                            let _e1221 = phi_1861_;
+                            let _e1223 = (_e1221 - (((_e1175 * _e1178) + (_e1187 * _e1190)) + ((_e1200 * _e1203) + (_e1212 * _e1215))));
+                            let _e1227 = local.member[2u][2u];
+                            let _e1230 = local.member_1[0u];
+                            let _e1235 = local.member[0u][2u];
+                            let _e1238 = local.member_1[2u];
+                            let _e1240 = ((_e1227 * _e1230) - (_e1235 * _e1238));
+                            let _e1244 = local.member[0u][2u];
+                            if (_e1244 < 0f) {
+                                phi_1916_ = -(_e1244);
+                            } else {
+                                phi_1916_ = _e1244;
+                            }
+                            let _e1248 = phi_1916_;
+                            let _e1251 = local.member_3[2u];
+                            let _e1256 = local.member[2u][2u];
+                            if (_e1256 < 0f) {
+                                phi_1939_ = -(_e1256);
+                            } else {
+                                phi_1939_ = _e1256;
+                            }
+                            let _e1260 = phi_1939_;
+                            let _e1263 = local.member_3[0u];
+                            let _e1269 = local.member[1u][1u];
+                            if (_e1269 < 0f) {
+                                phi_1963_ = -(_e1269);
+                            } else {
+                                phi_1963_ = _e1269;
+                            }
+                            let _e1273 = phi_1963_;
+                            let _e1276 = local.member_4[0u];
+                            let _e1281 = local.member[1u][0u];
+                            if (_e1281 < 0f) {
+                                phi_1986_ = -(_e1281);
+                            } else {
+                                phi_1986_ = _e1281;
+                            }
+                            let _e1285 = phi_1986_;
+                            let _e1288 = local.member_4[1u];
+                            if (_e1240 < 0f) {
+                                phi_2002_ = -(_e1240);
+                            } else {
+                                phi_2002_ = _e1240;
+                            }
+                            let _e1294 = phi_2002_;
+                            let _e1296 = (_e1294 - (((_e1248 * _e1251) + (_e1260 * _e1263)) + ((_e1273 * _e1276) + (_e1285 * _e1288))));
+                            let _e1300 = local.member[0u][0u];
+                            let _e1303 = local.member_1[1u];
+                            let _e1308 = local.member[1u][0u];
+                            let _e1311 = local.member_1[0u];
+                            let _e1313 = ((_e1300 * _e1303) - (_e1308 * _e1311));
+                            let _e1317 = local.member[1u][0u];
+                            if (_e1317 < 0f) {
+                                phi_2057_ = -(_e1317);
+                            } else {
+                                phi_2057_ = _e1317;
+                            }
+                            let _e1321 = phi_2057_;
+                            let _e1324 = local.member_3[0u];
+                            let _e1329 = local.member[0u][0u];
+                            if (_e1329 < 0f) {
+                                phi_2080_ = -(_e1329);
+                            } else {
+                                phi_2080_ = _e1329;
+                            }
+                            let _e1333 = phi_2080_;
+                            let _e1336 = local.member_3[1u];
+                            let _e1342 = local.member[2u][2u];
+                            if (_e1342 < 0f) {
+                                phi_2104_ = -(_e1342);
+                            } else {
+                                phi_2104_ = _e1342;
+                            }
+                            let _e1346 = phi_2104_;
+                            let _e1349 = local.member_4[1u];
+                            let _e1354 = local.member[2u][1u];
+                            if (_e1354 < 0f) {
+                                phi_2127_ = -(_e1354);
+                            } else {
+                                phi_2127_ = _e1354;
+                            }
+                            let _e1358 = phi_2127_;
+                            let _e1361 = local.member_4[2u];
+                            if (_e1313 < 0f) {
+                                phi_2143_ = -(_e1313);
+                            } else {
+                                phi_2143_ = _e1313;
+                            }
+                            let _e1367 = phi_2143_;
+                            let _e1369 = (_e1367 - (((_e1321 * _e1324) + (_e1333 * _e1336)) + ((_e1346 * _e1349) + (_e1358 * _e1361))));
+                            let _e1373 = local.member[0u][1u];
+                            let _e1376 = local.member_1[1u];
+                            let _e1381 = local.member[1u][1u];
+                            let _e1384 = local.member_1[0u];
+                            let _e1386 = ((_e1373 * _e1376) - (_e1381 * _e1384));
+                            let _e1390 = local.member[1u][1u];
+                            if (_e1390 < 0f) {
+                                phi_2198_ = -(_e1390);
+                            } else {
+                                phi_2198_ = _e1390;
+                            }
+                            let _e1394 = phi_2198_;
+                            let _e1397 = local.member_3[0u];
+                            let _e1402 = local.member[0u][1u];
+                            if (_e1402 < 0f) {
+                                phi_2221_ = -(_e1402);
+                            } else {
+                                phi_2221_ = _e1402;
+                            }
+                            let _e1406 = phi_2221_;
+                            let _e1409 = local.member_3[1u];
+                            let _e1415 = local.member[2u][0u];
+                            if (_e1415 < 0f) {
+                                phi_2245_ = -(_e1415);
+                            } else {
+                                phi_2245_ = _e1415;
+                            }
+                            let _e1419 = phi_2245_;
+                            let _e1422 = local.member_4[2u];
+                            let _e1427 = local.member[2u][2u];
+                            if (_e1427 < 0f) {
+                                phi_2268_ = -(_e1427);
+                            } else {
+                                phi_2268_ = _e1427;
+                            }
+                            let _e1431 = phi_2268_;
+                            let _e1434 = local.member_4[0u];
+                            if (_e1386 < 0f) {
+                                phi_2284_ = -(_e1386);
+                            } else {
+                                phi_2284_ = _e1386;
+                            }
+                            let _e1440 = phi_2284_;
+                            let _e1442 = (_e1440 - (((_e1394 * _e1397) + (_e1406 * _e1409)) + ((_e1419 * _e1422) + (_e1431 * _e1434))));
+                            let _e1446 = local.member[0u][2u];
+                            let _e1449 = local.member_1[1u];
+                            let _e1454 = local.member[1u][2u];
+                            let _e1457 = local.member_1[0u];
+                            let _e1459 = ((_e1446 * _e1449) - (_e1454 * _e1457));
+                            let _e1463 = local.member[1u][2u];
+                            if (_e1463 < 0f) {
+                                phi_2339_ = -(_e1463);
+                            } else {
+                                phi_2339_ = _e1463;
+                            }
+                            let _e1467 = phi_2339_;
+                            let _e1470 = local.member_3[0u];
+                            let _e1475 = local.member[0u][2u];
+                            if (_e1475 < 0f) {
+                                phi_2362_ = -(_e1475);
+                            } else {
+                                phi_2362_ = _e1475;
+                            }
+                            let _e1479 = phi_2362_;
+                            let _e1482 = local.member_3[1u];
+                            let _e1488 = local.member[2u][1u];
+                            if (_e1488 < 0f) {
+                                phi_2386_ = -(_e1488);
+                            } else {
+                                phi_2386_ = _e1488;
+                            }
+                            let _e1492 = phi_2386_;
+                            let _e1495 = local.member_4[0u];
+                            let _e1500 = local.member[2u][0u];
+                            if (_e1500 < 0f) {
+                                phi_2409_ = -(_e1500);
+                            } else {
+                                phi_2409_ = _e1500;
+                            }
+                            let _e1504 = phi_2409_;
+                            let _e1507 = local.member_4[1u];
+                            if (_e1459 < 0f) {
+                                phi_2425_ = -(_e1459);
+                            } else {
+                                phi_2425_ = _e1459;
+                            }
+                            let _e1513 = phi_2425_;
+                            let _e1515 = (_e1513 - (((_e1467 * _e1470) + (_e1479 * _e1482)) + ((_e1492 * _e1495) + (_e1504 * _e1507))));
+                            if (_e931 > _e1004) {
+                                phi_2432_ = _e931;
+                            } else {
+                                phi_2432_ = _e1004;
+                            }
+                            let _e1518 = phi_2432_;
+                            if (_e1518 > _e1077) {
+                                phi_2437_ = _e1518;
+                            } else {
+                                phi_2437_ = _e1077;
+                            }
+                            let _e1521 = phi_2437_;
+                            if (_e1150 > _e1223) {
+                                phi_2442_ = _e1150;
+                            } else {
+                                phi_2442_ = _e1223;
+                            }
+                            let _e1524 = phi_2442_;
+                            if (_e1524 > _e1296) {
+                                phi_2447_ = _e1524;
+                            } else {
+                                phi_2447_ = _e1296;
+                            }
+                            let _e1527 = phi_2447_;
+                            if (_e1521 > _e1527) {
+                                phi_2452_ = _e1521;
+                            } else {
+                                phi_2452_ = _e1527;
+                            }
+                            let _e1530 = phi_2452_;
+                            if (_e1369 > _e1442) {
+                                phi_2457_ = _e1369;
+                            } else {
+                                phi_2457_ = _e1442;
+                            }
+                            let _e1533 = phi_2457_;
+                            if (_e1533 > _e1515) {
+                                phi_2462_ = _e1533;
+                            } else {
+                                phi_2462_ = _e1515;
+                            }
+                            let _e1536 = phi_2462_;
+                            if (_e1530 > _e1536) {
+                                phi_2467_ = _e1530;
+                            } else {
+                                phi_2467_ = _e1536;
+                            }
+                            let _e1539 = phi_2467_;
+                            let _e1541 = local.member_5;
+                            phi_2471_ = (_e1539 > _e1541);
+                        }
+                        let _e1544 = phi_2471_;
+                        phi_2473_ = !(_e1544);
+                        phi_2474_ = false;
+                    } else {
+                        phi_2473_ = bool();
+                        phi_2474_ = true;
+                    }
+                    let _e1547 = phi_2473_;
+                    let _e1549 = phi_2474_;
+                    phi_2475_ = _e1547;
+                    phi_2476_ = _e1549;
+                }
+                let _e1551 = phi_2475_;
+                let _e1553 = phi_2476_;
+                if _e1553 {
+                    phi_2480_ = true;
+                } else {
+                    phi_2480_ = _e1551;
+                }
+                let _e1555 = phi_2480_;
+                phi_2481_ = _e1555;
+            } else {
+                phi_2481_ = false;
+            }
+            let _e1557 = phi_2481_;
+            if _e1557 {
+                let _e1585 = atomicAdd((&control.member[0u]), 1u);
+                let _e1588 = atomicMax((&output.member[0u]), (_e1585 + 1u));
+                if ((_e1585 + 1u) < _e1585) {
+                    let _e1592 = atomicAdd((&output.member[2u]), 1u);
+                }
+                let _e1595 = params.member.member_2.member_3;
+                if (_e1585 < _e1595) {
+                    let _e1599 = (2u * _e1585);
+                    atomicStore((&output.member[(4u + _e1599)]), _e93[0]);
+                    atomicStore((&output.member[(_e1599 + 5u)]), _e93[1]);
+                }
+            } else {
+                let _e1560 = params.member.member_2.member_4;
+                if (_e1560 > 0u) {
+                    let _e1563 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e1563 + 1u) < _e1563) {
+                        let _e1567 = atomicAdd((&control.member[1538u]), 1u);
+                    }
+                    let _e1570 = params.member.member_2.member_4;
+                    if (_e1563 < _e1570) {
+                        let _e1573 = params.member.member_2.member_5;
+                        let _e1575 = params.member.member_2.member_4;
+                        let _e1578 = (2u * ((_e1573 * _e1575) + _e1563));
+                        front.member[_e1578] = _e93[0];
+                        front.member[(_e1578 + 1u)] = _e93[1];
                     }
                 }
             }

@@ -99,10 +99,10 @@ var<storage> boxes: type_20;
 var<storage> order: type_13;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
-@group(0) @binding(4) 
-var<storage> oriented: type_32;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_35;
+@group(0) @binding(4) 
+var<storage> oriented: type_32;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_28;

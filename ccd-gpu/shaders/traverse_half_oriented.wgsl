@@ -107,10 +107,10 @@ var<storage> order: type_11;
 var<storage> nodes: type_25;
 @group(0) @binding(1) 
 var<storage> leaves: type_22;
-@group(0) @binding(4) 
-var<storage> oriented: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_37;
+@group(0) @binding(4) 
+var<storage> oriented: type_34;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_30;

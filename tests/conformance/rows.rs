@@ -96,7 +96,7 @@ pub fn schedulings(
         },
     ];
     let (native, chosen) = (place != WGSL, !emulated || FEW.contains(&scene));
-    let here = methods.into_iter().filter(move |method| native || !is_oriented(method));
+    let here = methods.into_iter().filter(move |method| native || !is_oriented(*method));
     here.filter(move |_| chosen && !matches!(source, Source::Real(_)))
         .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
         .filter(move |&(method, s)| backend == "cpu" || gpu::check_scheduling(method, s).is_ok())

@@ -2,7 +2,7 @@
 //! candidates are those of the CPU's default.
 
 use ccd::gpu::{Device, Path, Session};
-use ccd::scenes::{Sequence, cloth_on_ball, interpenetrating, n_body};
+use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating};
 use ccd::{
     BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
     Traversal, TreeOptions, Volume,
@@ -15,7 +15,9 @@ pub const TESTS: crate::Tests = &[
 ];
 
 fn tree(volume: Volume) -> TreeOptions {
-    TreeOptions::default().traversal(Traversal::CUT).volume(volume)
+    // A cut that is small for these scenes, so that there is something below it.
+    let cut = Traversal::Cut { nodes: 24, descent: Descent::Larger };
+    TreeOptions::default().traversal(cut).volume(volume)
 }
 
 fn session(
@@ -63,8 +65,8 @@ fn run(
 fn check_sequences(device: &Device) {
     let scenes = [
         ("interpenetrating", interpenetrating(64), 6),
-        ("n-body", n_body(12, 3), 8),
-        ("cloth on ball", cloth_on_ball(12), 8),
+        ("funnel", funnel(10), 6),
+        ("cloth on ball", cloth_on_ball(12), 6),
     ];
     let volumes = match device.info().path {
         Path::Passthrough => &[Volume::Aabb, Volume::Obb][..],
@@ -84,7 +86,9 @@ fn check_sequences(device: &Device) {
                 let counts = session.worker_counts().expect("counts of workers");
                 let busy = counts.iter().filter(|count| count.expanded > 0).count();
                 let by_level = scheduling.scheduler == Some(Scheduler::Frontier) && !has_front;
-                assert_eq!(busy == 0, by_level, "{what}: {busy} workers had work");
+                // With a front there may be nothing to expand.
+                let fine = if by_level { busy == 0 } else { has_front || busy > 0 };
+                assert!(fine, "{what}: {busy} workers had work");
                 let all = |c: &ccd::gpu::WorkerCounts| {
                     c.expanded <= c.turns * ccd::gpu::WorkerCounts::THREADS
                 };
@@ -97,7 +101,7 @@ fn check_sequences(device: &Device) {
 /// Fronts that may hardly grow, that must change, or that have no memory; lists that are made short
 /// in the middle.
 fn check_given_up(device: &Device) {
-    let scene = n_body(12, 3);
+    let scene = interpenetrating(64);
     let (frames, want) = steps(&scene, 8);
     let on = FrontOptions::default();
     let kept = |options: FrontOptions, short: bool| {

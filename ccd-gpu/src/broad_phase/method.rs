@@ -21,7 +21,8 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     }
 }
 
-/// Refuses a way to share out work that the method or this backend does not have.
+/// Refuses a way to share out pairs of nodes that the method or this backend does not have, with the
+/// reason.
 pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
     choice.check(method)?;
     if let Some(name) = choice.lacking("gpu") {

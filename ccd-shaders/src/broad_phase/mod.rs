@@ -15,3 +15,4 @@ pub mod pair_workers;
 pub mod ploc;
 pub mod radix_tree;
 pub mod split_lists;
+mod worker;

@@ -86,7 +86,7 @@ pub fn new(device: &Device, choice: Scheduling, n: u32) -> Result<Box<dyn Schedu
         Scheduler::Frontier => Rule::FRONTIER,
         Scheduler::Static => Rule::STATIC,
         Scheduler::SelfScheduling => Rule::SELF_SCHEDULING,
-        Scheduler::Balanced { idle } => Rule { idle, ..Rule::STATIC },
+        Scheduler::Balanced { idle } => Rule { idle, ..Rule::BALANCED },
         other => {
             let name = other.row().name;
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());

@@ -54,6 +54,8 @@ impl Rule {
         turns: 4096,
         rounds: 8,
     };
+    /// The same, in more rounds, with `idle` as it was chosen.
+    pub const BALANCED: Self = Self { rounds: 16, ..Self::STATIC };
     /// Workers take the next tasks from a counter.
     pub const SELF_SCHEDULING: Self = Self { tasks: NodeDescent::TASKS_COUNTED, ..Self::STATIC };
     /// Nothing stays on a stack, so that a round is a level.
