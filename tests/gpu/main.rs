@@ -12,6 +12,7 @@ mod emulated;
 mod failures;
 mod grazing;
 mod intervals;
+mod kept_order;
 mod kernels;
 mod listed;
 mod oriented;
@@ -103,6 +104,7 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            kept_order::TESTS,
             listed::TESTS,
             triangles::TESTS,
             intervals::TESTS,
@@ -122,7 +124,9 @@ fn main() {
             add(&mut trials, path, name, Ok(Box::new(test)), device.clone());
         }
         let of_data = scenes::tests_of_data(&data).into_iter();
-        for (name, test) in of_data.chain([queries::test_of_data(&data)]) {
+        for (name, test) in
+            of_data.chain([kept_order::test_of_data(&data), queries::test_of_data(&data)])
+        {
             add(&mut trials, path, &name, test, device.clone());
         }
     }
