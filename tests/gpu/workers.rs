@@ -58,7 +58,7 @@ fn rules(device: &Device) -> Vec<(&'static str, NodeDescent)> {
         all.extend([
             ("stealing", steals),
             ("lazy stealing", NodeDescent { most: 2, push: 256, ..steals }),
-            ("stealing, a turn", NodeDescent { turns: 1, ..little }),
+            ("stealing, some turns", NodeDescent { turns: 9, ..little }),
             ("lazy stealing, some turns", NodeDescent { most: 1, turns: 9, ..little }),
             ("stealing, hardly a deque", little),
             ("lazy stealing, hardly a deque", NodeDescent { most: 2, ..little }),
