@@ -3,14 +3,14 @@
 //!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
-//! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of its level |
-//! | `static` ([`workers`]) | the worker's own stack | is done |
-//! | `self-scheduling` ([`workers`]) | the worker's own stack | takes the next piece of the tasks |
-//! | `balanced` ([`workers`]) | the worker's own stack | is done, until all is dealt out again |
+//! | `frontier`, [`levels`] | the list of the next level, a dispatch | takes the next of its level |
+//! | `static`, [`workers`] | the worker's own stack | is done |
+//! | `self-scheduling`, [`workers`] | the worker's own stack | takes the next piece of all tasks |
+//! | `balanced`, [`workers`] | the worker's own stack | is done, until all is dealt out again |
 //!
 //! None of them passes more than counters between workgroups inside a dispatch, so that they run
-//! wherever WebGPU does. A search is a number of rounds, recorded one after the other; the host sees
-//! whether any pair is left after the last one, and then runs a search of more rounds.
+//! wherever WebGPU does. A search is a number of rounds, recorded one after the other; the host
+//! sees whether any pair is left after the last one, and then runs a search of more rounds.
 //!
 //! docs/SCHEDULING.md compares them.
 
