@@ -17,8 +17,8 @@
 //! depends: what is on a list is read by the next dispatch.
 //!
 //! There is a power of two of workers, because a division by what is not known is a check, and a
-//! failed check would leave before a barrier. Counters of all rounds stand in one buffer, `control`,
-//! so that none is cleared between rounds.
+//! failed check would leave before a barrier. Counters of all rounds stand in one buffer,
+//! `control`, so that none is cleared between rounds.
 
 /// Threads of a worker.
 pub const THREADS: u32 = 128;

@@ -3,7 +3,7 @@
 //!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
-//! | `frontier`, [`levels`] | the list of the next level, a dispatch | takes the next of its level |
+//! | `frontier`, [`levels`] | the list of the next level | takes the next of its level |
 //! | `static`, [`workers`] | the worker's own stack | is done |
 //! | `self-scheduling`, [`workers`] | the worker's own stack | takes the next piece of all tasks |
 //! | `balanced`, [`workers`] | the worker's own stack | is done, until all is dealt out again |
