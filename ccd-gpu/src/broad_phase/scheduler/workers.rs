@@ -16,9 +16,9 @@
 //! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs again
 //! with twice as many, and then with more turns a worker.
 //!
-//! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level; but
-//! a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many were
-//! busy.
+//! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level;
+//! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
+//! were busy.
 
 use super::{Descended, Schedule};
 use crate::bind::{PairWorkers, PairWorkersOriented, StealPairs, StealPairsOriented};
