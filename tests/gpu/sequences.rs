@@ -2,7 +2,7 @@
 //! candidates are those of the CPU's default.
 
 use ccd::gpu::{Device, Path, Session};
-use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating};
+use ccd::scenes::{Sequence, interpenetrating};
 use ccd::{
     BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
     Traversal, TreeOptions, Volume,
@@ -86,11 +86,8 @@ fn check_refused(device: &Device) {
 }
 
 fn check_sequences(device: &Device) {
-    let scenes = [
-        ("interpenetrating", interpenetrating(64), 6),
-        ("funnel", funnel(10), 6),
-        ("cloth on ball", cloth_on_ball(12), 6),
-    ];
+    // Meshes of which every step has pairs that meet and pairs that separate.
+    let scenes = [("interpenetrating", interpenetrating(64), 5)];
     let volumes = match device.info().path {
         Path::Passthrough => &[Volume::Aabb, Volume::Obb][..],
         Path::Wgsl => &[Volume::Aabb],

@@ -57,8 +57,8 @@ struct Work {
     lives: u32,
 }
 
-/// What all dispatches came to: items taken from anywhere; batches popped and stolen, pushes without
-/// room, takes from stacks; dispatches.
+/// What all dispatches came to: items taken from anywhere; batches popped and stolen, pushes
+/// without room, takes from stacks; dispatches.
 #[derive(Debug, Default)]
 struct Found {
     items: u64,

@@ -17,9 +17,9 @@
 //! depends: what is on a list is read by the next dispatch.
 //!
 //! There is a power of two of workers, because a division by what is not known is a check, and a
-//! failed check would leave before a barrier. Counters of all rounds stand in one buffer, `control`,
-//! so that none is cleared between rounds; behind them stand the deques of workers that steal, which
-//! are empty between rounds: who ends drains its own.
+//! failed check would leave before a barrier. Counters of all rounds stand in one buffer,
+//! `control`, so that none is cleared between rounds; behind them stand the deques of workers that
+//! steal, which are empty between rounds: who ends drains its own.
 
 use crate::layout::NodeDescent;
 use crate::scheduling::stealing::Workers;

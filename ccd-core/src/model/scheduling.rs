@@ -259,14 +259,14 @@ impl Catalogued for Scheduler {
         Row {
             value: Self::Stealing,
             name: "stealing",
-            about: "A deque a worker; whose own is empty takes from another's; GPU: native path only",
+            about: "A deque a worker; whose own is empty takes from another's; GPU: native alone",
             source: Some("Arora 1998"),
             backends: BOTH,
         },
         Row {
             value: Self::LazyStealing,
             name: "lazy-stealing",
-            about: "Stacks and deques; batches stolen at once, fetched singly; GPU: native path only",
+            about: "Stacks and deques; batches stolen at once, fetched singly; GPU: native alone",
             source: Some("da Silva 2013"),
             backends: BOTH,
         },

@@ -20,8 +20,8 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     }
 }
 
-/// Refuses a way to share out pairs of nodes that the method or this backend does not have, with the
-/// reason.
+/// Refuses a way to share out pairs of nodes that the method or this backend does not have, and
+/// says why.
 pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
     choice.check(method)?;
     if let Some(name) = choice.lacking("gpu") {

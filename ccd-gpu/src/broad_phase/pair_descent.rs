@@ -7,8 +7,8 @@
 //!   that overlap           pairs of leaves: found
 //! ```
 //!
-//! A cut is there because one pair of roots is no work for a thousand workgroups. With a front it is
-//! made only where none is kept.
+//! A cut is there because one pair of roots is no work for a thousand workgroups. With a front it
+//! is made only where none is kept.
 
 use super::binary_tree::BinaryTree;
 use super::front::{COUNTERS, Front, Written};

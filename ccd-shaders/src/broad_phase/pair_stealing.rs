@@ -4,10 +4,10 @@
 //! pairs of a batch, and each has a hand.
 //!
 //! A turn: pairs come from the stack and from the tasks; if there is room for a batch beside them,
-//! one comes from the worker's own deque; if there are none at all, from a range that it has stolen,
-//! before or just now. What was found is put away as by any worker. Then, if the stack has many
-//! pairs, a batch of its bottom goes to the deque: these are the oldest, with most below them; what
-//! is at the top takes their place. Where the deque is full, they stay.
+//! one comes from the worker's own deque; if there are none at all, from a range that it has
+//! stolen, before or just now. What was found is put away as by any worker. Then, if the stack has
+//! many pairs, a batch of its bottom goes to the deque: these are the oldest, with most below them;
+//! what is at the top takes their place. Where the deque is full, they stay.
 //!
 //! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
 
@@ -131,8 +131,9 @@ macro_rules! kernel {
                 let (mut p, mut q) = (Child::NONE, Child::NONE);
                 let (mut r, mut s) = (Child::NONE, Child::NONE);
                 if pair[0] != NONE {
-                    let meeting = expand(rule, within, a_nodes, b_nodes, pair);
-                    let met = meeting!(within, meeting, internal, first, a_nodes, b_nodes $(, $obb)?);
+                    let near = expand(rule, within, a_nodes, b_nodes, pair);
+                    let (x, y) = (a_nodes, b_nodes);
+                    let met = meeting!(within, near, internal, first, x, y $(, $obb)?);
                     let mut all = met;
                     if own.room_front > 0 {
                         all = children(rule, within, a_nodes, b_nodes, pair);

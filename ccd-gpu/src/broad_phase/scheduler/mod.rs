@@ -3,7 +3,7 @@
 //!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
-//! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of its level |
+//! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of that |
 //! | `static` ([`workers`]) | the worker's own stack | is done |
 //! | `self-scheduling` ([`workers`]) | the worker's own stack | takes the next piece of the tasks |
 //! | `balanced` ([`workers`]) | the worker's own stack | is done, until all is dealt out again |
@@ -11,8 +11,9 @@
 //! | `lazy-stealing` ([`workers`]) | its own stack or deque | takes ranges of many others' |
 //!
 //! The first four pass nothing but counters between workgroups inside a dispatch, so that they run
-//! wherever WebGPU does. Those that steal need the native path and are refused elsewhere. A search is a number of rounds, recorded one after the other; the host sees
-//! whether any pair is left after the last one, and then runs a search of more rounds.
+//! wherever WebGPU does. Those that steal need the native path and are refused elsewhere. A search
+//! is a number of rounds, recorded one after the other; the host sees whether any pair is left
+//! after the last one, and then runs a search of more rounds.
 //!
 //! docs/SCHEDULING.md compares them.
 

@@ -2,23 +2,23 @@
 //! [`ccd_core::broad_phase::pair_workers`].
 //!
 //! ```text
-//!   round 0   worker 0  ######..         .  has ended          static: whose part is done, is done
-//!             worker 1  ############     #  expands            self-scheduling: takes the next piece
-//!             worker 2  #####...                               balanced: at so many idle ones all
-//!   round 1   worker 0  ####                                   stop, and what is left is dealt out
+//!   round 0   worker 0  ######..        .  has ended        static: whose part is done, is done
+//!             worker 1  ############    #  expands          self-scheduling: takes the next piece
+//!             worker 2  #####...                            balanced: at so many idle ones all
+//!   round 1   worker 0  ####                                stop, what is left is dealt out
 //! ```
 //!
-//! Workers that steal (`ccd_core::scheduling::stealing`) take tasks by the counter until there are no
-//! more, and then batches of each other's deques. That needs an order between workgroups, which the
-//! native path alone has. Idle workers look around a bounded number of times and retire.
+//! Workers that steal (`ccd_core::scheduling::stealing`) take tasks by the counter until there are
+//! no more, and then batches of each other's deques. That needs an order between workgroups, which
+//! the native path alone has. Idle workers look around a bounded number of times and retire.
 //!
-//! What a stack has no room for, and what a worker has that ends early, are tasks of the next round,
-//! a dispatch. There are a few rounds; if pairs are left after the last one, the search runs again
-//! with twice as many, and then with more turns a worker.
+//! What a stack has no room for, and what a worker has that ends early, are tasks of the next
+//! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs
+//! again with twice as many, and then with more turns a worker.
 //!
-//! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level; but
-//! a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many were
-//! busy.
+//! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level;
+//! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
+//! were busy.
 
 use super::{Descended, Schedule};
 use crate::bind::{PairWorkers, PairWorkersOriented, StealPairs, StealPairsOriented};
