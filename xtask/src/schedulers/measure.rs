@@ -166,7 +166,7 @@ impl Structure {
     pub fn name(self) -> &'static str {
         match self {
             Self::Tree(Volume::Aabb) => "tree",
-            Self::Tree(_) => "oriented",
+            Self::Tree(_) => "obb",
             Self::Blocks => "blocks",
         }
     }
