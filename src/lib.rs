@@ -48,7 +48,8 @@
 //! on is listed in the README; how it is done, in ARCHITECTURE.md.
 //!
 //! # Features
-//! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated scenes.
+//! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
+//! scenes.
 #![deny(unsafe_code)]
 
 pub mod any;

@@ -6,11 +6,12 @@ use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::milliseconds;
 use crate::step::candidates::{Given, Scene};
+use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
-use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Points;
@@ -29,6 +30,7 @@ pub struct Session {
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
     runs: [Vec<Run>; 2],
+    order: ContactOrder,
     report: Report,
 }
 
@@ -50,6 +52,7 @@ impl Session {
             workers: Vec::new(),
             listers: Default::default(),
             runs: Default::default(),
+            order: ContactOrder::default(),
             report: Report::default(),
         })
     }
@@ -160,7 +163,7 @@ impl Session {
     #[inline(never)]
     fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
         let mut x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, workers, report, .. } = self;
+        let Self { mesh, options, threads, prepared, method, workers, order, report, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             let start = Instant::now();
@@ -199,7 +202,10 @@ impl Session {
                 workers,
                 report,
             );
-            collect(threads, workers, report);
+            collect(workers, report);
+            let joined = Instant::now();
+            order.sort(threads, mesh, &mut report.contacts);
+            report.times.narrow += milliseconds(joined);
             report.front = method.front();
             report.times.total = milliseconds(start);
             Ok(())
@@ -309,8 +315,8 @@ fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
     report.triangles = triangles.then_some(counts);
 }
 
-/// Joins the workers' contacts in canonical order.
-fn collect(threads: &Threads, workers: &mut [Worker], report: &mut Report) {
+/// Joins the workers' contacts.
+fn collect(workers: &mut [Worker], report: &mut Report) {
     let start = Instant::now();
     let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
     report.contacts.reserve(total);
@@ -320,7 +326,6 @@ fn collect(threads: &Threads, workers: &mut [Worker], report: &mut Report) {
         worker.contacts.clear();
         worker.contacts.reserve(total + total / 8);
     }
-    threads.sort(&mut report.contacts, |c: &Contact| (c.kind, c.a, c.b));
     report.toi = least_toi(workers);
     report.undecided =
         report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;

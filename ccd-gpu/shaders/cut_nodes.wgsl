@@ -20,13 +20,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
 struct type_10 {
-    member: array<u32>,
+    member: u32,
+    member_1: u32,
 }
 
 struct type_14 {
@@ -47,6 +47,11 @@ struct type_15 {
     member_10: u32,
     member_11: u32,
     member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
 }
 
 struct type_16 {
@@ -65,20 +70,20 @@ var<storage> branches: type_14;
 var<storage> params: type_17;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage, read_write> cuts: type_10;
+var<storage, read_write> cuts: type_9;
 var<workgroup> nodes: array<u32, 1024>;
 
 fn function_(lane_1: u32) {
-    var phi_95_: type_8;
-    var phi_96_: type_8;
-    var phi_119_: type_8;
-    var phi_130_: type_8;
-    var phi_131_: type_8;
-    var phi_154_: type_8;
+    var phi_95_: type_10;
+    var phi_96_: type_10;
+    var phi_119_: type_10;
+    var phi_130_: type_10;
+    var phi_131_: type_10;
+    var phi_154_: type_10;
     var phi_219_: u32;
-    var phi_226_: type_8;
-    var phi_227_: type_8;
-    var phi_250_: type_8;
+    var phi_226_: type_10;
+    var phi_227_: type_10;
+    var phi_250_: type_10;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -97,15 +102,15 @@ fn function_(lane_1: u32) {
         atomicStore((&counters[1u]), 0u);
     }
     workgroupBarrier();
-    phi_95_ = type_8(0u, 32u);
+    phi_95_ = type_10(0u, 32u);
     loop {
         let _e42 = phi_95_;
         if (_e42.member < _e42.member_1) {
-            phi_96_ = type_8((_e42.member + 1u), _e42.member_1);
-            phi_119_ = type_8(1u, _e42.member);
+            phi_96_ = type_10((_e42.member + 1u), _e42.member_1);
+            phi_119_ = type_10(1u, _e42.member);
         } else {
             phi_96_ = _e42;
-            phi_119_ = type_8(0u, type_8().member_1);
+            phi_119_ = type_10(0u, type_10().member_1);
         }
         let _e54 = phi_96_;
         let _e56 = phi_119_;
@@ -113,15 +118,15 @@ fn function_(lane_1: u32) {
         if _e59 {
             let _e61 = atomicLoad((&counters[0u]));
             workgroupBarrier();
-            phi_130_ = type_8(0u, 4u);
+            phi_130_ = type_10(0u, 4u);
             loop {
                 let _e63 = phi_130_;
                 if (_e63.member < _e63.member_1) {
-                    phi_131_ = type_8((_e63.member + 1u), _e63.member_1);
-                    phi_154_ = type_8(1u, _e63.member);
+                    phi_131_ = type_10((_e63.member + 1u), _e63.member_1);
+                    phi_154_ = type_10(1u, _e63.member);
                 } else {
                     phi_131_ = _e63;
-                    phi_154_ = type_8(0u, type_8().member_1);
+                    phi_154_ = type_10(0u, type_10().member_1);
                 }
                 let _e75 = phi_131_;
                 let _e77 = phi_154_;
@@ -173,15 +178,15 @@ fn function_(lane_1: u32) {
         }
     }
     let _e120 = atomicLoad((&counters[0u]));
-    phi_226_ = type_8(0u, 4u);
+    phi_226_ = type_10(0u, 4u);
     loop {
         let _e122 = phi_226_;
         if (_e122.member < _e122.member_1) {
-            phi_227_ = type_8((_e122.member + 1u), _e122.member_1);
-            phi_250_ = type_8(1u, _e122.member);
+            phi_227_ = type_10((_e122.member + 1u), _e122.member_1);
+            phi_250_ = type_10(1u, _e122.member);
         } else {
             phi_227_ = _e122;
-            phi_250_ = type_8(0u, type_8().member_1);
+            phi_250_ = type_10(0u, type_10().member_1);
         }
         let _e134 = phi_227_;
         let _e136 = phi_250_;

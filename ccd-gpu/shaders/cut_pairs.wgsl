@@ -49,6 +49,11 @@ struct type_16 {
     member_10: u32,
     member_11: u32,
     member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
 }
 
 struct type_17 {

@@ -49,6 +49,11 @@ struct type_16 {
     member_10: u32,
     member_11: u32,
     member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
 }
 
 struct type_17 {
@@ -122,112 +127,124 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_338_: bool;
     var phi_350_: bool;
     var phi_351_: bool;
+    var phi_424_: f32;
+    var phi_430_: f32;
     var phi_436_: f32;
-    var phi_441_: f32;
-    var phi_446_: f32;
-    var phi_462_: type_25;
-    var phi_544_: f32;
-    var phi_549_: f32;
-    var phi_554_: f32;
-    var phi_570_: type_25;
-    var phi_760_: f32;
-    var phi_766_: f32;
-    var phi_773_: f32;
-    var phi_782_: f32;
-    var phi_789_: f32;
-    var phi_797_: f32;
-    var phi_806_: f32;
-    var phi_813_: f32;
-    var phi_821_: f32;
-    var phi_914_: f32;
-    var phi_921_: f32;
-    var phi_927_: f32;
-    var phi_933_: f32;
-    var phi_952_: f32;
-    var phi_959_: f32;
-    var phi_965_: f32;
-    var phi_971_: f32;
-    var phi_990_: f32;
-    var phi_997_: f32;
-    var phi_1003_: f32;
-    var phi_1009_: f32;
-    var phi_1028_: f32;
-    var phi_1035_: f32;
-    var phi_1041_: f32;
-    var phi_1047_: f32;
-    var phi_1066_: f32;
-    var phi_1073_: f32;
-    var phi_1079_: f32;
-    var phi_1085_: f32;
-    var phi_1104_: f32;
-    var phi_1111_: f32;
-    var phi_1117_: f32;
-    var phi_1123_: f32;
+    var phi_442_: f32;
+    var phi_448_: f32;
+    var phi_454_: f32;
+    var phi_472_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_498_: type_25;
+    var phi_568_: f32;
+    var phi_574_: f32;
+    var phi_580_: f32;
+    var phi_586_: f32;
+    var phi_592_: f32;
+    var phi_598_: f32;
+    var phi_616_: f32;
+    var phi_621_: f32;
+    var phi_626_: f32;
+    var phi_642_: type_25;
+    var phi_832_: f32;
+    var phi_838_: f32;
+    var phi_845_: f32;
+    var phi_854_: f32;
+    var phi_861_: f32;
+    var phi_869_: f32;
+    var phi_878_: f32;
+    var phi_885_: f32;
+    var phi_893_: f32;
+    var phi_986_: f32;
+    var phi_993_: f32;
+    var phi_999_: f32;
+    var phi_1005_: f32;
+    var phi_1024_: f32;
+    var phi_1031_: f32;
+    var phi_1037_: f32;
+    var phi_1043_: f32;
+    var phi_1062_: f32;
+    var phi_1069_: f32;
+    var phi_1075_: f32;
+    var phi_1081_: f32;
+    var phi_1100_: f32;
+    var phi_1107_: f32;
+    var phi_1113_: f32;
+    var phi_1119_: f32;
     var phi_1138_: f32;
-    var phi_1143_: f32;
-    var phi_1148_: f32;
-    var phi_1153_: f32;
-    var phi_1158_: f32;
-    var phi_1217_: f32;
-    var phi_1240_: f32;
-    var phi_1263_: f32;
-    var phi_1285_: f32;
-    var phi_1301_: f32;
-    var phi_1356_: f32;
-    var phi_1379_: f32;
-    var phi_1402_: f32;
-    var phi_1424_: f32;
-    var phi_1440_: f32;
-    var phi_1495_: f32;
-    var phi_1518_: f32;
-    var phi_1541_: f32;
-    var phi_1563_: f32;
-    var phi_1579_: f32;
-    var phi_1634_: f32;
-    var phi_1657_: f32;
-    var phi_1681_: f32;
-    var phi_1704_: f32;
-    var phi_1720_: f32;
-    var phi_1775_: f32;
-    var phi_1798_: f32;
-    var phi_1822_: f32;
-    var phi_1845_: f32;
-    var phi_1861_: f32;
-    var phi_1916_: f32;
-    var phi_1939_: f32;
-    var phi_1963_: f32;
-    var phi_1986_: f32;
-    var phi_2002_: f32;
-    var phi_2057_: f32;
-    var phi_2080_: f32;
-    var phi_2104_: f32;
-    var phi_2127_: f32;
-    var phi_2143_: f32;
-    var phi_2198_: f32;
-    var phi_2221_: f32;
-    var phi_2245_: f32;
-    var phi_2268_: f32;
-    var phi_2284_: f32;
-    var phi_2339_: f32;
-    var phi_2362_: f32;
-    var phi_2386_: f32;
-    var phi_2409_: f32;
-    var phi_2425_: f32;
-    var phi_2432_: f32;
-    var phi_2437_: f32;
-    var phi_2442_: f32;
-    var phi_2447_: f32;
-    var phi_2452_: f32;
-    var phi_2457_: f32;
-    var phi_2462_: f32;
-    var phi_2467_: f32;
-    var phi_2471_: bool;
-    var phi_2473_: bool;
-    var phi_2474_: bool;
-    var phi_2475_: bool;
-    var phi_2476_: bool;
-    var phi_2480_: bool;
-    var phi_2481_: bool;
+    var phi_1145_: f32;
+    var phi_1151_: f32;
+    var phi_1157_: f32;
+    var phi_1176_: f32;
+    var phi_1183_: f32;
+    var phi_1189_: f32;
+    var phi_1195_: f32;
+    var phi_1210_: f32;
+    var phi_1215_: f32;
+    var phi_1220_: f32;
+    var phi_1225_: f32;
+    var phi_1230_: f32;
+    var phi_1289_: f32;
+    var phi_1312_: f32;
+    var phi_1335_: f32;
+    var phi_1357_: f32;
+    var phi_1373_: f32;
+    var phi_1428_: f32;
+    var phi_1451_: f32;
+    var phi_1474_: f32;
+    var phi_1496_: f32;
+    var phi_1512_: f32;
+    var phi_1567_: f32;
+    var phi_1590_: f32;
+    var phi_1613_: f32;
+    var phi_1635_: f32;
+    var phi_1651_: f32;
+    var phi_1706_: f32;
+    var phi_1729_: f32;
+    var phi_1753_: f32;
+    var phi_1776_: f32;
+    var phi_1792_: f32;
+    var phi_1847_: f32;
+    var phi_1870_: f32;
+    var phi_1894_: f32;
+    var phi_1917_: f32;
+    var phi_1933_: f32;
+    var phi_1988_: f32;
+    var phi_2011_: f32;
+    var phi_2035_: f32;
+    var phi_2058_: f32;
+    var phi_2074_: f32;
+    var phi_2129_: f32;
+    var phi_2152_: f32;
+    var phi_2176_: f32;
+    var phi_2199_: f32;
+    var phi_2215_: f32;
+    var phi_2270_: f32;
+    var phi_2293_: f32;
+    var phi_2317_: f32;
+    var phi_2340_: f32;
+    var phi_2356_: f32;
+    var phi_2411_: f32;
+    var phi_2434_: f32;
+    var phi_2458_: f32;
+    var phi_2481_: f32;
+    var phi_2497_: f32;
+    var phi_2504_: f32;
+    var phi_2509_: f32;
+    var phi_2514_: f32;
+    var phi_2519_: f32;
+    var phi_2524_: f32;
+    var phi_2529_: f32;
+    var phi_2534_: f32;
+    var phi_2539_: f32;
+    var phi_2543_: bool;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2547_: bool;
+    var phi_2548_: bool;
+    var phi_2552_: bool;
+    var phi_2553_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -331,8 +348,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e174 = phi_338_;
                 if _e174 {
-                    phi_2475_ = bool();
-                    phi_2476_ = true;
+                    phi_2547_ = bool();
+                    phi_2548_ = true;
                 } else {
                     if (_e93[0] >= _e114) {
                         if (_e93[1] >= _e119) {
@@ -348,836 +365,908 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e180 = phi_351_;
                     if _e180 {
                         if (_e93[0] < _e114) {
-                            let _e236 = oriented.member[(_e123 + _e93[0])];
-                            phi_462_ = type_25(array<f32, 3>(_e236.member.x, _e236.member.y, _e236.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e236.member.w, _e236.member_1.x, _e236.member_1.y), array<f32, 3>(_e236.member_1.z, _e236.member_1.w, _e236.member_2.x), array<f32, 3>(_e236.member_2.y, _e236.member_2.z, _e236.member_2.w)), array<f32, 3>(_e236.member_3.x, _e236.member_3.y, _e236.member_3.z));
+                            let _e260 = oriented.member[(_e123 + _e93[0])];
+                            phi_498_ = type_25(array<f32, 3>(_e260.member.x, _e260.member.y, _e260.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e260.member.w, _e260.member_1.x, _e260.member_1.y), array<f32, 3>(_e260.member_1.z, _e260.member_1.w, _e260.member_2.x), array<f32, 3>(_e260.member_2.y, _e260.member_2.z, _e260.member_2.w)), array<f32, 3>(_e260.member_3.x, _e260.member_3.y, _e260.member_3.z));
                         } else {
                             let _e183 = a_nodes.member[_e93[0]];
                             let _e198 = ((_e183.member[0] * 0.5f) + (_e183.member_2[0] * 0.5f));
                             let _e199 = ((_e183.member[1] * 0.5f) + (_e183.member_2[1] * 0.5f));
                             let _e200 = ((_e183.member[2] * 0.5f) + (_e183.member_2[2] * 0.5f));
-                            let _e203 = (_e183.member_2[0] - _e198);
-                            let _e205 = (_e183.member_2[1] - _e199);
-                            let _e207 = (_e183.member_2[2] - _e200);
-                            let _e209 = (_e198 - _e183.member[0]);
-                            let _e211 = (_e199 - _e183.member[1]);
-                            let _e213 = (_e200 - _e183.member[2]);
-                            if (_e203 > _e209) {
-                                phi_436_ = _e203;
+                            if (_e198 < _e183.member_2[0]) {
+                                phi_424_ = _e198;
                             } else {
-                                phi_436_ = _e209;
+                                phi_424_ = _e183.member_2[0];
                             }
-                            let _e216 = phi_436_;
-                            if (_e205 > _e211) {
-                                phi_441_ = _e205;
+                            let _e204 = phi_424_;
+                            if (_e199 < _e183.member_2[1]) {
+                                phi_430_ = _e199;
                             } else {
-                                phi_441_ = _e211;
+                                phi_430_ = _e183.member_2[1];
                             }
-                            let _e219 = phi_441_;
-                            if (_e207 > _e213) {
-                                phi_446_ = _e207;
+                            let _e208 = phi_430_;
+                            if (_e200 < _e183.member_2[2]) {
+                                phi_436_ = _e200;
                             } else {
-                                phi_446_ = _e213;
+                                phi_436_ = _e183.member_2[2];
                             }
-                            let _e222 = phi_446_;
-                            let _e224 = (1f + (0.000000059604645f * 4f));
-                            let _e228 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_462_ = type_25(array<f32, 3>(_e198, _e199, _e200), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e216 * _e224) + _e228), ((_e219 * _e224) + _e228), ((_e222 * _e224) + _e228)));
+                            let _e212 = phi_436_;
+                            if (_e204 > _e183.member[0]) {
+                                phi_442_ = _e204;
+                            } else {
+                                phi_442_ = _e183.member[0];
+                            }
+                            let _e216 = phi_442_;
+                            if (_e208 > _e183.member[1]) {
+                                phi_448_ = _e208;
+                            } else {
+                                phi_448_ = _e183.member[1];
+                            }
+                            let _e220 = phi_448_;
+                            if (_e212 > _e183.member[2]) {
+                                phi_454_ = _e212;
+                            } else {
+                                phi_454_ = _e183.member[2];
+                            }
+                            let _e224 = phi_454_;
+                            let _e227 = (_e183.member_2[0] - _e216);
+                            let _e229 = (_e183.member_2[1] - _e220);
+                            let _e231 = (_e183.member_2[2] - _e224);
+                            let _e233 = (_e216 - _e183.member[0]);
+                            let _e235 = (_e220 - _e183.member[1]);
+                            let _e237 = (_e224 - _e183.member[2]);
+                            if (_e227 > _e233) {
+                                phi_472_ = _e227;
+                            } else {
+                                phi_472_ = _e233;
+                            }
+                            let _e240 = phi_472_;
+                            if (_e229 > _e235) {
+                                phi_477_ = _e229;
+                            } else {
+                                phi_477_ = _e235;
+                            }
+                            let _e243 = phi_477_;
+                            if (_e231 > _e237) {
+                                phi_482_ = _e231;
+                            } else {
+                                phi_482_ = _e237;
+                            }
+                            let _e246 = phi_482_;
+                            let _e248 = (1f + (0.000000059604645f * 4f));
+                            let _e252 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_498_ = type_25(array<f32, 3>(_e216, _e220, _e224), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e240 * _e248) + _e252), ((_e243 * _e248) + _e252), ((_e246 * _e248) + _e252)));
                         }
-                        let _e275 = phi_462_;
+                        let _e299 = phi_498_;
                         if (_e93[1] < _e119) {
-                            let _e331 = oriented.member[(_e127 + _e93[1])];
-                            phi_570_ = type_25(array<f32, 3>(_e331.member.x, _e331.member.y, _e331.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e331.member.w, _e331.member_1.x, _e331.member_1.y), array<f32, 3>(_e331.member_1.z, _e331.member_1.w, _e331.member_2.x), array<f32, 3>(_e331.member_2.y, _e331.member_2.z, _e331.member_2.w)), array<f32, 3>(_e331.member_3.x, _e331.member_3.y, _e331.member_3.z));
+                            let _e379 = oriented.member[(_e127 + _e93[1])];
+                            phi_642_ = type_25(array<f32, 3>(_e379.member.x, _e379.member.y, _e379.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e379.member.w, _e379.member_1.x, _e379.member_1.y), array<f32, 3>(_e379.member_1.z, _e379.member_1.w, _e379.member_2.x), array<f32, 3>(_e379.member_2.y, _e379.member_2.z, _e379.member_2.w)), array<f32, 3>(_e379.member_3.x, _e379.member_3.y, _e379.member_3.z));
                         } else {
-                            let _e278 = b_nodes.member[_e93[1]];
-                            let _e293 = ((_e278.member[0] * 0.5f) + (_e278.member_2[0] * 0.5f));
-                            let _e294 = ((_e278.member[1] * 0.5f) + (_e278.member_2[1] * 0.5f));
-                            let _e295 = ((_e278.member[2] * 0.5f) + (_e278.member_2[2] * 0.5f));
-                            let _e298 = (_e278.member_2[0] - _e293);
-                            let _e300 = (_e278.member_2[1] - _e294);
-                            let _e302 = (_e278.member_2[2] - _e295);
-                            let _e304 = (_e293 - _e278.member[0]);
-                            let _e306 = (_e294 - _e278.member[1]);
-                            let _e308 = (_e295 - _e278.member[2]);
-                            if (_e298 > _e304) {
-                                phi_544_ = _e298;
+                            let _e302 = b_nodes.member[_e93[1]];
+                            let _e317 = ((_e302.member[0] * 0.5f) + (_e302.member_2[0] * 0.5f));
+                            let _e318 = ((_e302.member[1] * 0.5f) + (_e302.member_2[1] * 0.5f));
+                            let _e319 = ((_e302.member[2] * 0.5f) + (_e302.member_2[2] * 0.5f));
+                            if (_e317 < _e302.member_2[0]) {
+                                phi_568_ = _e317;
                             } else {
-                                phi_544_ = _e304;
+                                phi_568_ = _e302.member_2[0];
                             }
-                            let _e311 = phi_544_;
-                            if (_e300 > _e306) {
-                                phi_549_ = _e300;
+                            let _e323 = phi_568_;
+                            if (_e318 < _e302.member_2[1]) {
+                                phi_574_ = _e318;
                             } else {
-                                phi_549_ = _e306;
+                                phi_574_ = _e302.member_2[1];
                             }
-                            let _e314 = phi_549_;
-                            if (_e302 > _e308) {
-                                phi_554_ = _e302;
+                            let _e327 = phi_574_;
+                            if (_e319 < _e302.member_2[2]) {
+                                phi_580_ = _e319;
                             } else {
-                                phi_554_ = _e308;
+                                phi_580_ = _e302.member_2[2];
                             }
-                            let _e317 = phi_554_;
-                            let _e319 = (1f + (0.000000059604645f * 4f));
-                            let _e323 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_570_ = type_25(array<f32, 3>(_e293, _e294, _e295), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e311 * _e319) + _e323), ((_e314 * _e319) + _e323), ((_e317 * _e319) + _e323)));
+                            let _e331 = phi_580_;
+                            if (_e323 > _e302.member[0]) {
+                                phi_586_ = _e323;
+                            } else {
+                                phi_586_ = _e302.member[0];
+                            }
+                            let _e335 = phi_586_;
+                            if (_e327 > _e302.member[1]) {
+                                phi_592_ = _e327;
+                            } else {
+                                phi_592_ = _e302.member[1];
+                            }
+                            let _e339 = phi_592_;
+                            if (_e331 > _e302.member[2]) {
+                                phi_598_ = _e331;
+                            } else {
+                                phi_598_ = _e302.member[2];
+                            }
+                            let _e343 = phi_598_;
+                            let _e346 = (_e302.member_2[0] - _e335);
+                            let _e348 = (_e302.member_2[1] - _e339);
+                            let _e350 = (_e302.member_2[2] - _e343);
+                            let _e352 = (_e335 - _e302.member[0]);
+                            let _e354 = (_e339 - _e302.member[1]);
+                            let _e356 = (_e343 - _e302.member[2]);
+                            if (_e346 > _e352) {
+                                phi_616_ = _e346;
+                            } else {
+                                phi_616_ = _e352;
+                            }
+                            let _e359 = phi_616_;
+                            if (_e348 > _e354) {
+                                phi_621_ = _e348;
+                            } else {
+                                phi_621_ = _e354;
+                            }
+                            let _e362 = phi_621_;
+                            if (_e350 > _e356) {
+                                phi_626_ = _e350;
+                            } else {
+                                phi_626_ = _e356;
+                            }
+                            let _e365 = phi_626_;
+                            let _e367 = (1f + (0.000000059604645f * 4f));
+                            let _e371 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_642_ = type_25(array<f32, 3>(_e335, _e339, _e343), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e359 * _e367) + _e371), ((_e362 * _e367) + _e371), ((_e365 * _e367) + _e371)));
                         }
-                        let _e370 = phi_570_;
-                        let _e375 = (_e370.member[0] - _e275.member[0]);
-                        let _e378 = (_e370.member[1] - _e275.member[1]);
-                        let _e381 = (_e370.member[2] - _e275.member[2]);
-                        if (_e375 < 0f) {
-                            phi_760_ = -(_e375);
+                        let _e418 = phi_642_;
+                        let _e423 = (_e418.member[0] - _e299.member[0]);
+                        let _e426 = (_e418.member[1] - _e299.member[1]);
+                        let _e429 = (_e418.member[2] - _e299.member[2]);
+                        if (_e423 < 0f) {
+                            phi_832_ = -(_e423);
                         } else {
-                            phi_760_ = _e375;
+                            phi_832_ = _e423;
                         }
-                        let _e570 = phi_760_;
-                        if (_e378 < 0f) {
-                            phi_766_ = -(_e378);
+                        let _e618 = phi_832_;
+                        if (_e426 < 0f) {
+                            phi_838_ = -(_e426);
                         } else {
-                            phi_766_ = _e378;
+                            phi_838_ = _e426;
                         }
-                        let _e574 = phi_766_;
-                        if (_e381 < 0f) {
-                            phi_773_ = -(_e381);
+                        let _e622 = phi_838_;
+                        if (_e429 < 0f) {
+                            phi_845_ = -(_e429);
                         } else {
-                            phi_773_ = _e381;
+                            phi_845_ = _e429;
                         }
-                        let _e579 = phi_773_;
-                        if (_e275.member_2[0] < 0f) {
-                            phi_782_ = -(_e275.member_2[0]);
+                        let _e627 = phi_845_;
+                        if (_e299.member_2[0] < 0f) {
+                            phi_854_ = -(_e299.member_2[0]);
                         } else {
-                            phi_782_ = _e275.member_2[0];
+                            phi_854_ = _e299.member_2[0];
                         }
-                        let _e586 = phi_782_;
-                        if (_e275.member_2[1] < 0f) {
-                            phi_789_ = -(_e275.member_2[1]);
+                        let _e634 = phi_854_;
+                        if (_e299.member_2[1] < 0f) {
+                            phi_861_ = -(_e299.member_2[1]);
                         } else {
-                            phi_789_ = _e275.member_2[1];
+                            phi_861_ = _e299.member_2[1];
                         }
-                        let _e591 = phi_789_;
-                        if (_e275.member_2[2] < 0f) {
-                            phi_797_ = -(_e275.member_2[2]);
+                        let _e639 = phi_861_;
+                        if (_e299.member_2[2] < 0f) {
+                            phi_869_ = -(_e299.member_2[2]);
                         } else {
-                            phi_797_ = _e275.member_2[2];
+                            phi_869_ = _e299.member_2[2];
                         }
-                        let _e597 = phi_797_;
-                        if (_e370.member_2[0] < 0f) {
-                            phi_806_ = -(_e370.member_2[0]);
+                        let _e645 = phi_869_;
+                        if (_e418.member_2[0] < 0f) {
+                            phi_878_ = -(_e418.member_2[0]);
                         } else {
-                            phi_806_ = _e370.member_2[0];
+                            phi_878_ = _e418.member_2[0];
                         }
-                        let _e604 = phi_806_;
-                        if (_e370.member_2[1] < 0f) {
-                            phi_813_ = -(_e370.member_2[1]);
+                        let _e652 = phi_878_;
+                        if (_e418.member_2[1] < 0f) {
+                            phi_885_ = -(_e418.member_2[1]);
                         } else {
-                            phi_813_ = _e370.member_2[1];
+                            phi_885_ = _e418.member_2[1];
                         }
-                        let _e609 = phi_813_;
-                        if (_e370.member_2[2] < 0f) {
-                            phi_821_ = -(_e370.member_2[2]);
+                        let _e657 = phi_885_;
+                        if (_e418.member_2[2] < 0f) {
+                            phi_893_ = -(_e418.member_2[2]);
                         } else {
-                            phi_821_ = _e370.member_2[2];
+                            phi_893_ = _e418.member_2[2];
                         }
-                        let _e615 = phi_821_;
-                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[0][0]) + (_e370.member_1[0][1] * _e275.member_1[0][1])) + (_e370.member_1[0][2] * _e275.member_1[0][2])), (((_e370.member_1[1][0] * _e275.member_1[0][0]) + (_e370.member_1[1][1] * _e275.member_1[0][1])) + (_e370.member_1[1][2] * _e275.member_1[0][2])), (((_e370.member_1[2][0] * _e275.member_1[0][0]) + (_e370.member_1[2][1] * _e275.member_1[0][1])) + (_e370.member_1[2][2] * _e275.member_1[0][2]))), array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[1][0]) + (_e370.member_1[0][1] * _e275.member_1[1][1])) + (_e370.member_1[0][2] * _e275.member_1[1][2])), (((_e370.member_1[1][0] * _e275.member_1[1][0]) + (_e370.member_1[1][1] * _e275.member_1[1][1])) + (_e370.member_1[1][2] * _e275.member_1[1][2])), (((_e370.member_1[2][0] * _e275.member_1[1][0]) + (_e370.member_1[2][1] * _e275.member_1[1][1])) + (_e370.member_1[2][2] * _e275.member_1[1][2]))), array<f32, 3>((((_e370.member_1[0][0] * _e275.member_1[2][0]) + (_e370.member_1[0][1] * _e275.member_1[2][1])) + (_e370.member_1[0][2] * _e275.member_1[2][2])), (((_e370.member_1[1][0] * _e275.member_1[2][0]) + (_e370.member_1[1][1] * _e275.member_1[2][1])) + (_e370.member_1[1][2] * _e275.member_1[2][2])), (((_e370.member_1[2][0] * _e275.member_1[2][0]) + (_e370.member_1[2][1] * _e275.member_1[2][1])) + (_e370.member_1[2][2] * _e275.member_1[2][2])))), array<f32, 3>((((_e275.member_1[0][0] * _e375) + (_e275.member_1[0][1] * _e378)) + (_e275.member_1[0][2] * _e381)), (((_e275.member_1[1][0] * _e375) + (_e275.member_1[1][1] * _e378)) + (_e275.member_1[1][2] * _e381)), (((_e275.member_1[2][0] * _e375) + (_e275.member_1[2][1] * _e378)) + (_e275.member_1[2][2] * _e381))), array<f32, 3>((((_e370.member_1[0][0] * _e375) + (_e370.member_1[0][1] * _e378)) + (_e370.member_1[0][2] * _e381)), (((_e370.member_1[1][0] * _e375) + (_e370.member_1[1][1] * _e378)) + (_e370.member_1[1][2] * _e381)), (((_e370.member_1[2][0] * _e375) + (_e370.member_1[2][1] * _e378)) + (_e370.member_1[2][2] * _e381))), array<f32, 3>(_e275.member_2[0], _e275.member_2[1], _e275.member_2[2]), array<f32, 3>(_e370.member_2[0], _e370.member_2[1], _e370.member_2[2]), ((((((_e570 + _e574) + _e579) + (((_e586 + _e591) + _e597) + ((_e604 + _e609) + _e615))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                        let _e642 = local.member[0u][0u];
-                        let _e646 = local.member[0u][1u];
-                        let _e650 = local.member[0u][2u];
-                        let _e654 = local.member[1u][0u];
-                        let _e658 = local.member[1u][1u];
-                        let _e662 = local.member[1u][2u];
-                        let _e666 = local.member[2u][0u];
-                        let _e670 = local.member[2u][1u];
-                        let _e674 = local.member[2u][2u];
-                        let _e676 = local.member_3;
-                        let _e681 = local.member_4;
-                        let _e687 = local.member_1[0u];
-                        if (_e687 < 0f) {
-                            phi_914_ = -(_e687);
+                        let _e663 = phi_893_;
+                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[0][0]) + (_e418.member_1[0][1] * _e299.member_1[0][1])) + (_e418.member_1[0][2] * _e299.member_1[0][2])), (((_e418.member_1[1][0] * _e299.member_1[0][0]) + (_e418.member_1[1][1] * _e299.member_1[0][1])) + (_e418.member_1[1][2] * _e299.member_1[0][2])), (((_e418.member_1[2][0] * _e299.member_1[0][0]) + (_e418.member_1[2][1] * _e299.member_1[0][1])) + (_e418.member_1[2][2] * _e299.member_1[0][2]))), array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[1][0]) + (_e418.member_1[0][1] * _e299.member_1[1][1])) + (_e418.member_1[0][2] * _e299.member_1[1][2])), (((_e418.member_1[1][0] * _e299.member_1[1][0]) + (_e418.member_1[1][1] * _e299.member_1[1][1])) + (_e418.member_1[1][2] * _e299.member_1[1][2])), (((_e418.member_1[2][0] * _e299.member_1[1][0]) + (_e418.member_1[2][1] * _e299.member_1[1][1])) + (_e418.member_1[2][2] * _e299.member_1[1][2]))), array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[2][0]) + (_e418.member_1[0][1] * _e299.member_1[2][1])) + (_e418.member_1[0][2] * _e299.member_1[2][2])), (((_e418.member_1[1][0] * _e299.member_1[2][0]) + (_e418.member_1[1][1] * _e299.member_1[2][1])) + (_e418.member_1[1][2] * _e299.member_1[2][2])), (((_e418.member_1[2][0] * _e299.member_1[2][0]) + (_e418.member_1[2][1] * _e299.member_1[2][1])) + (_e418.member_1[2][2] * _e299.member_1[2][2])))), array<f32, 3>((((_e299.member_1[0][0] * _e423) + (_e299.member_1[0][1] * _e426)) + (_e299.member_1[0][2] * _e429)), (((_e299.member_1[1][0] * _e423) + (_e299.member_1[1][1] * _e426)) + (_e299.member_1[1][2] * _e429)), (((_e299.member_1[2][0] * _e423) + (_e299.member_1[2][1] * _e426)) + (_e299.member_1[2][2] * _e429))), array<f32, 3>((((_e418.member_1[0][0] * _e423) + (_e418.member_1[0][1] * _e426)) + (_e418.member_1[0][2] * _e429)), (((_e418.member_1[1][0] * _e423) + (_e418.member_1[1][1] * _e426)) + (_e418.member_1[1][2] * _e429)), (((_e418.member_1[2][0] * _e423) + (_e418.member_1[2][1] * _e426)) + (_e418.member_1[2][2] * _e429))), array<f32, 3>(_e299.member_2[0], _e299.member_2[1], _e299.member_2[2]), array<f32, 3>(_e418.member_2[0], _e418.member_2[1], _e418.member_2[2]), ((((((_e618 + _e622) + _e627) + (((_e634 + _e639) + _e645) + ((_e652 + _e657) + _e663))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                        let _e690 = local.member[0u][0u];
+                        let _e694 = local.member[0u][1u];
+                        let _e698 = local.member[0u][2u];
+                        let _e702 = local.member[1u][0u];
+                        let _e706 = local.member[1u][1u];
+                        let _e710 = local.member[1u][2u];
+                        let _e714 = local.member[2u][0u];
+                        let _e718 = local.member[2u][1u];
+                        let _e722 = local.member[2u][2u];
+                        let _e724 = local.member_3;
+                        let _e729 = local.member_4;
+                        let _e735 = local.member_1[0u];
+                        if (_e735 < 0f) {
+                            phi_986_ = -(_e735);
                         } else {
-                            phi_914_ = _e687;
+                            phi_986_ = _e735;
                         }
-                        let _e691 = phi_914_;
-                        if (_e642 < 0f) {
-                            phi_921_ = -(_e642);
+                        let _e739 = phi_986_;
+                        if (_e690 < 0f) {
+                            phi_993_ = -(_e690);
                         } else {
-                            phi_921_ = _e642;
+                            phi_993_ = _e690;
                         }
-                        let _e695 = phi_921_;
-                        if (_e646 < 0f) {
-                            phi_927_ = -(_e646);
+                        let _e743 = phi_993_;
+                        if (_e694 < 0f) {
+                            phi_999_ = -(_e694);
                         } else {
-                            phi_927_ = _e646;
+                            phi_999_ = _e694;
                         }
-                        let _e699 = phi_927_;
-                        if (_e650 < 0f) {
-                            phi_933_ = -(_e650);
+                        let _e747 = phi_999_;
+                        if (_e698 < 0f) {
+                            phi_1005_ = -(_e698);
                         } else {
-                            phi_933_ = _e650;
+                            phi_1005_ = _e698;
                         }
-                        let _e703 = phi_933_;
-                        let _e710 = (_e691 - (_e676[0] + (((_e695 * _e681[0]) + (_e699 * _e681[1])) + (_e703 * _e681[2]))));
-                        let _e713 = local.member_1[1u];
-                        if (_e713 < 0f) {
-                            phi_952_ = -(_e713);
+                        let _e751 = phi_1005_;
+                        let _e758 = (_e739 - (_e724[0] + (((_e743 * _e729[0]) + (_e747 * _e729[1])) + (_e751 * _e729[2]))));
+                        let _e761 = local.member_1[1u];
+                        if (_e761 < 0f) {
+                            phi_1024_ = -(_e761);
                         } else {
-                            phi_952_ = _e713;
+                            phi_1024_ = _e761;
                         }
-                        let _e717 = phi_952_;
-                        if (_e654 < 0f) {
-                            phi_959_ = -(_e654);
+                        let _e765 = phi_1024_;
+                        if (_e702 < 0f) {
+                            phi_1031_ = -(_e702);
                         } else {
-                            phi_959_ = _e654;
+                            phi_1031_ = _e702;
                         }
-                        let _e721 = phi_959_;
-                        if (_e658 < 0f) {
-                            phi_965_ = -(_e658);
+                        let _e769 = phi_1031_;
+                        if (_e706 < 0f) {
+                            phi_1037_ = -(_e706);
                         } else {
-                            phi_965_ = _e658;
+                            phi_1037_ = _e706;
                         }
-                        let _e725 = phi_965_;
-                        if (_e662 < 0f) {
-                            phi_971_ = -(_e662);
+                        let _e773 = phi_1037_;
+                        if (_e710 < 0f) {
+                            phi_1043_ = -(_e710);
                         } else {
-                            phi_971_ = _e662;
+                            phi_1043_ = _e710;
                         }
-                        let _e729 = phi_971_;
-                        let _e736 = (_e717 - (_e676[1] + (((_e721 * _e681[0]) + (_e725 * _e681[1])) + (_e729 * _e681[2]))));
-                        let _e739 = local.member_1[2u];
-                        if (_e739 < 0f) {
-                            phi_990_ = -(_e739);
+                        let _e777 = phi_1043_;
+                        let _e784 = (_e765 - (_e724[1] + (((_e769 * _e729[0]) + (_e773 * _e729[1])) + (_e777 * _e729[2]))));
+                        let _e787 = local.member_1[2u];
+                        if (_e787 < 0f) {
+                            phi_1062_ = -(_e787);
                         } else {
-                            phi_990_ = _e739;
+                            phi_1062_ = _e787;
                         }
-                        let _e743 = phi_990_;
-                        if (_e666 < 0f) {
-                            phi_997_ = -(_e666);
+                        let _e791 = phi_1062_;
+                        if (_e714 < 0f) {
+                            phi_1069_ = -(_e714);
                         } else {
-                            phi_997_ = _e666;
+                            phi_1069_ = _e714;
                         }
-                        let _e747 = phi_997_;
-                        if (_e670 < 0f) {
-                            phi_1003_ = -(_e670);
+                        let _e795 = phi_1069_;
+                        if (_e718 < 0f) {
+                            phi_1075_ = -(_e718);
                         } else {
-                            phi_1003_ = _e670;
+                            phi_1075_ = _e718;
                         }
-                        let _e751 = phi_1003_;
-                        if (_e674 < 0f) {
-                            phi_1009_ = -(_e674);
+                        let _e799 = phi_1075_;
+                        if (_e722 < 0f) {
+                            phi_1081_ = -(_e722);
                         } else {
-                            phi_1009_ = _e674;
+                            phi_1081_ = _e722;
                         }
-                        let _e755 = phi_1009_;
-                        let _e762 = (_e743 - (_e676[2] + (((_e747 * _e681[0]) + (_e751 * _e681[1])) + (_e755 * _e681[2]))));
-                        let _e765 = local.member_2[0u];
-                        if (_e765 < 0f) {
-                            phi_1028_ = -(_e765);
+                        let _e803 = phi_1081_;
+                        let _e810 = (_e791 - (_e724[2] + (((_e795 * _e729[0]) + (_e799 * _e729[1])) + (_e803 * _e729[2]))));
+                        let _e813 = local.member_2[0u];
+                        if (_e813 < 0f) {
+                            phi_1100_ = -(_e813);
                         } else {
-                            phi_1028_ = _e765;
+                            phi_1100_ = _e813;
                         }
-                        let _e769 = phi_1028_;
-                        if (_e642 < 0f) {
-                            phi_1035_ = -(_e642);
+                        let _e817 = phi_1100_;
+                        if (_e690 < 0f) {
+                            phi_1107_ = -(_e690);
                         } else {
-                            phi_1035_ = _e642;
+                            phi_1107_ = _e690;
                         }
-                        let _e773 = phi_1035_;
-                        if (_e654 < 0f) {
-                            phi_1041_ = -(_e654);
+                        let _e821 = phi_1107_;
+                        if (_e702 < 0f) {
+                            phi_1113_ = -(_e702);
                         } else {
-                            phi_1041_ = _e654;
+                            phi_1113_ = _e702;
                         }
-                        let _e777 = phi_1041_;
-                        if (_e666 < 0f) {
-                            phi_1047_ = -(_e666);
+                        let _e825 = phi_1113_;
+                        if (_e714 < 0f) {
+                            phi_1119_ = -(_e714);
                         } else {
-                            phi_1047_ = _e666;
+                            phi_1119_ = _e714;
                         }
-                        let _e781 = phi_1047_;
-                        let _e788 = (_e769 - (_e681[0] + (((_e773 * _e676[0]) + (_e777 * _e676[1])) + (_e781 * _e676[2]))));
-                        let _e791 = local.member_2[1u];
-                        if (_e791 < 0f) {
-                            phi_1066_ = -(_e791);
+                        let _e829 = phi_1119_;
+                        let _e836 = (_e817 - (_e729[0] + (((_e821 * _e724[0]) + (_e825 * _e724[1])) + (_e829 * _e724[2]))));
+                        let _e839 = local.member_2[1u];
+                        if (_e839 < 0f) {
+                            phi_1138_ = -(_e839);
                         } else {
-                            phi_1066_ = _e791;
-                        }
-                        let _e795 = phi_1066_;
-                        if (_e646 < 0f) {
-                            phi_1073_ = -(_e646);
-                        } else {
-                            phi_1073_ = _e646;
-                        }
-                        let _e799 = phi_1073_;
-                        if (_e658 < 0f) {
-                            phi_1079_ = -(_e658);
-                        } else {
-                            phi_1079_ = _e658;
-                        }
-                        let _e803 = phi_1079_;
-                        if (_e670 < 0f) {
-                            phi_1085_ = -(_e670);
-                        } else {
-                            phi_1085_ = _e670;
-                        }
-                        let _e807 = phi_1085_;
-                        let _e814 = (_e795 - (_e681[1] + (((_e799 * _e676[0]) + (_e803 * _e676[1])) + (_e807 * _e676[2]))));
-                        let _e817 = local.member_2[2u];
-                        if (_e817 < 0f) {
-                            phi_1104_ = -(_e817);
-                        } else {
-                            phi_1104_ = _e817;
-                        }
-                        let _e821 = phi_1104_;
-                        if (_e650 < 0f) {
-                            phi_1111_ = -(_e650);
-                        } else {
-                            phi_1111_ = _e650;
-                        }
-                        let _e825 = phi_1111_;
-                        if (_e662 < 0f) {
-                            phi_1117_ = -(_e662);
-                        } else {
-                            phi_1117_ = _e662;
-                        }
-                        let _e829 = phi_1117_;
-                        if (_e674 < 0f) {
-                            phi_1123_ = -(_e674);
-                        } else {
-                            phi_1123_ = _e674;
-                        }
-                        let _e833 = phi_1123_;
-                        let _e840 = (_e821 - (_e681[2] + (((_e825 * _e676[0]) + (_e829 * _e676[1])) + (_e833 * _e676[2]))));
-                        if (_e710 > _e736) {
-                            phi_1138_ = _e710;
-                        } else {
-                            phi_1138_ = _e736;
+                            phi_1138_ = _e839;
                         }
                         let _e843 = phi_1138_;
-                        if (_e843 > _e762) {
-                            phi_1143_ = _e843;
+                        if (_e694 < 0f) {
+                            phi_1145_ = -(_e694);
                         } else {
-                            phi_1143_ = _e762;
+                            phi_1145_ = _e694;
                         }
-                        let _e846 = phi_1143_;
-                        if (_e788 > _e814) {
-                            phi_1148_ = _e788;
+                        let _e847 = phi_1145_;
+                        if (_e706 < 0f) {
+                            phi_1151_ = -(_e706);
                         } else {
-                            phi_1148_ = _e814;
+                            phi_1151_ = _e706;
                         }
-                        let _e849 = phi_1148_;
-                        if (_e849 > _e840) {
-                            phi_1153_ = _e849;
+                        let _e851 = phi_1151_;
+                        if (_e718 < 0f) {
+                            phi_1157_ = -(_e718);
                         } else {
-                            phi_1153_ = _e840;
+                            phi_1157_ = _e718;
                         }
-                        let _e852 = phi_1153_;
-                        if (_e846 > _e852) {
-                            phi_1158_ = _e846;
+                        let _e855 = phi_1157_;
+                        let _e862 = (_e843 - (_e729[1] + (((_e847 * _e724[0]) + (_e851 * _e724[1])) + (_e855 * _e724[2]))));
+                        let _e865 = local.member_2[2u];
+                        if (_e865 < 0f) {
+                            phi_1176_ = -(_e865);
                         } else {
-                            phi_1158_ = _e852;
+                            phi_1176_ = _e865;
                         }
-                        let _e855 = phi_1158_;
-                        let _e857 = local.member_5;
-                        if (_e855 > _e857) {
-                            phi_2471_ = true;
+                        let _e869 = phi_1176_;
+                        if (_e698 < 0f) {
+                            phi_1183_ = -(_e698);
                         } else {
-                            let _e862 = local.member[1u][0u];
-                            let _e865 = local.member_1[2u];
-                            let _e870 = local.member[2u][0u];
-                            let _e873 = local.member_1[1u];
-                            let _e875 = ((_e862 * _e865) - (_e870 * _e873));
-                            let _e879 = local.member[2u][0u];
-                            if (_e879 < 0f) {
-                                phi_1217_ = -(_e879);
+                            phi_1183_ = _e698;
+                        }
+                        let _e873 = phi_1183_;
+                        if (_e710 < 0f) {
+                            phi_1189_ = -(_e710);
+                        } else {
+                            phi_1189_ = _e710;
+                        }
+                        let _e877 = phi_1189_;
+                        if (_e722 < 0f) {
+                            phi_1195_ = -(_e722);
+                        } else {
+                            phi_1195_ = _e722;
+                        }
+                        let _e881 = phi_1195_;
+                        let _e888 = (_e869 - (_e729[2] + (((_e873 * _e724[0]) + (_e877 * _e724[1])) + (_e881 * _e724[2]))));
+                        if (_e758 > _e784) {
+                            phi_1210_ = _e758;
+                        } else {
+                            phi_1210_ = _e784;
+                        }
+                        let _e891 = phi_1210_;
+                        if (_e891 > _e810) {
+                            phi_1215_ = _e891;
+                        } else {
+                            phi_1215_ = _e810;
+                        }
+                        let _e894 = phi_1215_;
+                        if (_e836 > _e862) {
+                            phi_1220_ = _e836;
+                        } else {
+                            phi_1220_ = _e862;
+                        }
+                        let _e897 = phi_1220_;
+                        if (_e897 > _e888) {
+                            phi_1225_ = _e897;
+                        } else {
+                            phi_1225_ = _e888;
+                        }
+                        let _e900 = phi_1225_;
+                        if (_e894 > _e900) {
+                            phi_1230_ = _e894;
+                        } else {
+                            phi_1230_ = _e900;
+                        }
+                        let _e903 = phi_1230_;
+                        let _e905 = local.member_5;
+                        if (_e903 > _e905) {
+                            phi_2543_ = true;
+                        } else {
+                            let _e910 = local.member[1u][0u];
+                            let _e913 = local.member_1[2u];
+                            let _e918 = local.member[2u][0u];
+                            let _e921 = local.member_1[1u];
+                            let _e923 = ((_e910 * _e913) - (_e918 * _e921));
+                            let _e927 = local.member[2u][0u];
+                            if (_e927 < 0f) {
+                                phi_1289_ = -(_e927);
                             } else {
-                                phi_1217_ = _e879;
+                                phi_1289_ = _e927;
                             }
-                            let _e883 = phi_1217_;
-                            let _e886 = local.member_3[1u];
-                            let _e891 = local.member[1u][0u];
-                            if (_e891 < 0f) {
-                                phi_1240_ = -(_e891);
+                            let _e931 = phi_1289_;
+                            let _e934 = local.member_3[1u];
+                            let _e939 = local.member[1u][0u];
+                            if (_e939 < 0f) {
+                                phi_1312_ = -(_e939);
                             } else {
-                                phi_1240_ = _e891;
+                                phi_1312_ = _e939;
                             }
-                            let _e895 = phi_1240_;
-                            let _e898 = local.member_3[2u];
-                            let _e904 = local.member[0u][2u];
-                            if (_e904 < 0f) {
-                                phi_1263_ = -(_e904);
-                            } else {
-                                phi_1263_ = _e904;
-                            }
-                            let _e908 = phi_1263_;
-                            let _e911 = local.member_4[1u];
-                            let _e916 = local.member[0u][1u];
-                            if (_e916 < 0f) {
-                                phi_1285_ = -(_e916);
-                            } else {
-                                phi_1285_ = _e916;
-                            }
-                            let _e920 = phi_1285_;
-                            let _e923 = local.member_4[2u];
-                            if (_e875 < 0f) {
-                                phi_1301_ = -(_e875);
-                            } else {
-                                phi_1301_ = _e875;
-                            }
-                            let _e929 = phi_1301_;
-                            let _e931 = (_e929 - (((_e883 * _e886) + (_e895 * _e898)) + ((_e908 * _e911) + (_e920 * _e923))));
-                            let _e935 = local.member[1u][1u];
-                            let _e938 = local.member_1[2u];
-                            let _e943 = local.member[2u][1u];
-                            let _e946 = local.member_1[1u];
-                            let _e948 = ((_e935 * _e938) - (_e943 * _e946));
-                            let _e952 = local.member[2u][1u];
+                            let _e943 = phi_1312_;
+                            let _e946 = local.member_3[2u];
+                            let _e952 = local.member[0u][2u];
                             if (_e952 < 0f) {
-                                phi_1356_ = -(_e952);
+                                phi_1335_ = -(_e952);
                             } else {
-                                phi_1356_ = _e952;
+                                phi_1335_ = _e952;
                             }
-                            let _e956 = phi_1356_;
-                            let _e959 = local.member_3[1u];
-                            let _e964 = local.member[1u][1u];
+                            let _e956 = phi_1335_;
+                            let _e959 = local.member_4[1u];
+                            let _e964 = local.member[0u][1u];
                             if (_e964 < 0f) {
-                                phi_1379_ = -(_e964);
+                                phi_1357_ = -(_e964);
                             } else {
-                                phi_1379_ = _e964;
+                                phi_1357_ = _e964;
                             }
-                            let _e968 = phi_1379_;
-                            let _e971 = local.member_3[2u];
-                            let _e977 = local.member[0u][0u];
-                            if (_e977 < 0f) {
-                                phi_1402_ = -(_e977);
+                            let _e968 = phi_1357_;
+                            let _e971 = local.member_4[2u];
+                            if (_e923 < 0f) {
+                                phi_1373_ = -(_e923);
                             } else {
-                                phi_1402_ = _e977;
+                                phi_1373_ = _e923;
                             }
-                            let _e981 = phi_1402_;
-                            let _e984 = local.member_4[2u];
-                            let _e989 = local.member[0u][2u];
-                            if (_e989 < 0f) {
-                                phi_1424_ = -(_e989);
+                            let _e977 = phi_1373_;
+                            let _e979 = (_e977 - (((_e931 * _e934) + (_e943 * _e946)) + ((_e956 * _e959) + (_e968 * _e971))));
+                            let _e983 = local.member[1u][1u];
+                            let _e986 = local.member_1[2u];
+                            let _e991 = local.member[2u][1u];
+                            let _e994 = local.member_1[1u];
+                            let _e996 = ((_e983 * _e986) - (_e991 * _e994));
+                            let _e1000 = local.member[2u][1u];
+                            if (_e1000 < 0f) {
+                                phi_1428_ = -(_e1000);
                             } else {
-                                phi_1424_ = _e989;
+                                phi_1428_ = _e1000;
                             }
-                            let _e993 = phi_1424_;
-                            let _e996 = local.member_4[0u];
-                            if (_e948 < 0f) {
-                                phi_1440_ = -(_e948);
+                            let _e1004 = phi_1428_;
+                            let _e1007 = local.member_3[1u];
+                            let _e1012 = local.member[1u][1u];
+                            if (_e1012 < 0f) {
+                                phi_1451_ = -(_e1012);
                             } else {
-                                phi_1440_ = _e948;
+                                phi_1451_ = _e1012;
                             }
-                            let _e1002 = phi_1440_;
-                            let _e1004 = (_e1002 - (((_e956 * _e959) + (_e968 * _e971)) + ((_e981 * _e984) + (_e993 * _e996))));
-                            let _e1008 = local.member[1u][2u];
-                            let _e1011 = local.member_1[2u];
-                            let _e1016 = local.member[2u][2u];
-                            let _e1019 = local.member_1[1u];
-                            let _e1021 = ((_e1008 * _e1011) - (_e1016 * _e1019));
-                            let _e1025 = local.member[2u][2u];
+                            let _e1016 = phi_1451_;
+                            let _e1019 = local.member_3[2u];
+                            let _e1025 = local.member[0u][0u];
                             if (_e1025 < 0f) {
-                                phi_1495_ = -(_e1025);
+                                phi_1474_ = -(_e1025);
                             } else {
-                                phi_1495_ = _e1025;
+                                phi_1474_ = _e1025;
                             }
-                            let _e1029 = phi_1495_;
-                            let _e1032 = local.member_3[1u];
-                            let _e1037 = local.member[1u][2u];
+                            let _e1029 = phi_1474_;
+                            let _e1032 = local.member_4[2u];
+                            let _e1037 = local.member[0u][2u];
                             if (_e1037 < 0f) {
-                                phi_1518_ = -(_e1037);
+                                phi_1496_ = -(_e1037);
                             } else {
-                                phi_1518_ = _e1037;
+                                phi_1496_ = _e1037;
                             }
-                            let _e1041 = phi_1518_;
-                            let _e1044 = local.member_3[2u];
-                            let _e1050 = local.member[0u][1u];
-                            if (_e1050 < 0f) {
-                                phi_1541_ = -(_e1050);
+                            let _e1041 = phi_1496_;
+                            let _e1044 = local.member_4[0u];
+                            if (_e996 < 0f) {
+                                phi_1512_ = -(_e996);
                             } else {
-                                phi_1541_ = _e1050;
+                                phi_1512_ = _e996;
                             }
-                            let _e1054 = phi_1541_;
-                            let _e1057 = local.member_4[0u];
-                            let _e1062 = local.member[0u][0u];
-                            if (_e1062 < 0f) {
-                                phi_1563_ = -(_e1062);
+                            let _e1050 = phi_1512_;
+                            let _e1052 = (_e1050 - (((_e1004 * _e1007) + (_e1016 * _e1019)) + ((_e1029 * _e1032) + (_e1041 * _e1044))));
+                            let _e1056 = local.member[1u][2u];
+                            let _e1059 = local.member_1[2u];
+                            let _e1064 = local.member[2u][2u];
+                            let _e1067 = local.member_1[1u];
+                            let _e1069 = ((_e1056 * _e1059) - (_e1064 * _e1067));
+                            let _e1073 = local.member[2u][2u];
+                            if (_e1073 < 0f) {
+                                phi_1567_ = -(_e1073);
                             } else {
-                                phi_1563_ = _e1062;
+                                phi_1567_ = _e1073;
                             }
-                            let _e1066 = phi_1563_;
-                            let _e1069 = local.member_4[1u];
-                            if (_e1021 < 0f) {
-                                phi_1579_ = -(_e1021);
+                            let _e1077 = phi_1567_;
+                            let _e1080 = local.member_3[1u];
+                            let _e1085 = local.member[1u][2u];
+                            if (_e1085 < 0f) {
+                                phi_1590_ = -(_e1085);
                             } else {
-                                phi_1579_ = _e1021;
+                                phi_1590_ = _e1085;
                             }
-                            let _e1075 = phi_1579_;
-                            let _e1077 = (_e1075 - (((_e1029 * _e1032) + (_e1041 * _e1044)) + ((_e1054 * _e1057) + (_e1066 * _e1069))));
-                            let _e1081 = local.member[2u][0u];
-                            let _e1084 = local.member_1[0u];
-                            let _e1089 = local.member[0u][0u];
-                            let _e1092 = local.member_1[2u];
-                            let _e1094 = ((_e1081 * _e1084) - (_e1089 * _e1092));
-                            let _e1098 = local.member[0u][0u];
+                            let _e1089 = phi_1590_;
+                            let _e1092 = local.member_3[2u];
+                            let _e1098 = local.member[0u][1u];
                             if (_e1098 < 0f) {
-                                phi_1634_ = -(_e1098);
+                                phi_1613_ = -(_e1098);
                             } else {
-                                phi_1634_ = _e1098;
+                                phi_1613_ = _e1098;
                             }
-                            let _e1102 = phi_1634_;
-                            let _e1105 = local.member_3[2u];
-                            let _e1110 = local.member[2u][0u];
+                            let _e1102 = phi_1613_;
+                            let _e1105 = local.member_4[0u];
+                            let _e1110 = local.member[0u][0u];
                             if (_e1110 < 0f) {
-                                phi_1657_ = -(_e1110);
+                                phi_1635_ = -(_e1110);
                             } else {
-                                phi_1657_ = _e1110;
+                                phi_1635_ = _e1110;
                             }
-                            let _e1114 = phi_1657_;
-                            let _e1117 = local.member_3[0u];
-                            let _e1123 = local.member[1u][2u];
-                            if (_e1123 < 0f) {
-                                phi_1681_ = -(_e1123);
+                            let _e1114 = phi_1635_;
+                            let _e1117 = local.member_4[1u];
+                            if (_e1069 < 0f) {
+                                phi_1651_ = -(_e1069);
                             } else {
-                                phi_1681_ = _e1123;
+                                phi_1651_ = _e1069;
                             }
-                            let _e1127 = phi_1681_;
-                            let _e1130 = local.member_4[1u];
-                            let _e1135 = local.member[1u][1u];
-                            if (_e1135 < 0f) {
-                                phi_1704_ = -(_e1135);
+                            let _e1123 = phi_1651_;
+                            let _e1125 = (_e1123 - (((_e1077 * _e1080) + (_e1089 * _e1092)) + ((_e1102 * _e1105) + (_e1114 * _e1117))));
+                            let _e1129 = local.member[2u][0u];
+                            let _e1132 = local.member_1[0u];
+                            let _e1137 = local.member[0u][0u];
+                            let _e1140 = local.member_1[2u];
+                            let _e1142 = ((_e1129 * _e1132) - (_e1137 * _e1140));
+                            let _e1146 = local.member[0u][0u];
+                            if (_e1146 < 0f) {
+                                phi_1706_ = -(_e1146);
                             } else {
-                                phi_1704_ = _e1135;
+                                phi_1706_ = _e1146;
                             }
-                            let _e1139 = phi_1704_;
-                            let _e1142 = local.member_4[2u];
-                            if (_e1094 < 0f) {
-                                phi_1720_ = -(_e1094);
+                            let _e1150 = phi_1706_;
+                            let _e1153 = local.member_3[2u];
+                            let _e1158 = local.member[2u][0u];
+                            if (_e1158 < 0f) {
+                                phi_1729_ = -(_e1158);
                             } else {
-                                phi_1720_ = _e1094;
+                                phi_1729_ = _e1158;
                             }
-                            let _e1148 = phi_1720_;
-                            let _e1150 = (_e1148 - (((_e1102 * _e1105) + (_e1114 * _e1117)) + ((_e1127 * _e1130) + (_e1139 * _e1142))));
-                            let _e1154 = local.member[2u][1u];
-                            let _e1157 = local.member_1[0u];
-                            let _e1162 = local.member[0u][1u];
-                            let _e1165 = local.member_1[2u];
-                            let _e1167 = ((_e1154 * _e1157) - (_e1162 * _e1165));
-                            let _e1171 = local.member[0u][1u];
+                            let _e1162 = phi_1729_;
+                            let _e1165 = local.member_3[0u];
+                            let _e1171 = local.member[1u][2u];
                             if (_e1171 < 0f) {
-                                phi_1775_ = -(_e1171);
+                                phi_1753_ = -(_e1171);
                             } else {
-                                phi_1775_ = _e1171;
+                                phi_1753_ = _e1171;
                             }
-                            let _e1175 = phi_1775_;
-                            let _e1178 = local.member_3[2u];
-                            let _e1183 = local.member[2u][1u];
+                            let _e1175 = phi_1753_;
+                            let _e1178 = local.member_4[1u];
+                            let _e1183 = local.member[1u][1u];
                             if (_e1183 < 0f) {
-                                phi_1798_ = -(_e1183);
+                                phi_1776_ = -(_e1183);
                             } else {
-                                phi_1798_ = _e1183;
+                                phi_1776_ = _e1183;
                             }
-                            let _e1187 = phi_1798_;
-                            let _e1190 = local.member_3[0u];
-                            let _e1196 = local.member[1u][0u];
-                            if (_e1196 < 0f) {
-                                phi_1822_ = -(_e1196);
+                            let _e1187 = phi_1776_;
+                            let _e1190 = local.member_4[2u];
+                            if (_e1142 < 0f) {
+                                phi_1792_ = -(_e1142);
                             } else {
-                                phi_1822_ = _e1196;
+                                phi_1792_ = _e1142;
                             }
-                            let _e1200 = phi_1822_;
-                            let _e1203 = local.member_4[2u];
-                            let _e1208 = local.member[1u][2u];
-                            if (_e1208 < 0f) {
-                                phi_1845_ = -(_e1208);
+                            let _e1196 = phi_1792_;
+                            let _e1198 = (_e1196 - (((_e1150 * _e1153) + (_e1162 * _e1165)) + ((_e1175 * _e1178) + (_e1187 * _e1190))));
+                            let _e1202 = local.member[2u][1u];
+                            let _e1205 = local.member_1[0u];
+                            let _e1210 = local.member[0u][1u];
+                            let _e1213 = local.member_1[2u];
+                            let _e1215 = ((_e1202 * _e1205) - (_e1210 * _e1213));
+                            let _e1219 = local.member[0u][1u];
+                            if (_e1219 < 0f) {
+                                phi_1847_ = -(_e1219);
                             } else {
-                                phi_1845_ = _e1208;
+                                phi_1847_ = _e1219;
                             }
-                            let _e1212 = phi_1845_;
-                            let _e1215 = local.member_4[0u];
-                            if (_e1167 < 0f) {
-                                phi_1861_ = -(_e1167);
+                            let _e1223 = phi_1847_;
+                            let _e1226 = local.member_3[2u];
+                            let _e1231 = local.member[2u][1u];
+                            if (_e1231 < 0f) {
+                                phi_1870_ = -(_e1231);
                             } else {
-                                phi_1861_ = _e1167;
+                                phi_1870_ = _e1231;
                             }
-                            let _e1221 = phi_1861_;
-                            let _e1223 = (_e1221 - (((_e1175 * _e1178) + (_e1187 * _e1190)) + ((_e1200 * _e1203) + (_e1212 * _e1215))));
-                            let _e1227 = local.member[2u][2u];
-                            let _e1230 = local.member_1[0u];
-                            let _e1235 = local.member[0u][2u];
-                            let _e1238 = local.member_1[2u];
-                            let _e1240 = ((_e1227 * _e1230) - (_e1235 * _e1238));
-                            let _e1244 = local.member[0u][2u];
+                            let _e1235 = phi_1870_;
+                            let _e1238 = local.member_3[0u];
+                            let _e1244 = local.member[1u][0u];
                             if (_e1244 < 0f) {
-                                phi_1916_ = -(_e1244);
+                                phi_1894_ = -(_e1244);
                             } else {
-                                phi_1916_ = _e1244;
+                                phi_1894_ = _e1244;
                             }
-                            let _e1248 = phi_1916_;
-                            let _e1251 = local.member_3[2u];
-                            let _e1256 = local.member[2u][2u];
+                            let _e1248 = phi_1894_;
+                            let _e1251 = local.member_4[2u];
+                            let _e1256 = local.member[1u][2u];
                             if (_e1256 < 0f) {
-                                phi_1939_ = -(_e1256);
+                                phi_1917_ = -(_e1256);
                             } else {
-                                phi_1939_ = _e1256;
+                                phi_1917_ = _e1256;
                             }
-                            let _e1260 = phi_1939_;
-                            let _e1263 = local.member_3[0u];
-                            let _e1269 = local.member[1u][1u];
-                            if (_e1269 < 0f) {
-                                phi_1963_ = -(_e1269);
+                            let _e1260 = phi_1917_;
+                            let _e1263 = local.member_4[0u];
+                            if (_e1215 < 0f) {
+                                phi_1933_ = -(_e1215);
                             } else {
-                                phi_1963_ = _e1269;
+                                phi_1933_ = _e1215;
                             }
-                            let _e1273 = phi_1963_;
-                            let _e1276 = local.member_4[0u];
-                            let _e1281 = local.member[1u][0u];
-                            if (_e1281 < 0f) {
-                                phi_1986_ = -(_e1281);
+                            let _e1269 = phi_1933_;
+                            let _e1271 = (_e1269 - (((_e1223 * _e1226) + (_e1235 * _e1238)) + ((_e1248 * _e1251) + (_e1260 * _e1263))));
+                            let _e1275 = local.member[2u][2u];
+                            let _e1278 = local.member_1[0u];
+                            let _e1283 = local.member[0u][2u];
+                            let _e1286 = local.member_1[2u];
+                            let _e1288 = ((_e1275 * _e1278) - (_e1283 * _e1286));
+                            let _e1292 = local.member[0u][2u];
+                            if (_e1292 < 0f) {
+                                phi_1988_ = -(_e1292);
                             } else {
-                                phi_1986_ = _e1281;
+                                phi_1988_ = _e1292;
                             }
-                            let _e1285 = phi_1986_;
-                            let _e1288 = local.member_4[1u];
-                            if (_e1240 < 0f) {
-                                phi_2002_ = -(_e1240);
+                            let _e1296 = phi_1988_;
+                            let _e1299 = local.member_3[2u];
+                            let _e1304 = local.member[2u][2u];
+                            if (_e1304 < 0f) {
+                                phi_2011_ = -(_e1304);
                             } else {
-                                phi_2002_ = _e1240;
+                                phi_2011_ = _e1304;
                             }
-                            let _e1294 = phi_2002_;
-                            let _e1296 = (_e1294 - (((_e1248 * _e1251) + (_e1260 * _e1263)) + ((_e1273 * _e1276) + (_e1285 * _e1288))));
-                            let _e1300 = local.member[0u][0u];
-                            let _e1303 = local.member_1[1u];
-                            let _e1308 = local.member[1u][0u];
-                            let _e1311 = local.member_1[0u];
-                            let _e1313 = ((_e1300 * _e1303) - (_e1308 * _e1311));
-                            let _e1317 = local.member[1u][0u];
+                            let _e1308 = phi_2011_;
+                            let _e1311 = local.member_3[0u];
+                            let _e1317 = local.member[1u][1u];
                             if (_e1317 < 0f) {
-                                phi_2057_ = -(_e1317);
+                                phi_2035_ = -(_e1317);
                             } else {
-                                phi_2057_ = _e1317;
+                                phi_2035_ = _e1317;
                             }
-                            let _e1321 = phi_2057_;
-                            let _e1324 = local.member_3[0u];
-                            let _e1329 = local.member[0u][0u];
+                            let _e1321 = phi_2035_;
+                            let _e1324 = local.member_4[0u];
+                            let _e1329 = local.member[1u][0u];
                             if (_e1329 < 0f) {
-                                phi_2080_ = -(_e1329);
+                                phi_2058_ = -(_e1329);
                             } else {
-                                phi_2080_ = _e1329;
+                                phi_2058_ = _e1329;
                             }
-                            let _e1333 = phi_2080_;
-                            let _e1336 = local.member_3[1u];
-                            let _e1342 = local.member[2u][2u];
-                            if (_e1342 < 0f) {
-                                phi_2104_ = -(_e1342);
+                            let _e1333 = phi_2058_;
+                            let _e1336 = local.member_4[1u];
+                            if (_e1288 < 0f) {
+                                phi_2074_ = -(_e1288);
                             } else {
-                                phi_2104_ = _e1342;
+                                phi_2074_ = _e1288;
                             }
-                            let _e1346 = phi_2104_;
-                            let _e1349 = local.member_4[1u];
-                            let _e1354 = local.member[2u][1u];
-                            if (_e1354 < 0f) {
-                                phi_2127_ = -(_e1354);
+                            let _e1342 = phi_2074_;
+                            let _e1344 = (_e1342 - (((_e1296 * _e1299) + (_e1308 * _e1311)) + ((_e1321 * _e1324) + (_e1333 * _e1336))));
+                            let _e1348 = local.member[0u][0u];
+                            let _e1351 = local.member_1[1u];
+                            let _e1356 = local.member[1u][0u];
+                            let _e1359 = local.member_1[0u];
+                            let _e1361 = ((_e1348 * _e1351) - (_e1356 * _e1359));
+                            let _e1365 = local.member[1u][0u];
+                            if (_e1365 < 0f) {
+                                phi_2129_ = -(_e1365);
                             } else {
-                                phi_2127_ = _e1354;
+                                phi_2129_ = _e1365;
                             }
-                            let _e1358 = phi_2127_;
-                            let _e1361 = local.member_4[2u];
-                            if (_e1313 < 0f) {
-                                phi_2143_ = -(_e1313);
+                            let _e1369 = phi_2129_;
+                            let _e1372 = local.member_3[0u];
+                            let _e1377 = local.member[0u][0u];
+                            if (_e1377 < 0f) {
+                                phi_2152_ = -(_e1377);
                             } else {
-                                phi_2143_ = _e1313;
+                                phi_2152_ = _e1377;
                             }
-                            let _e1367 = phi_2143_;
-                            let _e1369 = (_e1367 - (((_e1321 * _e1324) + (_e1333 * _e1336)) + ((_e1346 * _e1349) + (_e1358 * _e1361))));
-                            let _e1373 = local.member[0u][1u];
-                            let _e1376 = local.member_1[1u];
-                            let _e1381 = local.member[1u][1u];
-                            let _e1384 = local.member_1[0u];
-                            let _e1386 = ((_e1373 * _e1376) - (_e1381 * _e1384));
-                            let _e1390 = local.member[1u][1u];
+                            let _e1381 = phi_2152_;
+                            let _e1384 = local.member_3[1u];
+                            let _e1390 = local.member[2u][2u];
                             if (_e1390 < 0f) {
-                                phi_2198_ = -(_e1390);
+                                phi_2176_ = -(_e1390);
                             } else {
-                                phi_2198_ = _e1390;
+                                phi_2176_ = _e1390;
                             }
-                            let _e1394 = phi_2198_;
-                            let _e1397 = local.member_3[0u];
-                            let _e1402 = local.member[0u][1u];
+                            let _e1394 = phi_2176_;
+                            let _e1397 = local.member_4[1u];
+                            let _e1402 = local.member[2u][1u];
                             if (_e1402 < 0f) {
-                                phi_2221_ = -(_e1402);
+                                phi_2199_ = -(_e1402);
                             } else {
-                                phi_2221_ = _e1402;
+                                phi_2199_ = _e1402;
                             }
-                            let _e1406 = phi_2221_;
-                            let _e1409 = local.member_3[1u];
-                            let _e1415 = local.member[2u][0u];
-                            if (_e1415 < 0f) {
-                                phi_2245_ = -(_e1415);
+                            let _e1406 = phi_2199_;
+                            let _e1409 = local.member_4[2u];
+                            if (_e1361 < 0f) {
+                                phi_2215_ = -(_e1361);
                             } else {
-                                phi_2245_ = _e1415;
+                                phi_2215_ = _e1361;
                             }
-                            let _e1419 = phi_2245_;
-                            let _e1422 = local.member_4[2u];
-                            let _e1427 = local.member[2u][2u];
-                            if (_e1427 < 0f) {
-                                phi_2268_ = -(_e1427);
+                            let _e1415 = phi_2215_;
+                            let _e1417 = (_e1415 - (((_e1369 * _e1372) + (_e1381 * _e1384)) + ((_e1394 * _e1397) + (_e1406 * _e1409))));
+                            let _e1421 = local.member[0u][1u];
+                            let _e1424 = local.member_1[1u];
+                            let _e1429 = local.member[1u][1u];
+                            let _e1432 = local.member_1[0u];
+                            let _e1434 = ((_e1421 * _e1424) - (_e1429 * _e1432));
+                            let _e1438 = local.member[1u][1u];
+                            if (_e1438 < 0f) {
+                                phi_2270_ = -(_e1438);
                             } else {
-                                phi_2268_ = _e1427;
+                                phi_2270_ = _e1438;
                             }
-                            let _e1431 = phi_2268_;
-                            let _e1434 = local.member_4[0u];
-                            if (_e1386 < 0f) {
-                                phi_2284_ = -(_e1386);
+                            let _e1442 = phi_2270_;
+                            let _e1445 = local.member_3[0u];
+                            let _e1450 = local.member[0u][1u];
+                            if (_e1450 < 0f) {
+                                phi_2293_ = -(_e1450);
                             } else {
-                                phi_2284_ = _e1386;
+                                phi_2293_ = _e1450;
                             }
-                            let _e1440 = phi_2284_;
-                            let _e1442 = (_e1440 - (((_e1394 * _e1397) + (_e1406 * _e1409)) + ((_e1419 * _e1422) + (_e1431 * _e1434))));
-                            let _e1446 = local.member[0u][2u];
-                            let _e1449 = local.member_1[1u];
-                            let _e1454 = local.member[1u][2u];
-                            let _e1457 = local.member_1[0u];
-                            let _e1459 = ((_e1446 * _e1449) - (_e1454 * _e1457));
-                            let _e1463 = local.member[1u][2u];
+                            let _e1454 = phi_2293_;
+                            let _e1457 = local.member_3[1u];
+                            let _e1463 = local.member[2u][0u];
                             if (_e1463 < 0f) {
-                                phi_2339_ = -(_e1463);
+                                phi_2317_ = -(_e1463);
                             } else {
-                                phi_2339_ = _e1463;
+                                phi_2317_ = _e1463;
                             }
-                            let _e1467 = phi_2339_;
-                            let _e1470 = local.member_3[0u];
-                            let _e1475 = local.member[0u][2u];
+                            let _e1467 = phi_2317_;
+                            let _e1470 = local.member_4[2u];
+                            let _e1475 = local.member[2u][2u];
                             if (_e1475 < 0f) {
-                                phi_2362_ = -(_e1475);
+                                phi_2340_ = -(_e1475);
                             } else {
-                                phi_2362_ = _e1475;
+                                phi_2340_ = _e1475;
                             }
-                            let _e1479 = phi_2362_;
-                            let _e1482 = local.member_3[1u];
-                            let _e1488 = local.member[2u][1u];
-                            if (_e1488 < 0f) {
-                                phi_2386_ = -(_e1488);
+                            let _e1479 = phi_2340_;
+                            let _e1482 = local.member_4[0u];
+                            if (_e1434 < 0f) {
+                                phi_2356_ = -(_e1434);
                             } else {
-                                phi_2386_ = _e1488;
+                                phi_2356_ = _e1434;
                             }
-                            let _e1492 = phi_2386_;
-                            let _e1495 = local.member_4[0u];
-                            let _e1500 = local.member[2u][0u];
-                            if (_e1500 < 0f) {
-                                phi_2409_ = -(_e1500);
+                            let _e1488 = phi_2356_;
+                            let _e1490 = (_e1488 - (((_e1442 * _e1445) + (_e1454 * _e1457)) + ((_e1467 * _e1470) + (_e1479 * _e1482))));
+                            let _e1494 = local.member[0u][2u];
+                            let _e1497 = local.member_1[1u];
+                            let _e1502 = local.member[1u][2u];
+                            let _e1505 = local.member_1[0u];
+                            let _e1507 = ((_e1494 * _e1497) - (_e1502 * _e1505));
+                            let _e1511 = local.member[1u][2u];
+                            if (_e1511 < 0f) {
+                                phi_2411_ = -(_e1511);
                             } else {
-                                phi_2409_ = _e1500;
+                                phi_2411_ = _e1511;
                             }
-                            let _e1504 = phi_2409_;
-                            let _e1507 = local.member_4[1u];
-                            if (_e1459 < 0f) {
-                                phi_2425_ = -(_e1459);
+                            let _e1515 = phi_2411_;
+                            let _e1518 = local.member_3[0u];
+                            let _e1523 = local.member[0u][2u];
+                            if (_e1523 < 0f) {
+                                phi_2434_ = -(_e1523);
                             } else {
-                                phi_2425_ = _e1459;
+                                phi_2434_ = _e1523;
                             }
-                            let _e1513 = phi_2425_;
-                            let _e1515 = (_e1513 - (((_e1467 * _e1470) + (_e1479 * _e1482)) + ((_e1492 * _e1495) + (_e1504 * _e1507))));
-                            if (_e931 > _e1004) {
-                                phi_2432_ = _e931;
+                            let _e1527 = phi_2434_;
+                            let _e1530 = local.member_3[1u];
+                            let _e1536 = local.member[2u][1u];
+                            if (_e1536 < 0f) {
+                                phi_2458_ = -(_e1536);
                             } else {
-                                phi_2432_ = _e1004;
+                                phi_2458_ = _e1536;
                             }
-                            let _e1518 = phi_2432_;
-                            if (_e1518 > _e1077) {
-                                phi_2437_ = _e1518;
+                            let _e1540 = phi_2458_;
+                            let _e1543 = local.member_4[0u];
+                            let _e1548 = local.member[2u][0u];
+                            if (_e1548 < 0f) {
+                                phi_2481_ = -(_e1548);
                             } else {
-                                phi_2437_ = _e1077;
+                                phi_2481_ = _e1548;
                             }
-                            let _e1521 = phi_2437_;
-                            if (_e1150 > _e1223) {
-                                phi_2442_ = _e1150;
+                            let _e1552 = phi_2481_;
+                            let _e1555 = local.member_4[1u];
+                            if (_e1507 < 0f) {
+                                phi_2497_ = -(_e1507);
                             } else {
-                                phi_2442_ = _e1223;
+                                phi_2497_ = _e1507;
                             }
-                            let _e1524 = phi_2442_;
-                            if (_e1524 > _e1296) {
-                                phi_2447_ = _e1524;
+                            let _e1561 = phi_2497_;
+                            let _e1563 = (_e1561 - (((_e1515 * _e1518) + (_e1527 * _e1530)) + ((_e1540 * _e1543) + (_e1552 * _e1555))));
+                            if (_e979 > _e1052) {
+                                phi_2504_ = _e979;
                             } else {
-                                phi_2447_ = _e1296;
+                                phi_2504_ = _e1052;
                             }
-                            let _e1527 = phi_2447_;
-                            if (_e1521 > _e1527) {
-                                phi_2452_ = _e1521;
+                            let _e1566 = phi_2504_;
+                            if (_e1566 > _e1125) {
+                                phi_2509_ = _e1566;
                             } else {
-                                phi_2452_ = _e1527;
+                                phi_2509_ = _e1125;
                             }
-                            let _e1530 = phi_2452_;
-                            if (_e1369 > _e1442) {
-                                phi_2457_ = _e1369;
+                            let _e1569 = phi_2509_;
+                            if (_e1198 > _e1271) {
+                                phi_2514_ = _e1198;
                             } else {
-                                phi_2457_ = _e1442;
+                                phi_2514_ = _e1271;
                             }
-                            let _e1533 = phi_2457_;
-                            if (_e1533 > _e1515) {
-                                phi_2462_ = _e1533;
+                            let _e1572 = phi_2514_;
+                            if (_e1572 > _e1344) {
+                                phi_2519_ = _e1572;
                             } else {
-                                phi_2462_ = _e1515;
+                                phi_2519_ = _e1344;
                             }
-                            let _e1536 = phi_2462_;
-                            if (_e1530 > _e1536) {
-                                phi_2467_ = _e1530;
+                            let _e1575 = phi_2519_;
+                            if (_e1569 > _e1575) {
+                                phi_2524_ = _e1569;
                             } else {
-                                phi_2467_ = _e1536;
+                                phi_2524_ = _e1575;
                             }
-                            let _e1539 = phi_2467_;
-                            let _e1541 = local.member_5;
-                            phi_2471_ = (_e1539 > _e1541);
+                            let _e1578 = phi_2524_;
+                            if (_e1417 > _e1490) {
+                                phi_2529_ = _e1417;
+                            } else {
+                                phi_2529_ = _e1490;
+                            }
+                            let _e1581 = phi_2529_;
+                            if (_e1581 > _e1563) {
+                                phi_2534_ = _e1581;
+                            } else {
+                                phi_2534_ = _e1563;
+                            }
+                            let _e1584 = phi_2534_;
+                            if (_e1578 > _e1584) {
+                                phi_2539_ = _e1578;
+                            } else {
+                                phi_2539_ = _e1584;
+                            }
+                            let _e1587 = phi_2539_;
+                            let _e1589 = local.member_5;
+                            phi_2543_ = (_e1587 > _e1589);
                         }
-                        let _e1544 = phi_2471_;
-                        phi_2473_ = !(_e1544);
-                        phi_2474_ = false;
+                        let _e1592 = phi_2543_;
+                        phi_2545_ = !(_e1592);
+                        phi_2546_ = false;
                     } else {
-                        phi_2473_ = bool();
-                        phi_2474_ = true;
+                        phi_2545_ = bool();
+                        phi_2546_ = true;
                     }
-                    let _e1547 = phi_2473_;
-                    let _e1549 = phi_2474_;
-                    phi_2475_ = _e1547;
-                    phi_2476_ = _e1549;
+                    let _e1595 = phi_2545_;
+                    let _e1597 = phi_2546_;
+                    phi_2547_ = _e1595;
+                    phi_2548_ = _e1597;
                 }
-                let _e1551 = phi_2475_;
-                let _e1553 = phi_2476_;
-                if _e1553 {
-                    phi_2480_ = true;
+                let _e1599 = phi_2547_;
+                let _e1601 = phi_2548_;
+                if _e1601 {
+                    phi_2552_ = true;
                 } else {
-                    phi_2480_ = _e1551;
+                    phi_2552_ = _e1599;
                 }
-                let _e1555 = phi_2480_;
-                phi_2481_ = _e1555;
+                let _e1603 = phi_2552_;
+                phi_2553_ = _e1603;
             } else {
-                phi_2481_ = false;
+                phi_2553_ = false;
             }
-            let _e1557 = phi_2481_;
-            if _e1557 {
-                let _e1585 = atomicAdd((&control.member[0u]), 1u);
-                let _e1588 = atomicMax((&output.member[0u]), (_e1585 + 1u));
-                if ((_e1585 + 1u) < _e1585) {
-                    let _e1592 = atomicAdd((&output.member[2u]), 1u);
+            let _e1605 = phi_2553_;
+            if _e1605 {
+                let _e1633 = atomicAdd((&control.member[0u]), 1u);
+                let _e1636 = atomicMax((&output.member[0u]), (_e1633 + 1u));
+                if ((_e1633 + 1u) < _e1633) {
+                    let _e1640 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e1595 = params.member.member_2.member_3;
-                if (_e1585 < _e1595) {
-                    let _e1599 = (2u * _e1585);
-                    atomicStore((&output.member[(4u + _e1599)]), _e93[0]);
-                    atomicStore((&output.member[(_e1599 + 5u)]), _e93[1]);
+                let _e1643 = params.member.member_2.member_3;
+                if (_e1633 < _e1643) {
+                    let _e1647 = (2u * _e1633);
+                    atomicStore((&output.member[(4u + _e1647)]), _e93[0]);
+                    atomicStore((&output.member[(_e1647 + 5u)]), _e93[1]);
                 }
             } else {
-                let _e1560 = params.member.member_2.member_4;
-                if (_e1560 > 0u) {
-                    let _e1563 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e1563 + 1u) < _e1563) {
-                        let _e1567 = atomicAdd((&control.member[1538u]), 1u);
+                let _e1608 = params.member.member_2.member_4;
+                if (_e1608 > 0u) {
+                    let _e1611 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e1611 + 1u) < _e1611) {
+                        let _e1615 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e1570 = params.member.member_2.member_4;
-                    if (_e1563 < _e1570) {
-                        let _e1573 = params.member.member_2.member_5;
-                        let _e1575 = params.member.member_2.member_4;
-                        let _e1578 = (2u * ((_e1573 * _e1575) + _e1563));
-                        front.member[_e1578] = _e93[0];
-                        front.member[(_e1578 + 1u)] = _e93[1];
+                    let _e1618 = params.member.member_2.member_4;
+                    if (_e1611 < _e1618) {
+                        let _e1621 = params.member.member_2.member_5;
+                        let _e1623 = params.member.member_2.member_4;
+                        let _e1626 = (2u * ((_e1621 * _e1623) + _e1611));
+                        front.member[_e1626] = _e93[0];
+                        front.member[(_e1626 + 1u)] = _e93[1];
                     }
                 }
             }

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_14 {
@@ -127,7 +127,7 @@ struct type_42 {
 @group(0) @binding(1) 
 var<storage> paths: type_19;
 @group(0) @binding(3) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_29;
@@ -445,9 +445,9 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_239_: u32;
     var phi_260_: u32;
     var phi_261_: u32;
-    var phi_264_: type_9;
-    var phi_265_: type_9;
-    var phi_288_: type_9;
+    var phi_264_: type_12;
+    var phi_265_: type_12;
+    var phi_288_: type_12;
     var phi_463_: f32;
     var phi_469_: f32;
     var phi_474_: f32;
@@ -566,17 +566,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4717_: f32;
     var phi_4781_: f32;
     var phi_4787_: f32;
-    var phi_4812_: type_9;
+    var phi_4812_: type_12;
     var phi_4815_: u32;
-    var phi_4813_: type_9;
-    var phi_4838_: type_9;
+    var phi_4813_: type_12;
+    var phi_4838_: type_12;
     var phi_4882_: u32;
     var phi_4883_: u32;
     var phi_4816_: u32;
     var phi_4884_: u32;
-    var phi_4904_: type_9;
-    var phi_4905_: type_9;
-    var phi_4928_: type_9;
+    var phi_4904_: type_12;
+    var phi_4905_: type_12;
+    var phi_4928_: type_12;
     var phi_4980_: f32;
     var phi_4987_: f32;
     var phi_4998_: bool;
@@ -590,12 +590,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5019_: type_37;
     var phi_5020_: bool;
     var phi_5031_: f32;
-    var phi_5041_: type_9;
+    var phi_5041_: type_12;
     var phi_5044_: f32;
     var phi_5046_: f32;
     var phi_5048_: f32;
-    var phi_5042_: type_9;
-    var phi_5071_: type_9;
+    var phi_5042_: type_12;
+    var phi_5071_: type_12;
     var phi_5096_: f32;
     var phi_5097_: f32;
     var phi_5123_: f32;
@@ -616,10 +616,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5163_: f32;
     var phi_5164_: f32;
     var phi_5172_: f32;
-    var phi_5176_: type_9;
+    var phi_5176_: type_12;
     var phi_5179_: f32;
-    var phi_5177_: type_9;
-    var phi_5202_: type_9;
+    var phi_5177_: type_12;
+    var phi_5202_: type_12;
     var phi_5232_: f32;
     var phi_5233_: bool;
     var phi_5234_: f32;
@@ -719,10 +719,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6192_: f32;
     var phi_6198_: f32;
     var phi_6205_: f32;
-    var phi_6260_: type_9;
+    var phi_6260_: type_12;
     var phi_6263_: bool;
-    var phi_6261_: type_9;
-    var phi_6286_: type_9;
+    var phi_6261_: type_12;
+    var phi_6286_: type_12;
     var phi_6313_: bool;
     var phi_6314_: bool;
     var phi_6264_: bool;
@@ -774,15 +774,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6730_: f32;
     var phi_6735_: f32;
     var phi_6740_: f32;
-    var phi_6780_: type_9;
+    var phi_6780_: type_12;
     var phi_6783_: f32;
     var phi_6785_: f32;
     var phi_6787_: f32;
     var phi_6789_: f32;
     var phi_6791_: bool;
     var phi_6793_: u32;
-    var phi_6781_: type_9;
-    var phi_6816_: type_9;
+    var phi_6781_: type_12;
+    var phi_6816_: type_12;
     var phi_6930_: f32;
     var phi_6936_: f32;
     var phi_6942_: f32;
@@ -1057,15 +1057,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1785_: f32;
     var phi_1790_: f32;
     var phi_1795_: f32;
-    var phi_1835_: type_9;
+    var phi_1835_: type_12;
     var phi_1838_: f32;
     var phi_1840_: f32;
     var phi_1842_: f32;
     var phi_1844_: f32;
     var phi_1846_: bool;
     var phi_1848_: u32;
-    var phi_1836_: type_9;
-    var phi_1871_: type_9;
+    var phi_1836_: type_12;
+    var phi_1871_: type_12;
     var phi_1985_: f32;
     var phi_1991_: f32;
     var phi_1997_: f32;
@@ -1341,9 +1341,9 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4080_: type_30;
     var phi_4081_: bool;
     var phi_4085_: type_30;
-    var phi_4098_: type_9;
-    var phi_4099_: type_9;
-    var phi_4122_: type_9;
+    var phi_4098_: type_12;
+    var phi_4099_: type_12;
+    var phi_4122_: type_12;
     var phi_4142_: f32;
     var phi_4272_: type_14;
     var phi_4275_: f32;
@@ -1481,15 +1481,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_261_ = 0u;
     }
     let _e146 = phi_261_;
-    phi_264_ = type_9(0u, _e146);
+    phi_264_ = type_12(0u, _e146);
     loop {
         let _e149 = phi_264_;
         if (_e149.member < _e149.member_1) {
-            phi_265_ = type_9((_e149.member + 1u), _e149.member_1);
-            phi_288_ = type_9(1u, _e149.member);
+            phi_265_ = type_12((_e149.member + 1u), _e149.member_1);
+            phi_288_ = type_12(1u, _e149.member);
         } else {
             phi_265_ = _e149;
-            phi_288_ = type_9(0u, type_9().member_1);
+            phi_288_ = type_12(0u, type_12().member_1);
         }
         let _e161 = phi_265_;
         let _e163 = phi_288_;
@@ -2381,7 +2381,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3784 = local_12.member_3;
                         let _e3791 = local_12.member_3;
                         local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                        phi_1835_ = type_9(0u, 96u);
+                        phi_1835_ = type_12(0u, 96u);
                         phi_1838_ = 0f;
                         phi_1840_ = 0f;
                         phi_1842_ = (1f - 0f);
@@ -2399,11 +2399,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_27 = _e3800;
                             local_53 = _e3802;
                             if (_e3798.member < _e3798.member_1) {
-                                phi_1836_ = type_9((_e3798.member + 1u), _e3798.member_1);
-                                phi_1871_ = type_9(1u, _e3798.member);
+                                phi_1836_ = type_12((_e3798.member + 1u), _e3798.member_1);
+                                phi_1871_ = type_12(1u, _e3798.member);
                             } else {
                                 phi_1836_ = _e3798;
-                                phi_1871_ = type_9(0u, type_9().member_1);
+                                phi_1871_ = type_12(0u, type_12().member_1);
                             }
                             let _e3822 = phi_1836_;
                             let _e3824 = phi_1871_;
@@ -3867,15 +3867,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_11[0u] = 0.00000001f;
                             local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4098_ = type_9(0u, 3u);
+                            phi_4098_ = type_12(0u, 3u);
                             loop {
                                 let _e5328 = phi_4098_;
                                 if (_e5328.member < _e5328.member_1) {
-                                    phi_4099_ = type_9((_e5328.member + 1u), _e5328.member_1);
-                                    phi_4122_ = type_9(1u, _e5328.member);
+                                    phi_4099_ = type_12((_e5328.member + 1u), _e5328.member_1);
+                                    phi_4122_ = type_12(1u, _e5328.member);
                                 } else {
                                     phi_4099_ = _e5328;
-                                    phi_4122_ = type_9(0u, type_9().member_1);
+                                    phi_4122_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e5340 = phi_4099_;
                                 let _e5342 = phi_4122_;
@@ -4362,18 +4362,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1061;
                                 local_7[1u] = _e1063;
                             }
-                            phi_4812_ = type_9(0u, 2u);
+                            phi_4812_ = type_12(0u, 2u);
                             phi_4815_ = 1u;
                             loop {
                                 let _e1067 = phi_4812_;
                                 let _e1069 = phi_4815_;
                                 local_30 = _e1069;
                                 if (_e1067.member < _e1067.member_1) {
-                                    phi_4813_ = type_9((_e1067.member + 1u), _e1067.member_1);
-                                    phi_4838_ = type_9(1u, _e1067.member);
+                                    phi_4813_ = type_12((_e1067.member + 1u), _e1067.member_1);
+                                    phi_4838_ = type_12(1u, _e1067.member);
                                 } else {
                                     phi_4813_ = _e1067;
-                                    phi_4838_ = type_9(0u, type_9().member_1);
+                                    phi_4838_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e1081 = phi_4813_;
                                 let _e1083 = phi_4838_;
@@ -4416,15 +4416,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_6[_e1106] = 1f;
                         let _e1108 = local_6;
                         local_8 = _e1108;
-                        phi_4904_ = type_9(0u, _e1106);
+                        phi_4904_ = type_12(0u, _e1106);
                         loop {
                             let _e1111 = phi_4904_;
                             if (_e1111.member < _e1111.member_1) {
-                                phi_4905_ = type_9((_e1111.member + 1u), _e1111.member_1);
-                                phi_4928_ = type_9(1u, _e1111.member);
+                                phi_4905_ = type_12((_e1111.member + 1u), _e1111.member_1);
+                                phi_4928_ = type_12(1u, _e1111.member);
                             } else {
                                 phi_4905_ = _e1111;
-                                phi_4928_ = type_9(0u, type_9().member_1);
+                                phi_4928_ = type_12(0u, type_12().member_1);
                             }
                             let _e1123 = phi_4905_;
                             let _e1125 = phi_4928_;
@@ -4506,7 +4506,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         }
                                         let _e1195 = phi_5031_;
                                         let _e1198 = (_e639 - _e616);
-                                        phi_5041_ = type_9(0u, 64u);
+                                        phi_5041_ = type_12(0u, 64u);
                                         phi_5044_ = _e1134;
                                         phi_5046_ = _e1131;
                                         phi_5048_ = (0.5f * (_e1131 + _e1134));
@@ -4517,11 +4517,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1210 = phi_5048_;
                                             local_32 = _e1208;
                                             if (_e1204.member < _e1204.member_1) {
-                                                phi_5042_ = type_9((_e1204.member + 1u), _e1204.member_1);
-                                                phi_5071_ = type_9(1u, _e1204.member);
+                                                phi_5042_ = type_12((_e1204.member + 1u), _e1204.member_1);
+                                                phi_5071_ = type_12(1u, _e1204.member);
                                             } else {
                                                 phi_5042_ = _e1204;
-                                                phi_5071_ = type_9(0u, type_9().member_1);
+                                                phi_5071_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1222 = phi_5042_;
                                             let _e1224 = phi_5071_;
@@ -4638,17 +4638,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_5172_ = 1f;
                                         }
                                         let _e1314 = phi_5172_;
-                                        phi_5176_ = type_9(0u, 64u);
+                                        phi_5176_ = type_12(0u, 64u);
                                         phi_5179_ = (2f * 0.00000000000022737368f);
                                         loop {
                                             let _e1317 = phi_5176_;
                                             let _e1319 = phi_5179_;
                                             if (_e1317.member < _e1317.member_1) {
-                                                phi_5177_ = type_9((_e1317.member + 1u), _e1317.member_1);
-                                                phi_5202_ = type_9(1u, _e1317.member);
+                                                phi_5177_ = type_12((_e1317.member + 1u), _e1317.member_1);
+                                                phi_5202_ = type_12(1u, _e1317.member);
                                             } else {
                                                 phi_5177_ = _e1317;
-                                                phi_5202_ = type_9(0u, type_9().member_1);
+                                                phi_5202_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1331 = phi_5177_;
                                             let _e1333 = phi_5202_;
@@ -5323,18 +5323,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2016 = phi_6205_;
                                         let _e2019 = (((_e2007 + _e2011) + _e2016) * (0.000000059604645f * 4f));
                                         local_5 = array<type_32, 4>(type_32(_e2002, _e1953), type_32(_e2003, _e2000), type_32((_e2001 - _e2002), ((_e1898 + _e1953) + _e2019)), type_32((_e2001 - _e2003), ((_e1898 + _e2000) + _e2019)));
-                                        phi_6260_ = type_9(0u, 4u);
+                                        phi_6260_ = type_12(0u, 4u);
                                         phi_6263_ = true;
                                         loop {
                                             let _e2032 = phi_6260_;
                                             let _e2034 = phi_6263_;
                                             local_17 = _e2034;
                                             if (_e2032.member < _e2032.member_1) {
-                                                phi_6261_ = type_9((_e2032.member + 1u), _e2032.member_1);
-                                                phi_6286_ = type_9(1u, _e2032.member);
+                                                phi_6261_ = type_12((_e2032.member + 1u), _e2032.member_1);
+                                                phi_6286_ = type_12(1u, _e2032.member);
                                             } else {
                                                 phi_6261_ = _e2032;
-                                                phi_6286_ = type_9(0u, type_9().member_1);
+                                                phi_6286_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e2046 = phi_6261_;
                                             let _e2048 = phi_6286_;
@@ -5657,7 +5657,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2323 = local_12.member_3;
                                             let _e2330 = local_12.member_3;
                                             local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                            phi_6780_ = type_9(0u, 96u);
+                                            phi_6780_ = type_12(0u, 96u);
                                             phi_6783_ = _e1393.member;
                                             phi_6785_ = _e1393.member;
                                             phi_6787_ = (_e1393.member_1 - _e1393.member);
@@ -5675,11 +5675,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_20 = _e2339;
                                                 local_42 = _e2341;
                                                 if (_e2337.member < _e2337.member_1) {
-                                                    phi_6781_ = type_9((_e2337.member + 1u), _e2337.member_1);
-                                                    phi_6816_ = type_9(1u, _e2337.member);
+                                                    phi_6781_ = type_12((_e2337.member + 1u), _e2337.member_1);
+                                                    phi_6816_ = type_12(1u, _e2337.member);
                                                 } else {
                                                     phi_6781_ = _e2337;
-                                                    phi_6816_ = type_9(0u, type_9().member_1);
+                                                    phi_6816_ = type_12(0u, type_12().member_1);
                                                 }
                                                 let _e2361 = phi_6781_;
                                                 let _e2363 = phi_6816_;

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -139,7 +139,7 @@ var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_28;
 @group(0) @binding(4) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> earliest: type_49;
 @group(0) @binding(2) 
@@ -433,9 +433,9 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_257_: u32;
     var phi_278_: u32;
     var phi_279_: u32;
-    var phi_282_: type_9;
-    var phi_283_: type_9;
-    var phi_306_: type_9;
+    var phi_282_: type_12;
+    var phi_283_: type_12;
+    var phi_306_: type_12;
     var phi_564_: type_42;
     var phi_658_: f64;
     var phi_664_: f64;
@@ -555,17 +555,17 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4996_: f64;
     var phi_5060_: f64;
     var phi_5066_: f64;
-    var phi_5091_: type_9;
+    var phi_5091_: type_12;
     var phi_5094_: u32;
-    var phi_5092_: type_9;
-    var phi_5117_: type_9;
+    var phi_5092_: type_12;
+    var phi_5117_: type_12;
     var phi_5161_: u32;
     var phi_5162_: u32;
     var phi_5095_: u32;
     var phi_5163_: u32;
-    var phi_5183_: type_9;
-    var phi_5184_: type_9;
-    var phi_5207_: type_9;
+    var phi_5183_: type_12;
+    var phi_5184_: type_12;
+    var phi_5207_: type_12;
     var phi_5261_: f64;
     var phi_5268_: f64;
     var phi_5280_: bool;
@@ -579,12 +579,12 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5302_: type_45;
     var phi_5303_: bool;
     var phi_5316_: f64;
-    var phi_5329_: type_9;
+    var phi_5329_: type_12;
     var phi_5332_: f64;
     var phi_5334_: f64;
     var phi_5336_: f64;
-    var phi_5330_: type_9;
-    var phi_5359_: type_9;
+    var phi_5330_: type_12;
+    var phi_5359_: type_12;
     var phi_5386_: f64;
     var phi_5387_: f64;
     var phi_5415_: f64;
@@ -605,10 +605,10 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5455_: f64;
     var phi_5456_: f64;
     var phi_5466_: f64;
-    var phi_5471_: type_9;
+    var phi_5471_: type_12;
     var phi_5474_: f64;
-    var phi_5472_: type_9;
-    var phi_5497_: type_9;
+    var phi_5472_: type_12;
+    var phi_5497_: type_12;
     var phi_5528_: f64;
     var phi_5529_: bool;
     var phi_5530_: f64;
@@ -708,10 +708,10 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6511_: f64;
     var phi_6517_: f64;
     var phi_6524_: f64;
-    var phi_6580_: type_9;
+    var phi_6580_: type_12;
     var phi_6583_: bool;
-    var phi_6581_: type_9;
-    var phi_6606_: type_9;
+    var phi_6581_: type_12;
+    var phi_6606_: type_12;
     var phi_6633_: bool;
     var phi_6634_: bool;
     var phi_6584_: bool;
@@ -763,15 +763,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7052_: f64;
     var phi_7057_: f64;
     var phi_7062_: f64;
-    var phi_7107_: type_9;
+    var phi_7107_: type_12;
     var phi_7110_: f64;
     var phi_7112_: f64;
     var phi_7114_: f64;
     var phi_7116_: f64;
     var phi_7118_: bool;
     var phi_7120_: u32;
-    var phi_7108_: type_9;
-    var phi_7143_: type_9;
+    var phi_7108_: type_12;
+    var phi_7143_: type_12;
     var phi_7258_: f64;
     var phi_7264_: f64;
     var phi_7270_: f64;
@@ -1116,15 +1116,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1998_: f64;
     var phi_2003_: f64;
     var phi_2008_: f64;
-    var phi_2053_: type_9;
+    var phi_2053_: type_12;
     var phi_2056_: f64;
     var phi_2058_: f64;
     var phi_2060_: f64;
     var phi_2062_: f64;
     var phi_2064_: bool;
     var phi_2066_: u32;
-    var phi_2054_: type_9;
-    var phi_2089_: type_9;
+    var phi_2054_: type_12;
+    var phi_2089_: type_12;
     var phi_2204_: f64;
     var phi_2210_: f64;
     var phi_2216_: f64;
@@ -1402,9 +1402,9 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4343_: type_44;
     var phi_4344_: bool;
     var phi_4348_: type_44;
-    var phi_4361_: type_9;
-    var phi_4362_: type_9;
-    var phi_4385_: type_9;
+    var phi_4361_: type_12;
+    var phi_4362_: type_12;
+    var phi_4385_: type_12;
     var phi_4406_: f64;
     var phi_4536_: type_16;
     var phi_4539_: f64;
@@ -1541,15 +1541,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_279_ = 0u;
     }
     let _e151 = phi_279_;
-    phi_282_ = type_9(0u, _e151);
+    phi_282_ = type_12(0u, _e151);
     loop {
         let _e154 = phi_282_;
         if (_e154.member < _e154.member_1) {
-            phi_283_ = type_9((_e154.member + 1u), _e154.member_1);
-            phi_306_ = type_9(1u, _e154.member);
+            phi_283_ = type_12((_e154.member + 1u), _e154.member_1);
+            phi_306_ = type_12(1u, _e154.member);
         } else {
             phi_283_ = _e154;
-            phi_306_ = type_9(0u, type_9().member_1);
+            phi_306_ = type_12(0u, type_12().member_1);
         }
         let _e166 = phi_283_;
         let _e168 = phi_306_;
@@ -2475,7 +2475,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4410 = f64(0f);
                         let _e4411 = f64(1f);
                         local_9 = type_34(array<f64, 4>(_e4410, _e4410, _e4410, _e4410), array<f64, 4>(_e4410, _e4410, _e4410, _e4410), array<f64, 4>(_e4411, _e4411, _e4411, _e4411));
-                        phi_2053_ = type_9(0u, 96u);
+                        phi_2053_ = type_12(0u, 96u);
                         phi_2056_ = _e4180;
                         phi_2058_ = _e4180;
                         phi_2060_ = (_e4179 - _e4180);
@@ -2493,11 +2493,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_28 = _e4420;
                             local_56 = _e4422;
                             if (_e4418.member < _e4418.member_1) {
-                                phi_2054_ = type_9((_e4418.member + 1u), _e4418.member_1);
-                                phi_2089_ = type_9(1u, _e4418.member);
+                                phi_2054_ = type_12((_e4418.member + 1u), _e4418.member_1);
+                                phi_2089_ = type_12(1u, _e4418.member);
                             } else {
                                 phi_2054_ = _e4418;
-                                phi_2089_ = type_9(0u, type_9().member_1);
+                                phi_2089_ = type_12(0u, type_12().member_1);
                             }
                             let _e4442 = phi_2054_;
                             let _e4444 = phi_2089_;
@@ -3974,15 +3974,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_11[0u] = 0.00000001f;
                             local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4361_ = type_9(0u, 3u);
+                            phi_4361_ = type_12(0u, 3u);
                             loop {
                                 let _e5997 = phi_4361_;
                                 if (_e5997.member < _e5997.member_1) {
-                                    phi_4362_ = type_9((_e5997.member + 1u), _e5997.member_1);
-                                    phi_4385_ = type_9(1u, _e5997.member);
+                                    phi_4362_ = type_12((_e5997.member + 1u), _e5997.member_1);
+                                    phi_4385_ = type_12(1u, _e5997.member);
                                 } else {
                                     phi_4362_ = _e5997;
-                                    phi_4385_ = type_9(0u, type_9().member_1);
+                                    phi_4385_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e6009 = phi_4362_;
                                 let _e6011 = phi_4385_;
@@ -4473,18 +4473,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1205;
                                 local_7[1u] = _e1207;
                             }
-                            phi_5091_ = type_9(0u, 2u);
+                            phi_5091_ = type_12(0u, 2u);
                             phi_5094_ = 1u;
                             loop {
                                 let _e1211 = phi_5091_;
                                 let _e1213 = phi_5094_;
                                 local_31 = _e1213;
                                 if (_e1211.member < _e1211.member_1) {
-                                    phi_5092_ = type_9((_e1211.member + 1u), _e1211.member_1);
-                                    phi_5117_ = type_9(1u, _e1211.member);
+                                    phi_5092_ = type_12((_e1211.member + 1u), _e1211.member_1);
+                                    phi_5117_ = type_12(1u, _e1211.member);
                                 } else {
                                     phi_5092_ = _e1211;
-                                    phi_5117_ = type_9(0u, type_9().member_1);
+                                    phi_5117_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e1225 = phi_5092_;
                                 let _e1227 = phi_5117_;
@@ -4527,15 +4527,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_6[_e1250] = _e1115;
                         let _e1252 = local_6;
                         local_8 = _e1252;
-                        phi_5183_ = type_9(0u, _e1250);
+                        phi_5183_ = type_12(0u, _e1250);
                         loop {
                             let _e1255 = phi_5183_;
                             if (_e1255.member < _e1255.member_1) {
-                                phi_5184_ = type_9((_e1255.member + 1u), _e1255.member_1);
-                                phi_5207_ = type_9(1u, _e1255.member);
+                                phi_5184_ = type_12((_e1255.member + 1u), _e1255.member_1);
+                                phi_5207_ = type_12(1u, _e1255.member);
                             } else {
                                 phi_5184_ = _e1255;
-                                phi_5207_ = type_9(0u, type_9().member_1);
+                                phi_5207_ = type_12(0u, type_12().member_1);
                             }
                             let _e1267 = phi_5184_;
                             let _e1269 = phi_5207_;
@@ -4621,7 +4621,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1347 = f64(0.5f);
                                         let _e1348 = f64(3f);
                                         let _e1351 = (_e762 - _e739);
-                                        phi_5329_ = type_9(0u, 64u);
+                                        phi_5329_ = type_12(0u, 64u);
                                         phi_5332_ = _e1278;
                                         phi_5334_ = _e1275;
                                         phi_5336_ = (_e1347 * (_e1275 + _e1278));
@@ -4632,11 +4632,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1363 = phi_5336_;
                                             local_33 = _e1361;
                                             if (_e1357.member < _e1357.member_1) {
-                                                phi_5330_ = type_9((_e1357.member + 1u), _e1357.member_1);
-                                                phi_5359_ = type_9(1u, _e1357.member);
+                                                phi_5330_ = type_12((_e1357.member + 1u), _e1357.member_1);
+                                                phi_5359_ = type_12(1u, _e1357.member);
                                             } else {
                                                 phi_5330_ = _e1357;
-                                                phi_5359_ = type_9(0u, type_9().member_1);
+                                                phi_5359_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1375 = phi_5330_;
                                             let _e1377 = phi_5359_;
@@ -4753,17 +4753,17 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_5466_ = f64(1f);
                                         }
                                         let _e1473 = phi_5466_;
-                                        phi_5471_ = type_9(0u, 64u);
+                                        phi_5471_ = type_12(0u, 64u);
                                         phi_5474_ = f64((2f * 0.00000000000022737368f));
                                         loop {
                                             let _e1477 = phi_5471_;
                                             let _e1479 = phi_5474_;
                                             if (_e1477.member < _e1477.member_1) {
-                                                phi_5472_ = type_9((_e1477.member + 1u), _e1477.member_1);
-                                                phi_5497_ = type_9(1u, _e1477.member);
+                                                phi_5472_ = type_12((_e1477.member + 1u), _e1477.member_1);
+                                                phi_5497_ = type_12(1u, _e1477.member);
                                             } else {
                                                 phi_5472_ = _e1477;
-                                                phi_5497_ = type_9(0u, type_9().member_1);
+                                                phi_5497_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1491 = phi_5472_;
                                             let _e1493 = phi_5497_;
@@ -5444,18 +5444,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2200 = phi_6524_;
                                         let _e2204 = (((_e2191 + _e2195) + _e2200) * (1.1102230246251565e-16lf * f64(4f)));
                                         local_5 = array<type_36, 4>(type_36(_e2186, _e2133), type_36(_e2187, _e2184), type_36((_e2185 - _e2186), ((_e2071 + _e2133) + _e2204)), type_36((_e2185 - _e2187), ((_e2071 + _e2184) + _e2204)));
-                                        phi_6580_ = type_9(0u, 4u);
+                                        phi_6580_ = type_12(0u, 4u);
                                         phi_6583_ = true;
                                         loop {
                                             let _e2217 = phi_6580_;
                                             let _e2219 = phi_6583_;
                                             local_17 = _e2219;
                                             if (_e2217.member < _e2217.member_1) {
-                                                phi_6581_ = type_9((_e2217.member + 1u), _e2217.member_1);
-                                                phi_6606_ = type_9(1u, _e2217.member);
+                                                phi_6581_ = type_12((_e2217.member + 1u), _e2217.member_1);
+                                                phi_6606_ = type_12(1u, _e2217.member);
                                             } else {
                                                 phi_6581_ = _e2217;
-                                                phi_6606_ = type_9(0u, type_9().member_1);
+                                                phi_6606_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e2231 = phi_6581_;
                                             let _e2233 = phi_6606_;
@@ -5781,7 +5781,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2525 = f64(0f);
                                             let _e2526 = f64(1f);
                                             local = type_34(array<f64, 4>(_e2525, _e2525, _e2525, _e2525), array<f64, 4>(_e2525, _e2525, _e2525, _e2525), array<f64, 4>(_e2526, _e2526, _e2526, _e2526));
-                                            phi_7107_ = type_9(0u, 96u);
+                                            phi_7107_ = type_12(0u, 96u);
                                             phi_7110_ = _e1554.member;
                                             phi_7112_ = _e1554.member;
                                             phi_7114_ = (_e1554.member_1 - _e1554.member);
@@ -5799,11 +5799,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_21 = _e2535;
                                                 local_45 = _e2537;
                                                 if (_e2533.member < _e2533.member_1) {
-                                                    phi_7108_ = type_9((_e2533.member + 1u), _e2533.member_1);
-                                                    phi_7143_ = type_9(1u, _e2533.member);
+                                                    phi_7108_ = type_12((_e2533.member + 1u), _e2533.member_1);
+                                                    phi_7143_ = type_12(1u, _e2533.member);
                                                 } else {
                                                     phi_7108_ = _e2533;
-                                                    phi_7143_ = type_9(0u, type_9().member_1);
+                                                    phi_7143_ = type_12(0u, type_12().member_1);
                                                 }
                                                 let _e2557 = phi_7108_;
                                                 let _e2559 = phi_7143_;

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_14 {
@@ -127,7 +127,7 @@ struct type_42 {
 @group(0) @binding(1) 
 var<storage> paths: type_19;
 @group(0) @binding(3) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_27;
@@ -445,9 +445,9 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_783_: u32;
     var phi_804_: u32;
     var phi_805_: u32;
-    var phi_808_: type_9;
-    var phi_809_: type_9;
-    var phi_832_: type_9;
+    var phi_808_: type_12;
+    var phi_809_: type_12;
+    var phi_832_: type_12;
     var phi_996_: f32;
     var phi_1002_: f32;
     var phi_1007_: f32;
@@ -566,17 +566,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5250_: f32;
     var phi_5314_: f32;
     var phi_5320_: f32;
-    var phi_5345_: type_9;
+    var phi_5345_: type_12;
     var phi_5348_: u32;
-    var phi_5346_: type_9;
-    var phi_5371_: type_9;
+    var phi_5346_: type_12;
+    var phi_5371_: type_12;
     var phi_5415_: u32;
     var phi_5416_: u32;
     var phi_5349_: u32;
     var phi_5417_: u32;
-    var phi_5437_: type_9;
-    var phi_5438_: type_9;
-    var phi_5461_: type_9;
+    var phi_5437_: type_12;
+    var phi_5438_: type_12;
+    var phi_5461_: type_12;
     var phi_5513_: f32;
     var phi_5520_: f32;
     var phi_5531_: bool;
@@ -590,12 +590,12 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5552_: type_37;
     var phi_5553_: bool;
     var phi_5564_: f32;
-    var phi_5574_: type_9;
+    var phi_5574_: type_12;
     var phi_5577_: f32;
     var phi_5579_: f32;
     var phi_5581_: f32;
-    var phi_5575_: type_9;
-    var phi_5604_: type_9;
+    var phi_5575_: type_12;
+    var phi_5604_: type_12;
     var phi_5629_: f32;
     var phi_5630_: f32;
     var phi_5656_: f32;
@@ -616,10 +616,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5696_: f32;
     var phi_5697_: f32;
     var phi_5705_: f32;
-    var phi_5709_: type_9;
+    var phi_5709_: type_12;
     var phi_5712_: f32;
-    var phi_5710_: type_9;
-    var phi_5735_: type_9;
+    var phi_5710_: type_12;
+    var phi_5735_: type_12;
     var phi_5765_: f32;
     var phi_5766_: bool;
     var phi_5767_: f32;
@@ -719,10 +719,10 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6725_: f32;
     var phi_6731_: f32;
     var phi_6738_: f32;
-    var phi_6793_: type_9;
+    var phi_6793_: type_12;
     var phi_6796_: bool;
-    var phi_6794_: type_9;
-    var phi_6819_: type_9;
+    var phi_6794_: type_12;
+    var phi_6819_: type_12;
     var phi_6846_: bool;
     var phi_6847_: bool;
     var phi_6797_: bool;
@@ -774,15 +774,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7263_: f32;
     var phi_7268_: f32;
     var phi_7273_: f32;
-    var phi_7313_: type_9;
+    var phi_7313_: type_12;
     var phi_7316_: f32;
     var phi_7318_: f32;
     var phi_7320_: f32;
     var phi_7322_: f32;
     var phi_7324_: bool;
     var phi_7326_: u32;
-    var phi_7314_: type_9;
-    var phi_7349_: type_9;
+    var phi_7314_: type_12;
+    var phi_7349_: type_12;
     var phi_7463_: f32;
     var phi_7469_: f32;
     var phi_7475_: f32;
@@ -1057,15 +1057,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2318_: f32;
     var phi_2323_: f32;
     var phi_2328_: f32;
-    var phi_2368_: type_9;
+    var phi_2368_: type_12;
     var phi_2371_: f32;
     var phi_2373_: f32;
     var phi_2375_: f32;
     var phi_2377_: f32;
     var phi_2379_: bool;
     var phi_2381_: u32;
-    var phi_2369_: type_9;
-    var phi_2404_: type_9;
+    var phi_2369_: type_12;
+    var phi_2404_: type_12;
     var phi_2518_: f32;
     var phi_2524_: f32;
     var phi_2530_: f32;
@@ -1341,9 +1341,9 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4613_: type_28;
     var phi_4614_: bool;
     var phi_4618_: type_28;
-    var phi_4631_: type_9;
-    var phi_4632_: type_9;
-    var phi_4655_: type_9;
+    var phi_4631_: type_12;
+    var phi_4632_: type_12;
+    var phi_4655_: type_12;
     var phi_4675_: f32;
     var phi_4805_: type_14;
     var phi_4808_: f32;
@@ -1481,15 +1481,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_805_ = 0u;
     }
     let _e146 = phi_805_;
-    phi_808_ = type_9(0u, _e146);
+    phi_808_ = type_12(0u, _e146);
     loop {
         let _e149 = phi_808_;
         if (_e149.member < _e149.member_1) {
-            phi_809_ = type_9((_e149.member + 1u), _e149.member_1);
-            phi_832_ = type_9(1u, _e149.member);
+            phi_809_ = type_12((_e149.member + 1u), _e149.member_1);
+            phi_832_ = type_12(1u, _e149.member);
         } else {
             phi_809_ = _e149;
-            phi_832_ = type_9(0u, type_9().member_1);
+            phi_832_ = type_12(0u, type_12().member_1);
         }
         let _e161 = phi_809_;
         let _e163 = phi_832_;
@@ -2374,7 +2374,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e3768 = local_12.member_3;
                         let _e3775 = local_12.member_3;
                         local_9 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                        phi_2368_ = type_9(0u, 96u);
+                        phi_2368_ = type_12(0u, 96u);
                         phi_2371_ = 0f;
                         phi_2373_ = 0f;
                         phi_2375_ = (1f - 0f);
@@ -2392,11 +2392,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_27 = _e3784;
                             local_53 = _e3786;
                             if (_e3782.member < _e3782.member_1) {
-                                phi_2369_ = type_9((_e3782.member + 1u), _e3782.member_1);
-                                phi_2404_ = type_9(1u, _e3782.member);
+                                phi_2369_ = type_12((_e3782.member + 1u), _e3782.member_1);
+                                phi_2404_ = type_12(1u, _e3782.member);
                             } else {
                                 phi_2369_ = _e3782;
-                                phi_2404_ = type_9(0u, type_9().member_1);
+                                phi_2404_ = type_12(0u, type_12().member_1);
                             }
                             let _e3806 = phi_2369_;
                             let _e3808 = phi_2404_;
@@ -3860,15 +3860,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_11[0u] = 0.00000001f;
                             local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4631_ = type_9(0u, 3u);
+                            phi_4631_ = type_12(0u, 3u);
                             loop {
                                 let _e5312 = phi_4631_;
                                 if (_e5312.member < _e5312.member_1) {
-                                    phi_4632_ = type_9((_e5312.member + 1u), _e5312.member_1);
-                                    phi_4655_ = type_9(1u, _e5312.member);
+                                    phi_4632_ = type_12((_e5312.member + 1u), _e5312.member_1);
+                                    phi_4655_ = type_12(1u, _e5312.member);
                                 } else {
                                     phi_4632_ = _e5312;
-                                    phi_4655_ = type_9(0u, type_9().member_1);
+                                    phi_4655_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e5324 = phi_4632_;
                                 let _e5326 = phi_4655_;
@@ -4355,18 +4355,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1058;
                                 local_7[1u] = _e1060;
                             }
-                            phi_5345_ = type_9(0u, 2u);
+                            phi_5345_ = type_12(0u, 2u);
                             phi_5348_ = 1u;
                             loop {
                                 let _e1064 = phi_5345_;
                                 let _e1066 = phi_5348_;
                                 local_30 = _e1066;
                                 if (_e1064.member < _e1064.member_1) {
-                                    phi_5346_ = type_9((_e1064.member + 1u), _e1064.member_1);
-                                    phi_5371_ = type_9(1u, _e1064.member);
+                                    phi_5346_ = type_12((_e1064.member + 1u), _e1064.member_1);
+                                    phi_5371_ = type_12(1u, _e1064.member);
                                 } else {
                                     phi_5346_ = _e1064;
-                                    phi_5371_ = type_9(0u, type_9().member_1);
+                                    phi_5371_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e1078 = phi_5346_;
                                 let _e1080 = phi_5371_;
@@ -4409,15 +4409,15 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_6[_e1103] = 1f;
                         let _e1105 = local_6;
                         local_8 = _e1105;
-                        phi_5437_ = type_9(0u, _e1103);
+                        phi_5437_ = type_12(0u, _e1103);
                         loop {
                             let _e1108 = phi_5437_;
                             if (_e1108.member < _e1108.member_1) {
-                                phi_5438_ = type_9((_e1108.member + 1u), _e1108.member_1);
-                                phi_5461_ = type_9(1u, _e1108.member);
+                                phi_5438_ = type_12((_e1108.member + 1u), _e1108.member_1);
+                                phi_5461_ = type_12(1u, _e1108.member);
                             } else {
                                 phi_5438_ = _e1108;
-                                phi_5461_ = type_9(0u, type_9().member_1);
+                                phi_5461_ = type_12(0u, type_12().member_1);
                             }
                             let _e1120 = phi_5438_;
                             let _e1122 = phi_5461_;
@@ -4499,7 +4499,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         }
                                         let _e1192 = phi_5564_;
                                         let _e1195 = (_e636 - _e613);
-                                        phi_5574_ = type_9(0u, 64u);
+                                        phi_5574_ = type_12(0u, 64u);
                                         phi_5577_ = _e1131;
                                         phi_5579_ = _e1128;
                                         phi_5581_ = (0.5f * (_e1128 + _e1131));
@@ -4510,11 +4510,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1207 = phi_5581_;
                                             local_32 = _e1205;
                                             if (_e1201.member < _e1201.member_1) {
-                                                phi_5575_ = type_9((_e1201.member + 1u), _e1201.member_1);
-                                                phi_5604_ = type_9(1u, _e1201.member);
+                                                phi_5575_ = type_12((_e1201.member + 1u), _e1201.member_1);
+                                                phi_5604_ = type_12(1u, _e1201.member);
                                             } else {
                                                 phi_5575_ = _e1201;
-                                                phi_5604_ = type_9(0u, type_9().member_1);
+                                                phi_5604_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1219 = phi_5575_;
                                             let _e1221 = phi_5604_;
@@ -4631,17 +4631,17 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_5705_ = 1f;
                                         }
                                         let _e1311 = phi_5705_;
-                                        phi_5709_ = type_9(0u, 64u);
+                                        phi_5709_ = type_12(0u, 64u);
                                         phi_5712_ = (2f * 0.00000000000022737368f);
                                         loop {
                                             let _e1314 = phi_5709_;
                                             let _e1316 = phi_5712_;
                                             if (_e1314.member < _e1314.member_1) {
-                                                phi_5710_ = type_9((_e1314.member + 1u), _e1314.member_1);
-                                                phi_5735_ = type_9(1u, _e1314.member);
+                                                phi_5710_ = type_12((_e1314.member + 1u), _e1314.member_1);
+                                                phi_5735_ = type_12(1u, _e1314.member);
                                             } else {
                                                 phi_5710_ = _e1314;
-                                                phi_5735_ = type_9(0u, type_9().member_1);
+                                                phi_5735_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1328 = phi_5710_;
                                             let _e1330 = phi_5735_;
@@ -5317,18 +5317,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2018 = ((_e1998 - _e1999) - _e2000);
                                         let _e2021 = (((_e1895 + _e1950) + _e1997) + (((_e2004 + _e2008) + _e2013) * (0.000000059604645f * 4f)));
                                         local_5 = array<type_32, 4>(type_32(_e1999, _e1950), type_32(_e2000, _e1997), type_32(_e2018, _e2021), type_32(_e2018, _e2021));
-                                        phi_6793_ = type_9(0u, 4u);
+                                        phi_6793_ = type_12(0u, 4u);
                                         phi_6796_ = true;
                                         loop {
                                             let _e2028 = phi_6793_;
                                             let _e2030 = phi_6796_;
                                             local_17 = _e2030;
                                             if (_e2028.member < _e2028.member_1) {
-                                                phi_6794_ = type_9((_e2028.member + 1u), _e2028.member_1);
-                                                phi_6819_ = type_9(1u, _e2028.member);
+                                                phi_6794_ = type_12((_e2028.member + 1u), _e2028.member_1);
+                                                phi_6819_ = type_12(1u, _e2028.member);
                                             } else {
                                                 phi_6794_ = _e2028;
-                                                phi_6819_ = type_9(0u, type_9().member_1);
+                                                phi_6819_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e2042 = phi_6794_;
                                             let _e2044 = phi_6819_;
@@ -5645,7 +5645,7 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2313 = local_12.member_3;
                                             let _e2320 = local_12.member_3;
                                             local = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                            phi_7313_ = type_9(0u, 96u);
+                                            phi_7313_ = type_12(0u, 96u);
                                             phi_7316_ = _e1390.member;
                                             phi_7318_ = _e1390.member;
                                             phi_7320_ = (_e1390.member_1 - _e1390.member);
@@ -5663,11 +5663,11 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_20 = _e2329;
                                                 local_42 = _e2331;
                                                 if (_e2327.member < _e2327.member_1) {
-                                                    phi_7314_ = type_9((_e2327.member + 1u), _e2327.member_1);
-                                                    phi_7349_ = type_9(1u, _e2327.member);
+                                                    phi_7314_ = type_12((_e2327.member + 1u), _e2327.member_1);
+                                                    phi_7349_ = type_12(1u, _e2327.member);
                                                 } else {
                                                     phi_7314_ = _e2327;
-                                                    phi_7349_ = type_9(0u, type_9().member_1);
+                                                    phi_7349_ = type_12(0u, type_12().member_1);
                                                 }
                                                 let _e2351 = phi_7314_;
                                                 let _e2353 = phi_7349_;

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -139,7 +139,7 @@ var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_26;
 @group(0) @binding(4) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> earliest: type_49;
 @group(0) @binding(2) 
@@ -433,9 +433,9 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_821_: u32;
     var phi_842_: u32;
     var phi_843_: u32;
-    var phi_846_: type_9;
-    var phi_847_: type_9;
-    var phi_870_: type_9;
+    var phi_846_: type_12;
+    var phi_847_: type_12;
+    var phi_870_: type_12;
     var phi_1117_: type_42;
     var phi_1211_: f64;
     var phi_1217_: f64;
@@ -555,17 +555,17 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5549_: f64;
     var phi_5613_: f64;
     var phi_5619_: f64;
-    var phi_5644_: type_9;
+    var phi_5644_: type_12;
     var phi_5647_: u32;
-    var phi_5645_: type_9;
-    var phi_5670_: type_9;
+    var phi_5645_: type_12;
+    var phi_5670_: type_12;
     var phi_5714_: u32;
     var phi_5715_: u32;
     var phi_5648_: u32;
     var phi_5716_: u32;
-    var phi_5736_: type_9;
-    var phi_5737_: type_9;
-    var phi_5760_: type_9;
+    var phi_5736_: type_12;
+    var phi_5737_: type_12;
+    var phi_5760_: type_12;
     var phi_5814_: f64;
     var phi_5821_: f64;
     var phi_5833_: bool;
@@ -579,12 +579,12 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5855_: type_45;
     var phi_5856_: bool;
     var phi_5869_: f64;
-    var phi_5882_: type_9;
+    var phi_5882_: type_12;
     var phi_5885_: f64;
     var phi_5887_: f64;
     var phi_5889_: f64;
-    var phi_5883_: type_9;
-    var phi_5912_: type_9;
+    var phi_5883_: type_12;
+    var phi_5912_: type_12;
     var phi_5939_: f64;
     var phi_5940_: f64;
     var phi_5968_: f64;
@@ -605,10 +605,10 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6008_: f64;
     var phi_6009_: f64;
     var phi_6019_: f64;
-    var phi_6024_: type_9;
+    var phi_6024_: type_12;
     var phi_6027_: f64;
-    var phi_6025_: type_9;
-    var phi_6050_: type_9;
+    var phi_6025_: type_12;
+    var phi_6050_: type_12;
     var phi_6081_: f64;
     var phi_6082_: bool;
     var phi_6083_: f64;
@@ -708,10 +708,10 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7064_: f64;
     var phi_7070_: f64;
     var phi_7077_: f64;
-    var phi_7133_: type_9;
+    var phi_7133_: type_12;
     var phi_7136_: bool;
-    var phi_7134_: type_9;
-    var phi_7159_: type_9;
+    var phi_7134_: type_12;
+    var phi_7159_: type_12;
     var phi_7186_: bool;
     var phi_7187_: bool;
     var phi_7137_: bool;
@@ -763,15 +763,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7605_: f64;
     var phi_7610_: f64;
     var phi_7615_: f64;
-    var phi_7660_: type_9;
+    var phi_7660_: type_12;
     var phi_7663_: f64;
     var phi_7665_: f64;
     var phi_7667_: f64;
     var phi_7669_: f64;
     var phi_7671_: bool;
     var phi_7673_: u32;
-    var phi_7661_: type_9;
-    var phi_7696_: type_9;
+    var phi_7661_: type_12;
+    var phi_7696_: type_12;
     var phi_7811_: f64;
     var phi_7817_: f64;
     var phi_7823_: f64;
@@ -1116,15 +1116,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2551_: f64;
     var phi_2556_: f64;
     var phi_2561_: f64;
-    var phi_2606_: type_9;
+    var phi_2606_: type_12;
     var phi_2609_: f64;
     var phi_2611_: f64;
     var phi_2613_: f64;
     var phi_2615_: f64;
     var phi_2617_: bool;
     var phi_2619_: u32;
-    var phi_2607_: type_9;
-    var phi_2642_: type_9;
+    var phi_2607_: type_12;
+    var phi_2642_: type_12;
     var phi_2757_: f64;
     var phi_2763_: f64;
     var phi_2769_: f64;
@@ -1402,9 +1402,9 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4896_: type_44;
     var phi_4897_: bool;
     var phi_4901_: type_44;
-    var phi_4914_: type_9;
-    var phi_4915_: type_9;
-    var phi_4938_: type_9;
+    var phi_4914_: type_12;
+    var phi_4915_: type_12;
+    var phi_4938_: type_12;
     var phi_4959_: f64;
     var phi_5089_: type_16;
     var phi_5092_: f64;
@@ -1541,15 +1541,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_843_ = 0u;
     }
     let _e151 = phi_843_;
-    phi_846_ = type_9(0u, _e151);
+    phi_846_ = type_12(0u, _e151);
     loop {
         let _e154 = phi_846_;
         if (_e154.member < _e154.member_1) {
-            phi_847_ = type_9((_e154.member + 1u), _e154.member_1);
-            phi_870_ = type_9(1u, _e154.member);
+            phi_847_ = type_12((_e154.member + 1u), _e154.member_1);
+            phi_870_ = type_12(1u, _e154.member);
         } else {
             phi_847_ = _e154;
-            phi_870_ = type_9(0u, type_9().member_1);
+            phi_870_ = type_12(0u, type_12().member_1);
         }
         let _e166 = phi_847_;
         let _e168 = phi_870_;
@@ -2468,7 +2468,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e4394 = f64(0f);
                         let _e4395 = f64(1f);
                         local_9 = type_34(array<f64, 4>(_e4394, _e4394, _e4394, _e4394), array<f64, 4>(_e4394, _e4394, _e4394, _e4394), array<f64, 4>(_e4395, _e4395, _e4395, _e4395));
-                        phi_2606_ = type_9(0u, 96u);
+                        phi_2606_ = type_12(0u, 96u);
                         phi_2609_ = _e4170;
                         phi_2611_ = _e4170;
                         phi_2613_ = (_e4169 - _e4170);
@@ -2486,11 +2486,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_28 = _e4404;
                             local_56 = _e4406;
                             if (_e4402.member < _e4402.member_1) {
-                                phi_2607_ = type_9((_e4402.member + 1u), _e4402.member_1);
-                                phi_2642_ = type_9(1u, _e4402.member);
+                                phi_2607_ = type_12((_e4402.member + 1u), _e4402.member_1);
+                                phi_2642_ = type_12(1u, _e4402.member);
                             } else {
                                 phi_2607_ = _e4402;
-                                phi_2642_ = type_9(0u, type_9().member_1);
+                                phi_2642_ = type_12(0u, type_12().member_1);
                             }
                             let _e4426 = phi_2607_;
                             let _e4428 = phi_2642_;
@@ -3967,15 +3967,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local_11[0u] = 0.00000001f;
                             local_11[1u] = 0f;
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4914_ = type_9(0u, 3u);
+                            phi_4914_ = type_12(0u, 3u);
                             loop {
                                 let _e5981 = phi_4914_;
                                 if (_e5981.member < _e5981.member_1) {
-                                    phi_4915_ = type_9((_e5981.member + 1u), _e5981.member_1);
-                                    phi_4938_ = type_9(1u, _e5981.member);
+                                    phi_4915_ = type_12((_e5981.member + 1u), _e5981.member_1);
+                                    phi_4938_ = type_12(1u, _e5981.member);
                                 } else {
                                     phi_4915_ = _e5981;
-                                    phi_4938_ = type_9(0u, type_9().member_1);
+                                    phi_4938_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e5993 = phi_4915_;
                                 let _e5995 = phi_4938_;
@@ -4466,18 +4466,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1202;
                                 local_7[1u] = _e1204;
                             }
-                            phi_5644_ = type_9(0u, 2u);
+                            phi_5644_ = type_12(0u, 2u);
                             phi_5647_ = 1u;
                             loop {
                                 let _e1208 = phi_5644_;
                                 let _e1210 = phi_5647_;
                                 local_31 = _e1210;
                                 if (_e1208.member < _e1208.member_1) {
-                                    phi_5645_ = type_9((_e1208.member + 1u), _e1208.member_1);
-                                    phi_5670_ = type_9(1u, _e1208.member);
+                                    phi_5645_ = type_12((_e1208.member + 1u), _e1208.member_1);
+                                    phi_5670_ = type_12(1u, _e1208.member);
                                 } else {
                                     phi_5645_ = _e1208;
-                                    phi_5670_ = type_9(0u, type_9().member_1);
+                                    phi_5670_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e1222 = phi_5645_;
                                 let _e1224 = phi_5670_;
@@ -4520,15 +4520,15 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         local_6[_e1247] = _e1112;
                         let _e1249 = local_6;
                         local_8 = _e1249;
-                        phi_5736_ = type_9(0u, _e1247);
+                        phi_5736_ = type_12(0u, _e1247);
                         loop {
                             let _e1252 = phi_5736_;
                             if (_e1252.member < _e1252.member_1) {
-                                phi_5737_ = type_9((_e1252.member + 1u), _e1252.member_1);
-                                phi_5760_ = type_9(1u, _e1252.member);
+                                phi_5737_ = type_12((_e1252.member + 1u), _e1252.member_1);
+                                phi_5760_ = type_12(1u, _e1252.member);
                             } else {
                                 phi_5737_ = _e1252;
-                                phi_5760_ = type_9(0u, type_9().member_1);
+                                phi_5760_ = type_12(0u, type_12().member_1);
                             }
                             let _e1264 = phi_5737_;
                             let _e1266 = phi_5760_;
@@ -4614,7 +4614,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1344 = f64(0.5f);
                                         let _e1345 = f64(3f);
                                         let _e1348 = (_e759 - _e736);
-                                        phi_5882_ = type_9(0u, 64u);
+                                        phi_5882_ = type_12(0u, 64u);
                                         phi_5885_ = _e1275;
                                         phi_5887_ = _e1272;
                                         phi_5889_ = (_e1344 * (_e1272 + _e1275));
@@ -4625,11 +4625,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1360 = phi_5889_;
                                             local_33 = _e1358;
                                             if (_e1354.member < _e1354.member_1) {
-                                                phi_5883_ = type_9((_e1354.member + 1u), _e1354.member_1);
-                                                phi_5912_ = type_9(1u, _e1354.member);
+                                                phi_5883_ = type_12((_e1354.member + 1u), _e1354.member_1);
+                                                phi_5912_ = type_12(1u, _e1354.member);
                                             } else {
                                                 phi_5883_ = _e1354;
-                                                phi_5912_ = type_9(0u, type_9().member_1);
+                                                phi_5912_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1372 = phi_5883_;
                                             let _e1374 = phi_5912_;
@@ -4746,17 +4746,17 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_6019_ = f64(1f);
                                         }
                                         let _e1470 = phi_6019_;
-                                        phi_6024_ = type_9(0u, 64u);
+                                        phi_6024_ = type_12(0u, 64u);
                                         phi_6027_ = f64((2f * 0.00000000000022737368f));
                                         loop {
                                             let _e1474 = phi_6024_;
                                             let _e1476 = phi_6027_;
                                             if (_e1474.member < _e1474.member_1) {
-                                                phi_6025_ = type_9((_e1474.member + 1u), _e1474.member_1);
-                                                phi_6050_ = type_9(1u, _e1474.member);
+                                                phi_6025_ = type_12((_e1474.member + 1u), _e1474.member_1);
+                                                phi_6050_ = type_12(1u, _e1474.member);
                                             } else {
                                                 phi_6025_ = _e1474;
-                                                phi_6050_ = type_9(0u, type_9().member_1);
+                                                phi_6050_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e1488 = phi_6025_;
                                             let _e1490 = phi_6050_;
@@ -5438,18 +5438,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2203 = ((_e2182 - _e2183) - _e2184);
                                         let _e2206 = (((_e2068 + _e2130) + _e2181) + (((_e2188 + _e2192) + _e2197) * (1.1102230246251565e-16lf * f64(4f))));
                                         local_5 = array<type_36, 4>(type_36(_e2183, _e2130), type_36(_e2184, _e2181), type_36(_e2203, _e2206), type_36(_e2203, _e2206));
-                                        phi_7133_ = type_9(0u, 4u);
+                                        phi_7133_ = type_12(0u, 4u);
                                         phi_7136_ = true;
                                         loop {
                                             let _e2213 = phi_7133_;
                                             let _e2215 = phi_7136_;
                                             local_17 = _e2215;
                                             if (_e2213.member < _e2213.member_1) {
-                                                phi_7134_ = type_9((_e2213.member + 1u), _e2213.member_1);
-                                                phi_7159_ = type_9(1u, _e2213.member);
+                                                phi_7134_ = type_12((_e2213.member + 1u), _e2213.member_1);
+                                                phi_7159_ = type_12(1u, _e2213.member);
                                             } else {
                                                 phi_7134_ = _e2213;
-                                                phi_7159_ = type_9(0u, type_9().member_1);
+                                                phi_7159_ = type_12(0u, type_12().member_1);
                                             }
                                             let _e2227 = phi_7134_;
                                             let _e2229 = phi_7159_;
@@ -5769,7 +5769,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2515 = f64(0f);
                                             let _e2516 = f64(1f);
                                             local = type_34(array<f64, 4>(_e2515, _e2515, _e2515, _e2515), array<f64, 4>(_e2515, _e2515, _e2515, _e2515), array<f64, 4>(_e2516, _e2516, _e2516, _e2516));
-                                            phi_7660_ = type_9(0u, 96u);
+                                            phi_7660_ = type_12(0u, 96u);
                                             phi_7663_ = _e1551.member;
                                             phi_7665_ = _e1551.member;
                                             phi_7667_ = (_e1551.member_1 - _e1551.member);
@@ -5787,11 +5787,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_21 = _e2525;
                                                 local_45 = _e2527;
                                                 if (_e2523.member < _e2523.member_1) {
-                                                    phi_7661_ = type_9((_e2523.member + 1u), _e2523.member_1);
-                                                    phi_7696_ = type_9(1u, _e2523.member);
+                                                    phi_7661_ = type_12((_e2523.member + 1u), _e2523.member_1);
+                                                    phi_7696_ = type_12(1u, _e2523.member);
                                                 } else {
                                                     phi_7661_ = _e2523;
-                                                    phi_7696_ = type_9(0u, type_9().member_1);
+                                                    phi_7696_ = type_12(0u, type_12().member_1);
                                                 }
                                                 let _e2547 = phi_7661_;
                                                 let _e2549 = phi_7696_;

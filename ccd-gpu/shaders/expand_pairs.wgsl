@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -54,6 +54,11 @@ struct type_18 {
     member_10: u32,
     member_11: u32,
     member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
 }
 
 struct type_19 {
@@ -77,7 +82,7 @@ var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
 @group(0) @binding(3) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(4) 
 var<storage, read_write> levels: type_24;
 @group(0) @binding(5) 
@@ -91,9 +96,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_130_: u32;
     var phi_148_: u32;
     var phi_168_: u32;
-    var phi_171_: type_9;
-    var phi_172_: type_9;
-    var phi_195_: type_9;
+    var phi_171_: type_12;
+    var phi_172_: type_12;
+    var phi_195_: type_12;
     var phi_305_: array<u32, 2>;
     var phi_341_: array<u32, 2>;
     var phi_351_: array<u32, 2>;
@@ -183,26 +188,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1165_: bool;
     var phi_1169_: u32;
     var phi_1170_: u32;
-    var phi_1233_: type_9;
-    var phi_1238_: type_9;
+    var phi_1233_: type_12;
+    var phi_1238_: type_12;
     var phi_1271_: bool;
     var phi_1272_: bool;
     var phi_1276_: u32;
     var phi_1277_: u32;
-    var phi_1340_: type_9;
-    var phi_1345_: type_9;
+    var phi_1340_: type_12;
+    var phi_1345_: type_12;
     var phi_1378_: bool;
     var phi_1379_: bool;
     var phi_1383_: u32;
     var phi_1384_: u32;
-    var phi_1447_: type_9;
-    var phi_1452_: type_9;
+    var phi_1447_: type_12;
+    var phi_1452_: type_12;
     var phi_1485_: bool;
     var phi_1486_: bool;
     var phi_1490_: u32;
     var phi_1491_: u32;
-    var phi_1554_: type_9;
-    var phi_1559_: type_9;
+    var phi_1554_: type_12;
+    var phi_1559_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -256,15 +261,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_168_ = _e87;
     }
     let _e93 = phi_168_;
-    phi_171_ = type_9(0u, _e93);
+    phi_171_ = type_12(0u, _e93);
     loop {
         let _e96 = phi_171_;
         if (_e96.member < _e96.member_1) {
-            phi_172_ = type_9((_e96.member + 1u), _e96.member_1);
-            phi_195_ = type_9(1u, _e96.member);
+            phi_172_ = type_12((_e96.member + 1u), _e96.member_1);
+            phi_195_ = type_12(1u, _e96.member);
         } else {
             phi_172_ = _e96;
-            phi_195_ = type_9(0u, type_9().member_1);
+            phi_195_ = type_12(0u, type_12().member_1);
         }
         let _e108 = phi_172_;
         let _e110 = phi_195_;
@@ -830,14 +835,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e797 = params.member.member_2.member;
                     if (_e797 == 1u) {
                         if (_e789.member_1 < _e793.member_1) {
-                            phi_1233_ = type_9(_e789.member_1, _e793.member_1);
+                            phi_1233_ = type_12(_e789.member_1, _e793.member_1);
                         } else {
-                            phi_1233_ = type_9(_e793.member_1, _e789.member_1);
+                            phi_1233_ = type_12(_e793.member_1, _e789.member_1);
                         }
                         let _e804 = phi_1233_;
                         phi_1238_ = _e804;
                     } else {
-                        phi_1238_ = type_9(_e789.member_1, _e793.member_1);
+                        phi_1238_ = type_12(_e789.member_1, _e793.member_1);
                     }
                     let _e806 = phi_1238_;
                     let _e809 = params.member.member_1.member_3;
@@ -888,14 +893,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e857 = params.member.member_2.member;
                     if (_e857 == 1u) {
                         if (_e849.member_1 < _e853.member_1) {
-                            phi_1340_ = type_9(_e849.member_1, _e853.member_1);
+                            phi_1340_ = type_12(_e849.member_1, _e853.member_1);
                         } else {
-                            phi_1340_ = type_9(_e853.member_1, _e849.member_1);
+                            phi_1340_ = type_12(_e853.member_1, _e849.member_1);
                         }
                         let _e864 = phi_1340_;
                         phi_1345_ = _e864;
                     } else {
-                        phi_1345_ = type_9(_e849.member_1, _e853.member_1);
+                        phi_1345_ = type_12(_e849.member_1, _e853.member_1);
                     }
                     let _e866 = phi_1345_;
                     let _e869 = params.member.member_1.member_3;
@@ -946,14 +951,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e917 = params.member.member_2.member;
                     if (_e917 == 1u) {
                         if (_e909.member_1 < _e913.member_1) {
-                            phi_1447_ = type_9(_e909.member_1, _e913.member_1);
+                            phi_1447_ = type_12(_e909.member_1, _e913.member_1);
                         } else {
-                            phi_1447_ = type_9(_e913.member_1, _e909.member_1);
+                            phi_1447_ = type_12(_e913.member_1, _e909.member_1);
                         }
                         let _e924 = phi_1447_;
                         phi_1452_ = _e924;
                     } else {
-                        phi_1452_ = type_9(_e909.member_1, _e913.member_1);
+                        phi_1452_ = type_12(_e909.member_1, _e913.member_1);
                     }
                     let _e926 = phi_1452_;
                     let _e929 = params.member.member_1.member_3;
@@ -1004,14 +1009,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e977 = params.member.member_2.member;
                     if (_e977 == 1u) {
                         if (_e969.member_1 < _e973.member_1) {
-                            phi_1554_ = type_9(_e969.member_1, _e973.member_1);
+                            phi_1554_ = type_12(_e969.member_1, _e973.member_1);
                         } else {
-                            phi_1554_ = type_9(_e973.member_1, _e969.member_1);
+                            phi_1554_ = type_12(_e973.member_1, _e969.member_1);
                         }
                         let _e984 = phi_1554_;
                         phi_1559_ = _e984;
                     } else {
-                        phi_1559_ = type_9(_e969.member_1, _e973.member_1);
+                        phi_1559_ = type_12(_e969.member_1, _e973.member_1);
                     }
                     let _e986 = phi_1559_;
                     let _e989 = params.member.member_1.member_3;

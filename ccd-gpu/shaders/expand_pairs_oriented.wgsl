@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -54,6 +54,11 @@ struct type_18 {
     member_10: u32,
     member_11: u32,
     member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
 }
 
 struct type_19 {
@@ -108,7 +113,7 @@ var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(3) 
 var<storage> oriented: type_27;
 @group(0) @binding(4) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(5) 
 var<storage, read_write> levels: type_31;
 @group(0) @binding(7) 
@@ -121,9 +126,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_185_: u32;
     var phi_203_: u32;
     var phi_223_: u32;
-    var phi_226_: type_9;
-    var phi_227_: type_9;
-    var phi_250_: type_9;
+    var phi_226_: type_12;
+    var phi_227_: type_12;
+    var phi_250_: type_12;
     var phi_360_: array<u32, 2>;
     var phi_396_: array<u32, 2>;
     var phi_406_: array<u32, 2>;
@@ -176,174 +181,186 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_979_: array<array<u32, 2>, 4>;
     var phi_980_: bool;
     var phi_984_: array<array<u32, 2>, 4>;
-    var phi_1005_: type_9;
-    var phi_1006_: type_9;
-    var phi_1029_: type_9;
+    var phi_1005_: type_12;
+    var phi_1006_: type_12;
+    var phi_1029_: type_12;
     var phi_1058_: bool;
     var phi_1070_: bool;
     var phi_1071_: bool;
+    var phi_1144_: f32;
+    var phi_1150_: f32;
     var phi_1156_: f32;
-    var phi_1161_: f32;
-    var phi_1166_: f32;
-    var phi_1182_: type_28;
-    var phi_1264_: f32;
-    var phi_1269_: f32;
-    var phi_1274_: f32;
-    var phi_1290_: type_28;
-    var phi_1480_: f32;
-    var phi_1486_: f32;
-    var phi_1493_: f32;
-    var phi_1502_: f32;
-    var phi_1509_: f32;
-    var phi_1517_: f32;
-    var phi_1526_: f32;
-    var phi_1533_: f32;
-    var phi_1541_: f32;
-    var phi_1634_: f32;
-    var phi_1641_: f32;
-    var phi_1647_: f32;
-    var phi_1653_: f32;
-    var phi_1672_: f32;
-    var phi_1679_: f32;
-    var phi_1685_: f32;
-    var phi_1691_: f32;
-    var phi_1710_: f32;
-    var phi_1717_: f32;
-    var phi_1723_: f32;
-    var phi_1729_: f32;
-    var phi_1748_: f32;
-    var phi_1755_: f32;
-    var phi_1761_: f32;
-    var phi_1767_: f32;
-    var phi_1786_: f32;
-    var phi_1793_: f32;
-    var phi_1799_: f32;
-    var phi_1805_: f32;
-    var phi_1824_: f32;
-    var phi_1831_: f32;
-    var phi_1837_: f32;
-    var phi_1843_: f32;
+    var phi_1162_: f32;
+    var phi_1168_: f32;
+    var phi_1174_: f32;
+    var phi_1192_: f32;
+    var phi_1197_: f32;
+    var phi_1202_: f32;
+    var phi_1218_: type_28;
+    var phi_1288_: f32;
+    var phi_1294_: f32;
+    var phi_1300_: f32;
+    var phi_1306_: f32;
+    var phi_1312_: f32;
+    var phi_1318_: f32;
+    var phi_1336_: f32;
+    var phi_1341_: f32;
+    var phi_1346_: f32;
+    var phi_1362_: type_28;
+    var phi_1552_: f32;
+    var phi_1558_: f32;
+    var phi_1565_: f32;
+    var phi_1574_: f32;
+    var phi_1581_: f32;
+    var phi_1589_: f32;
+    var phi_1598_: f32;
+    var phi_1605_: f32;
+    var phi_1613_: f32;
+    var phi_1706_: f32;
+    var phi_1713_: f32;
+    var phi_1719_: f32;
+    var phi_1725_: f32;
+    var phi_1744_: f32;
+    var phi_1751_: f32;
+    var phi_1757_: f32;
+    var phi_1763_: f32;
+    var phi_1782_: f32;
+    var phi_1789_: f32;
+    var phi_1795_: f32;
+    var phi_1801_: f32;
+    var phi_1820_: f32;
+    var phi_1827_: f32;
+    var phi_1833_: f32;
+    var phi_1839_: f32;
     var phi_1858_: f32;
-    var phi_1863_: f32;
-    var phi_1868_: f32;
-    var phi_1873_: f32;
-    var phi_1878_: f32;
-    var phi_1937_: f32;
-    var phi_1960_: f32;
-    var phi_1983_: f32;
-    var phi_2005_: f32;
-    var phi_2021_: f32;
-    var phi_2076_: f32;
-    var phi_2099_: f32;
-    var phi_2122_: f32;
-    var phi_2144_: f32;
-    var phi_2160_: f32;
-    var phi_2215_: f32;
-    var phi_2238_: f32;
-    var phi_2261_: f32;
-    var phi_2283_: f32;
-    var phi_2299_: f32;
-    var phi_2354_: f32;
-    var phi_2377_: f32;
-    var phi_2401_: f32;
-    var phi_2424_: f32;
-    var phi_2440_: f32;
-    var phi_2495_: f32;
-    var phi_2518_: f32;
-    var phi_2542_: f32;
-    var phi_2565_: f32;
-    var phi_2581_: f32;
-    var phi_2636_: f32;
-    var phi_2659_: f32;
-    var phi_2683_: f32;
-    var phi_2706_: f32;
-    var phi_2722_: f32;
-    var phi_2777_: f32;
-    var phi_2800_: f32;
-    var phi_2824_: f32;
-    var phi_2847_: f32;
-    var phi_2863_: f32;
-    var phi_2918_: f32;
-    var phi_2941_: f32;
-    var phi_2965_: f32;
-    var phi_2988_: f32;
-    var phi_3004_: f32;
-    var phi_3059_: f32;
-    var phi_3082_: f32;
-    var phi_3106_: f32;
-    var phi_3129_: f32;
-    var phi_3145_: f32;
-    var phi_3152_: f32;
-    var phi_3157_: f32;
-    var phi_3162_: f32;
-    var phi_3167_: f32;
-    var phi_3172_: f32;
-    var phi_3177_: f32;
-    var phi_3182_: f32;
-    var phi_3187_: f32;
-    var phi_3191_: bool;
-    var phi_3193_: bool;
-    var phi_3194_: bool;
-    var phi_3195_: bool;
-    var phi_3196_: bool;
-    var phi_3200_: bool;
-    var phi_3244_: bool;
-    var phi_3245_: bool;
-    var phi_3249_: u32;
-    var phi_3250_: u32;
-    var phi_3256_: array<u32, 2>;
-    var phi_3257_: array<u32, 2>;
-    var phi_3258_: array<u32, 2>;
-    var phi_3259_: array<u32, 2>;
-    var phi_3260_: array<u32, 2>;
-    var phi_3276_: bool;
-    var phi_3277_: bool;
-    var phi_3281_: u32;
-    var phi_3282_: u32;
-    var phi_3291_: u32;
-    var phi_3294_: u32;
-    var phi_3310_: bool;
-    var phi_3311_: bool;
-    var phi_3315_: u32;
-    var phi_3316_: u32;
-    var phi_3325_: u32;
-    var phi_3328_: u32;
-    var phi_3344_: bool;
-    var phi_3345_: bool;
-    var phi_3349_: u32;
-    var phi_3350_: u32;
-    var phi_3359_: u32;
-    var phi_3362_: u32;
-    var phi_3378_: bool;
-    var phi_3379_: bool;
-    var phi_3383_: u32;
-    var phi_3384_: u32;
-    var phi_3393_: u32;
-    var phi_3396_: u32;
-    var phi_3462_: bool;
-    var phi_3463_: bool;
-    var phi_3467_: u32;
+    var phi_1865_: f32;
+    var phi_1871_: f32;
+    var phi_1877_: f32;
+    var phi_1896_: f32;
+    var phi_1903_: f32;
+    var phi_1909_: f32;
+    var phi_1915_: f32;
+    var phi_1930_: f32;
+    var phi_1935_: f32;
+    var phi_1940_: f32;
+    var phi_1945_: f32;
+    var phi_1950_: f32;
+    var phi_2009_: f32;
+    var phi_2032_: f32;
+    var phi_2055_: f32;
+    var phi_2077_: f32;
+    var phi_2093_: f32;
+    var phi_2148_: f32;
+    var phi_2171_: f32;
+    var phi_2194_: f32;
+    var phi_2216_: f32;
+    var phi_2232_: f32;
+    var phi_2287_: f32;
+    var phi_2310_: f32;
+    var phi_2333_: f32;
+    var phi_2355_: f32;
+    var phi_2371_: f32;
+    var phi_2426_: f32;
+    var phi_2449_: f32;
+    var phi_2473_: f32;
+    var phi_2496_: f32;
+    var phi_2512_: f32;
+    var phi_2567_: f32;
+    var phi_2590_: f32;
+    var phi_2614_: f32;
+    var phi_2637_: f32;
+    var phi_2653_: f32;
+    var phi_2708_: f32;
+    var phi_2731_: f32;
+    var phi_2755_: f32;
+    var phi_2778_: f32;
+    var phi_2794_: f32;
+    var phi_2849_: f32;
+    var phi_2872_: f32;
+    var phi_2896_: f32;
+    var phi_2919_: f32;
+    var phi_2935_: f32;
+    var phi_2990_: f32;
+    var phi_3013_: f32;
+    var phi_3037_: f32;
+    var phi_3060_: f32;
+    var phi_3076_: f32;
+    var phi_3131_: f32;
+    var phi_3154_: f32;
+    var phi_3178_: f32;
+    var phi_3201_: f32;
+    var phi_3217_: f32;
+    var phi_3224_: f32;
+    var phi_3229_: f32;
+    var phi_3234_: f32;
+    var phi_3239_: f32;
+    var phi_3244_: f32;
+    var phi_3249_: f32;
+    var phi_3254_: f32;
+    var phi_3259_: f32;
+    var phi_3263_: bool;
+    var phi_3265_: bool;
+    var phi_3266_: bool;
+    var phi_3267_: bool;
+    var phi_3268_: bool;
+    var phi_3272_: bool;
+    var phi_3316_: bool;
+    var phi_3317_: bool;
+    var phi_3321_: u32;
+    var phi_3322_: u32;
+    var phi_3328_: array<u32, 2>;
+    var phi_3329_: array<u32, 2>;
+    var phi_3330_: array<u32, 2>;
+    var phi_3331_: array<u32, 2>;
+    var phi_3332_: array<u32, 2>;
+    var phi_3348_: bool;
+    var phi_3349_: bool;
+    var phi_3353_: u32;
+    var phi_3354_: u32;
+    var phi_3363_: u32;
+    var phi_3366_: u32;
+    var phi_3382_: bool;
+    var phi_3383_: bool;
+    var phi_3387_: u32;
+    var phi_3388_: u32;
+    var phi_3397_: u32;
+    var phi_3400_: u32;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3421_: u32;
+    var phi_3422_: u32;
+    var phi_3431_: u32;
+    var phi_3434_: u32;
+    var phi_3450_: bool;
+    var phi_3451_: bool;
+    var phi_3455_: u32;
+    var phi_3456_: u32;
+    var phi_3465_: u32;
     var phi_3468_: u32;
-    var phi_3531_: type_9;
-    var phi_3536_: type_9;
-    var phi_3569_: bool;
-    var phi_3570_: bool;
-    var phi_3574_: u32;
-    var phi_3575_: u32;
-    var phi_3638_: type_9;
-    var phi_3643_: type_9;
-    var phi_3676_: bool;
-    var phi_3677_: bool;
-    var phi_3681_: u32;
-    var phi_3682_: u32;
-    var phi_3745_: type_9;
-    var phi_3750_: type_9;
-    var phi_3783_: bool;
-    var phi_3784_: bool;
-    var phi_3788_: u32;
-    var phi_3789_: u32;
-    var phi_3852_: type_9;
-    var phi_3857_: type_9;
+    var phi_3534_: bool;
+    var phi_3535_: bool;
+    var phi_3539_: u32;
+    var phi_3540_: u32;
+    var phi_3603_: type_12;
+    var phi_3608_: type_12;
+    var phi_3641_: bool;
+    var phi_3642_: bool;
+    var phi_3646_: u32;
+    var phi_3647_: u32;
+    var phi_3710_: type_12;
+    var phi_3715_: type_12;
+    var phi_3748_: bool;
+    var phi_3749_: bool;
+    var phi_3753_: u32;
+    var phi_3754_: u32;
+    var phi_3817_: type_12;
+    var phi_3822_: type_12;
+    var phi_3855_: bool;
+    var phi_3856_: bool;
+    var phi_3860_: u32;
+    var phi_3861_: u32;
+    var phi_3924_: type_12;
+    var phi_3929_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -399,15 +416,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_223_ = _e111;
     }
     let _e117 = phi_223_;
-    phi_226_ = type_9(0u, _e117);
+    phi_226_ = type_12(0u, _e117);
     loop {
         let _e120 = phi_226_;
         if (_e120.member < _e120.member_1) {
-            phi_227_ = type_9((_e120.member + 1u), _e120.member_1);
-            phi_250_ = type_9(1u, _e120.member);
+            phi_227_ = type_12((_e120.member + 1u), _e120.member_1);
+            phi_250_ = type_12(1u, _e120.member);
         } else {
             phi_227_ = _e120;
-            phi_250_ = type_9(0u, type_9().member_1);
+            phi_250_ = type_12(0u, type_12().member_1);
         }
         let _e132 = phi_227_;
         let _e134 = phi_250_;
@@ -720,15 +737,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e650 = phi_984_;
                 local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e650[0][0], _e650[0][1]), array<u32, 2>(_e650[1][0], _e650[1][1]), array<u32, 2>(_e650[2][0], _e650[2][1]), array<u32, 2>(_e650[3][0], _e650[3][1]));
-                phi_1005_ = type_9(0u, 4u);
+                phi_1005_ = type_12(0u, 4u);
                 loop {
                     let _e670 = phi_1005_;
                     if (_e670.member < _e670.member_1) {
-                        phi_1006_ = type_9((_e670.member + 1u), _e670.member_1);
-                        phi_1029_ = type_9(1u, _e670.member);
+                        phi_1006_ = type_12((_e670.member + 1u), _e670.member_1);
+                        phi_1029_ = type_12(1u, _e670.member);
                     } else {
                         phi_1006_ = _e670;
-                        phi_1029_ = type_9(0u, type_9().member_1);
+                        phi_1029_ = type_12(0u, type_12().member_1);
                     }
                     let _e682 = phi_1006_;
                     let _e684 = phi_1029_;
@@ -743,8 +760,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                             let _e696 = phi_1058_;
                             if _e696 {
-                                phi_3195_ = bool();
-                                phi_3196_ = true;
+                                phi_3267_ = bool();
+                                phi_3268_ = true;
                             } else {
                                 if (_e690[0] >= _e78) {
                                     if (_e690[1] >= _e83) {
@@ -760,806 +777,878 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e702 = phi_1071_;
                                 if _e702 {
                                     if (_e690[0] < _e78) {
-                                        let _e758 = oriented.member[(_e87 + _e690[0])];
-                                        phi_1182_ = type_28(array<f32, 3>(_e758.member.x, _e758.member.y, _e758.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e758.member.w, _e758.member_1.x, _e758.member_1.y), array<f32, 3>(_e758.member_1.z, _e758.member_1.w, _e758.member_2.x), array<f32, 3>(_e758.member_2.y, _e758.member_2.z, _e758.member_2.w)), array<f32, 3>(_e758.member_3.x, _e758.member_3.y, _e758.member_3.z));
+                                        let _e782 = oriented.member[(_e87 + _e690[0])];
+                                        phi_1218_ = type_28(array<f32, 3>(_e782.member.x, _e782.member.y, _e782.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e782.member.w, _e782.member_1.x, _e782.member_1.y), array<f32, 3>(_e782.member_1.z, _e782.member_1.w, _e782.member_2.x), array<f32, 3>(_e782.member_2.y, _e782.member_2.z, _e782.member_2.w)), array<f32, 3>(_e782.member_3.x, _e782.member_3.y, _e782.member_3.z));
                                     } else {
                                         let _e705 = a_nodes.member[_e690[0]];
                                         let _e720 = ((_e705.member[0] * 0.5f) + (_e705.member_2[0] * 0.5f));
                                         let _e721 = ((_e705.member[1] * 0.5f) + (_e705.member_2[1] * 0.5f));
                                         let _e722 = ((_e705.member[2] * 0.5f) + (_e705.member_2[2] * 0.5f));
-                                        let _e725 = (_e705.member_2[0] - _e720);
-                                        let _e727 = (_e705.member_2[1] - _e721);
-                                        let _e729 = (_e705.member_2[2] - _e722);
-                                        let _e731 = (_e720 - _e705.member[0]);
-                                        let _e733 = (_e721 - _e705.member[1]);
-                                        let _e735 = (_e722 - _e705.member[2]);
-                                        if (_e725 > _e731) {
-                                            phi_1156_ = _e725;
+                                        if (_e720 < _e705.member_2[0]) {
+                                            phi_1144_ = _e720;
                                         } else {
-                                            phi_1156_ = _e731;
+                                            phi_1144_ = _e705.member_2[0];
                                         }
-                                        let _e738 = phi_1156_;
-                                        if (_e727 > _e733) {
-                                            phi_1161_ = _e727;
+                                        let _e726 = phi_1144_;
+                                        if (_e721 < _e705.member_2[1]) {
+                                            phi_1150_ = _e721;
                                         } else {
-                                            phi_1161_ = _e733;
+                                            phi_1150_ = _e705.member_2[1];
                                         }
-                                        let _e741 = phi_1161_;
-                                        if (_e729 > _e735) {
-                                            phi_1166_ = _e729;
+                                        let _e730 = phi_1150_;
+                                        if (_e722 < _e705.member_2[2]) {
+                                            phi_1156_ = _e722;
                                         } else {
-                                            phi_1166_ = _e735;
+                                            phi_1156_ = _e705.member_2[2];
                                         }
-                                        let _e744 = phi_1166_;
-                                        let _e746 = (1f + (0.000000059604645f * 4f));
-                                        let _e750 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                        phi_1182_ = type_28(array<f32, 3>(_e720, _e721, _e722), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e738 * _e746) + _e750), ((_e741 * _e746) + _e750), ((_e744 * _e746) + _e750)));
+                                        let _e734 = phi_1156_;
+                                        if (_e726 > _e705.member[0]) {
+                                            phi_1162_ = _e726;
+                                        } else {
+                                            phi_1162_ = _e705.member[0];
+                                        }
+                                        let _e738 = phi_1162_;
+                                        if (_e730 > _e705.member[1]) {
+                                            phi_1168_ = _e730;
+                                        } else {
+                                            phi_1168_ = _e705.member[1];
+                                        }
+                                        let _e742 = phi_1168_;
+                                        if (_e734 > _e705.member[2]) {
+                                            phi_1174_ = _e734;
+                                        } else {
+                                            phi_1174_ = _e705.member[2];
+                                        }
+                                        let _e746 = phi_1174_;
+                                        let _e749 = (_e705.member_2[0] - _e738);
+                                        let _e751 = (_e705.member_2[1] - _e742);
+                                        let _e753 = (_e705.member_2[2] - _e746);
+                                        let _e755 = (_e738 - _e705.member[0]);
+                                        let _e757 = (_e742 - _e705.member[1]);
+                                        let _e759 = (_e746 - _e705.member[2]);
+                                        if (_e749 > _e755) {
+                                            phi_1192_ = _e749;
+                                        } else {
+                                            phi_1192_ = _e755;
+                                        }
+                                        let _e762 = phi_1192_;
+                                        if (_e751 > _e757) {
+                                            phi_1197_ = _e751;
+                                        } else {
+                                            phi_1197_ = _e757;
+                                        }
+                                        let _e765 = phi_1197_;
+                                        if (_e753 > _e759) {
+                                            phi_1202_ = _e753;
+                                        } else {
+                                            phi_1202_ = _e759;
+                                        }
+                                        let _e768 = phi_1202_;
+                                        let _e770 = (1f + (0.000000059604645f * 4f));
+                                        let _e774 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                        phi_1218_ = type_28(array<f32, 3>(_e738, _e742, _e746), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e762 * _e770) + _e774), ((_e765 * _e770) + _e774), ((_e768 * _e770) + _e774)));
                                     }
-                                    let _e797 = phi_1182_;
+                                    let _e821 = phi_1218_;
                                     if (_e690[1] < _e83) {
-                                        let _e853 = oriented.member[(_e91 + _e690[1])];
-                                        phi_1290_ = type_28(array<f32, 3>(_e853.member.x, _e853.member.y, _e853.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e853.member.w, _e853.member_1.x, _e853.member_1.y), array<f32, 3>(_e853.member_1.z, _e853.member_1.w, _e853.member_2.x), array<f32, 3>(_e853.member_2.y, _e853.member_2.z, _e853.member_2.w)), array<f32, 3>(_e853.member_3.x, _e853.member_3.y, _e853.member_3.z));
+                                        let _e901 = oriented.member[(_e91 + _e690[1])];
+                                        phi_1362_ = type_28(array<f32, 3>(_e901.member.x, _e901.member.y, _e901.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e901.member.w, _e901.member_1.x, _e901.member_1.y), array<f32, 3>(_e901.member_1.z, _e901.member_1.w, _e901.member_2.x), array<f32, 3>(_e901.member_2.y, _e901.member_2.z, _e901.member_2.w)), array<f32, 3>(_e901.member_3.x, _e901.member_3.y, _e901.member_3.z));
                                     } else {
-                                        let _e800 = b_nodes.member[_e690[1]];
-                                        let _e815 = ((_e800.member[0] * 0.5f) + (_e800.member_2[0] * 0.5f));
-                                        let _e816 = ((_e800.member[1] * 0.5f) + (_e800.member_2[1] * 0.5f));
-                                        let _e817 = ((_e800.member[2] * 0.5f) + (_e800.member_2[2] * 0.5f));
-                                        let _e820 = (_e800.member_2[0] - _e815);
-                                        let _e822 = (_e800.member_2[1] - _e816);
-                                        let _e824 = (_e800.member_2[2] - _e817);
-                                        let _e826 = (_e815 - _e800.member[0]);
-                                        let _e828 = (_e816 - _e800.member[1]);
-                                        let _e830 = (_e817 - _e800.member[2]);
-                                        if (_e820 > _e826) {
-                                            phi_1264_ = _e820;
+                                        let _e824 = b_nodes.member[_e690[1]];
+                                        let _e839 = ((_e824.member[0] * 0.5f) + (_e824.member_2[0] * 0.5f));
+                                        let _e840 = ((_e824.member[1] * 0.5f) + (_e824.member_2[1] * 0.5f));
+                                        let _e841 = ((_e824.member[2] * 0.5f) + (_e824.member_2[2] * 0.5f));
+                                        if (_e839 < _e824.member_2[0]) {
+                                            phi_1288_ = _e839;
                                         } else {
-                                            phi_1264_ = _e826;
+                                            phi_1288_ = _e824.member_2[0];
                                         }
-                                        let _e833 = phi_1264_;
-                                        if (_e822 > _e828) {
-                                            phi_1269_ = _e822;
+                                        let _e845 = phi_1288_;
+                                        if (_e840 < _e824.member_2[1]) {
+                                            phi_1294_ = _e840;
                                         } else {
-                                            phi_1269_ = _e828;
+                                            phi_1294_ = _e824.member_2[1];
                                         }
-                                        let _e836 = phi_1269_;
-                                        if (_e824 > _e830) {
-                                            phi_1274_ = _e824;
+                                        let _e849 = phi_1294_;
+                                        if (_e841 < _e824.member_2[2]) {
+                                            phi_1300_ = _e841;
                                         } else {
-                                            phi_1274_ = _e830;
+                                            phi_1300_ = _e824.member_2[2];
                                         }
-                                        let _e839 = phi_1274_;
-                                        let _e841 = (1f + (0.000000059604645f * 4f));
-                                        let _e845 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                        phi_1290_ = type_28(array<f32, 3>(_e815, _e816, _e817), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e833 * _e841) + _e845), ((_e836 * _e841) + _e845), ((_e839 * _e841) + _e845)));
+                                        let _e853 = phi_1300_;
+                                        if (_e845 > _e824.member[0]) {
+                                            phi_1306_ = _e845;
+                                        } else {
+                                            phi_1306_ = _e824.member[0];
+                                        }
+                                        let _e857 = phi_1306_;
+                                        if (_e849 > _e824.member[1]) {
+                                            phi_1312_ = _e849;
+                                        } else {
+                                            phi_1312_ = _e824.member[1];
+                                        }
+                                        let _e861 = phi_1312_;
+                                        if (_e853 > _e824.member[2]) {
+                                            phi_1318_ = _e853;
+                                        } else {
+                                            phi_1318_ = _e824.member[2];
+                                        }
+                                        let _e865 = phi_1318_;
+                                        let _e868 = (_e824.member_2[0] - _e857);
+                                        let _e870 = (_e824.member_2[1] - _e861);
+                                        let _e872 = (_e824.member_2[2] - _e865);
+                                        let _e874 = (_e857 - _e824.member[0]);
+                                        let _e876 = (_e861 - _e824.member[1]);
+                                        let _e878 = (_e865 - _e824.member[2]);
+                                        if (_e868 > _e874) {
+                                            phi_1336_ = _e868;
+                                        } else {
+                                            phi_1336_ = _e874;
+                                        }
+                                        let _e881 = phi_1336_;
+                                        if (_e870 > _e876) {
+                                            phi_1341_ = _e870;
+                                        } else {
+                                            phi_1341_ = _e876;
+                                        }
+                                        let _e884 = phi_1341_;
+                                        if (_e872 > _e878) {
+                                            phi_1346_ = _e872;
+                                        } else {
+                                            phi_1346_ = _e878;
+                                        }
+                                        let _e887 = phi_1346_;
+                                        let _e889 = (1f + (0.000000059604645f * 4f));
+                                        let _e893 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                        phi_1362_ = type_28(array<f32, 3>(_e857, _e861, _e865), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e881 * _e889) + _e893), ((_e884 * _e889) + _e893), ((_e887 * _e889) + _e893)));
                                     }
-                                    let _e892 = phi_1290_;
-                                    let _e897 = (_e892.member[0] - _e797.member[0]);
-                                    let _e900 = (_e892.member[1] - _e797.member[1]);
-                                    let _e903 = (_e892.member[2] - _e797.member[2]);
-                                    if (_e897 < 0f) {
-                                        phi_1480_ = -(_e897);
+                                    let _e940 = phi_1362_;
+                                    let _e945 = (_e940.member[0] - _e821.member[0]);
+                                    let _e948 = (_e940.member[1] - _e821.member[1]);
+                                    let _e951 = (_e940.member[2] - _e821.member[2]);
+                                    if (_e945 < 0f) {
+                                        phi_1552_ = -(_e945);
                                     } else {
-                                        phi_1480_ = _e897;
+                                        phi_1552_ = _e945;
                                     }
-                                    let _e1092 = phi_1480_;
-                                    if (_e900 < 0f) {
-                                        phi_1486_ = -(_e900);
+                                    let _e1140 = phi_1552_;
+                                    if (_e948 < 0f) {
+                                        phi_1558_ = -(_e948);
                                     } else {
-                                        phi_1486_ = _e900;
+                                        phi_1558_ = _e948;
                                     }
-                                    let _e1096 = phi_1486_;
-                                    if (_e903 < 0f) {
-                                        phi_1493_ = -(_e903);
+                                    let _e1144 = phi_1558_;
+                                    if (_e951 < 0f) {
+                                        phi_1565_ = -(_e951);
                                     } else {
-                                        phi_1493_ = _e903;
+                                        phi_1565_ = _e951;
                                     }
-                                    let _e1101 = phi_1493_;
-                                    if (_e797.member_2[0] < 0f) {
-                                        phi_1502_ = -(_e797.member_2[0]);
+                                    let _e1149 = phi_1565_;
+                                    if (_e821.member_2[0] < 0f) {
+                                        phi_1574_ = -(_e821.member_2[0]);
                                     } else {
-                                        phi_1502_ = _e797.member_2[0];
+                                        phi_1574_ = _e821.member_2[0];
                                     }
-                                    let _e1108 = phi_1502_;
-                                    if (_e797.member_2[1] < 0f) {
-                                        phi_1509_ = -(_e797.member_2[1]);
+                                    let _e1156 = phi_1574_;
+                                    if (_e821.member_2[1] < 0f) {
+                                        phi_1581_ = -(_e821.member_2[1]);
                                     } else {
-                                        phi_1509_ = _e797.member_2[1];
+                                        phi_1581_ = _e821.member_2[1];
                                     }
-                                    let _e1113 = phi_1509_;
-                                    if (_e797.member_2[2] < 0f) {
-                                        phi_1517_ = -(_e797.member_2[2]);
+                                    let _e1161 = phi_1581_;
+                                    if (_e821.member_2[2] < 0f) {
+                                        phi_1589_ = -(_e821.member_2[2]);
                                     } else {
-                                        phi_1517_ = _e797.member_2[2];
+                                        phi_1589_ = _e821.member_2[2];
                                     }
-                                    let _e1119 = phi_1517_;
-                                    if (_e892.member_2[0] < 0f) {
-                                        phi_1526_ = -(_e892.member_2[0]);
+                                    let _e1167 = phi_1589_;
+                                    if (_e940.member_2[0] < 0f) {
+                                        phi_1598_ = -(_e940.member_2[0]);
                                     } else {
-                                        phi_1526_ = _e892.member_2[0];
+                                        phi_1598_ = _e940.member_2[0];
                                     }
-                                    let _e1126 = phi_1526_;
-                                    if (_e892.member_2[1] < 0f) {
-                                        phi_1533_ = -(_e892.member_2[1]);
+                                    let _e1174 = phi_1598_;
+                                    if (_e940.member_2[1] < 0f) {
+                                        phi_1605_ = -(_e940.member_2[1]);
                                     } else {
-                                        phi_1533_ = _e892.member_2[1];
+                                        phi_1605_ = _e940.member_2[1];
                                     }
-                                    let _e1131 = phi_1533_;
-                                    if (_e892.member_2[2] < 0f) {
-                                        phi_1541_ = -(_e892.member_2[2]);
+                                    let _e1179 = phi_1605_;
+                                    if (_e940.member_2[2] < 0f) {
+                                        phi_1613_ = -(_e940.member_2[2]);
                                     } else {
-                                        phi_1541_ = _e892.member_2[2];
+                                        phi_1613_ = _e940.member_2[2];
                                     }
-                                    let _e1137 = phi_1541_;
-                                    local = type_23(array<array<f32, 3>, 3>(array<f32, 3>((((_e892.member_1[0][0] * _e797.member_1[0][0]) + (_e892.member_1[0][1] * _e797.member_1[0][1])) + (_e892.member_1[0][2] * _e797.member_1[0][2])), (((_e892.member_1[1][0] * _e797.member_1[0][0]) + (_e892.member_1[1][1] * _e797.member_1[0][1])) + (_e892.member_1[1][2] * _e797.member_1[0][2])), (((_e892.member_1[2][0] * _e797.member_1[0][0]) + (_e892.member_1[2][1] * _e797.member_1[0][1])) + (_e892.member_1[2][2] * _e797.member_1[0][2]))), array<f32, 3>((((_e892.member_1[0][0] * _e797.member_1[1][0]) + (_e892.member_1[0][1] * _e797.member_1[1][1])) + (_e892.member_1[0][2] * _e797.member_1[1][2])), (((_e892.member_1[1][0] * _e797.member_1[1][0]) + (_e892.member_1[1][1] * _e797.member_1[1][1])) + (_e892.member_1[1][2] * _e797.member_1[1][2])), (((_e892.member_1[2][0] * _e797.member_1[1][0]) + (_e892.member_1[2][1] * _e797.member_1[1][1])) + (_e892.member_1[2][2] * _e797.member_1[1][2]))), array<f32, 3>((((_e892.member_1[0][0] * _e797.member_1[2][0]) + (_e892.member_1[0][1] * _e797.member_1[2][1])) + (_e892.member_1[0][2] * _e797.member_1[2][2])), (((_e892.member_1[1][0] * _e797.member_1[2][0]) + (_e892.member_1[1][1] * _e797.member_1[2][1])) + (_e892.member_1[1][2] * _e797.member_1[2][2])), (((_e892.member_1[2][0] * _e797.member_1[2][0]) + (_e892.member_1[2][1] * _e797.member_1[2][1])) + (_e892.member_1[2][2] * _e797.member_1[2][2])))), array<f32, 3>((((_e797.member_1[0][0] * _e897) + (_e797.member_1[0][1] * _e900)) + (_e797.member_1[0][2] * _e903)), (((_e797.member_1[1][0] * _e897) + (_e797.member_1[1][1] * _e900)) + (_e797.member_1[1][2] * _e903)), (((_e797.member_1[2][0] * _e897) + (_e797.member_1[2][1] * _e900)) + (_e797.member_1[2][2] * _e903))), array<f32, 3>((((_e892.member_1[0][0] * _e897) + (_e892.member_1[0][1] * _e900)) + (_e892.member_1[0][2] * _e903)), (((_e892.member_1[1][0] * _e897) + (_e892.member_1[1][1] * _e900)) + (_e892.member_1[1][2] * _e903)), (((_e892.member_1[2][0] * _e897) + (_e892.member_1[2][1] * _e900)) + (_e892.member_1[2][2] * _e903))), array<f32, 3>(_e797.member_2[0], _e797.member_2[1], _e797.member_2[2]), array<f32, 3>(_e892.member_2[0], _e892.member_2[1], _e892.member_2[2]), ((((((_e1092 + _e1096) + _e1101) + (((_e1108 + _e1113) + _e1119) + ((_e1126 + _e1131) + _e1137))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                                    let _e1164 = local.member[0u][0u];
-                                    let _e1168 = local.member[0u][1u];
-                                    let _e1172 = local.member[0u][2u];
-                                    let _e1176 = local.member[1u][0u];
-                                    let _e1180 = local.member[1u][1u];
-                                    let _e1184 = local.member[1u][2u];
-                                    let _e1188 = local.member[2u][0u];
-                                    let _e1192 = local.member[2u][1u];
-                                    let _e1196 = local.member[2u][2u];
-                                    let _e1198 = local.member_3;
-                                    let _e1203 = local.member_4;
-                                    let _e1209 = local.member_1[0u];
-                                    if (_e1209 < 0f) {
-                                        phi_1634_ = -(_e1209);
+                                    let _e1185 = phi_1613_;
+                                    local = type_23(array<array<f32, 3>, 3>(array<f32, 3>((((_e940.member_1[0][0] * _e821.member_1[0][0]) + (_e940.member_1[0][1] * _e821.member_1[0][1])) + (_e940.member_1[0][2] * _e821.member_1[0][2])), (((_e940.member_1[1][0] * _e821.member_1[0][0]) + (_e940.member_1[1][1] * _e821.member_1[0][1])) + (_e940.member_1[1][2] * _e821.member_1[0][2])), (((_e940.member_1[2][0] * _e821.member_1[0][0]) + (_e940.member_1[2][1] * _e821.member_1[0][1])) + (_e940.member_1[2][2] * _e821.member_1[0][2]))), array<f32, 3>((((_e940.member_1[0][0] * _e821.member_1[1][0]) + (_e940.member_1[0][1] * _e821.member_1[1][1])) + (_e940.member_1[0][2] * _e821.member_1[1][2])), (((_e940.member_1[1][0] * _e821.member_1[1][0]) + (_e940.member_1[1][1] * _e821.member_1[1][1])) + (_e940.member_1[1][2] * _e821.member_1[1][2])), (((_e940.member_1[2][0] * _e821.member_1[1][0]) + (_e940.member_1[2][1] * _e821.member_1[1][1])) + (_e940.member_1[2][2] * _e821.member_1[1][2]))), array<f32, 3>((((_e940.member_1[0][0] * _e821.member_1[2][0]) + (_e940.member_1[0][1] * _e821.member_1[2][1])) + (_e940.member_1[0][2] * _e821.member_1[2][2])), (((_e940.member_1[1][0] * _e821.member_1[2][0]) + (_e940.member_1[1][1] * _e821.member_1[2][1])) + (_e940.member_1[1][2] * _e821.member_1[2][2])), (((_e940.member_1[2][0] * _e821.member_1[2][0]) + (_e940.member_1[2][1] * _e821.member_1[2][1])) + (_e940.member_1[2][2] * _e821.member_1[2][2])))), array<f32, 3>((((_e821.member_1[0][0] * _e945) + (_e821.member_1[0][1] * _e948)) + (_e821.member_1[0][2] * _e951)), (((_e821.member_1[1][0] * _e945) + (_e821.member_1[1][1] * _e948)) + (_e821.member_1[1][2] * _e951)), (((_e821.member_1[2][0] * _e945) + (_e821.member_1[2][1] * _e948)) + (_e821.member_1[2][2] * _e951))), array<f32, 3>((((_e940.member_1[0][0] * _e945) + (_e940.member_1[0][1] * _e948)) + (_e940.member_1[0][2] * _e951)), (((_e940.member_1[1][0] * _e945) + (_e940.member_1[1][1] * _e948)) + (_e940.member_1[1][2] * _e951)), (((_e940.member_1[2][0] * _e945) + (_e940.member_1[2][1] * _e948)) + (_e940.member_1[2][2] * _e951))), array<f32, 3>(_e821.member_2[0], _e821.member_2[1], _e821.member_2[2]), array<f32, 3>(_e940.member_2[0], _e940.member_2[1], _e940.member_2[2]), ((((((_e1140 + _e1144) + _e1149) + (((_e1156 + _e1161) + _e1167) + ((_e1174 + _e1179) + _e1185))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                    let _e1212 = local.member[0u][0u];
+                                    let _e1216 = local.member[0u][1u];
+                                    let _e1220 = local.member[0u][2u];
+                                    let _e1224 = local.member[1u][0u];
+                                    let _e1228 = local.member[1u][1u];
+                                    let _e1232 = local.member[1u][2u];
+                                    let _e1236 = local.member[2u][0u];
+                                    let _e1240 = local.member[2u][1u];
+                                    let _e1244 = local.member[2u][2u];
+                                    let _e1246 = local.member_3;
+                                    let _e1251 = local.member_4;
+                                    let _e1257 = local.member_1[0u];
+                                    if (_e1257 < 0f) {
+                                        phi_1706_ = -(_e1257);
                                     } else {
-                                        phi_1634_ = _e1209;
+                                        phi_1706_ = _e1257;
                                     }
-                                    let _e1213 = phi_1634_;
-                                    if (_e1164 < 0f) {
-                                        phi_1641_ = -(_e1164);
+                                    let _e1261 = phi_1706_;
+                                    if (_e1212 < 0f) {
+                                        phi_1713_ = -(_e1212);
                                     } else {
-                                        phi_1641_ = _e1164;
+                                        phi_1713_ = _e1212;
                                     }
-                                    let _e1217 = phi_1641_;
-                                    if (_e1168 < 0f) {
-                                        phi_1647_ = -(_e1168);
+                                    let _e1265 = phi_1713_;
+                                    if (_e1216 < 0f) {
+                                        phi_1719_ = -(_e1216);
                                     } else {
-                                        phi_1647_ = _e1168;
+                                        phi_1719_ = _e1216;
                                     }
-                                    let _e1221 = phi_1647_;
-                                    if (_e1172 < 0f) {
-                                        phi_1653_ = -(_e1172);
+                                    let _e1269 = phi_1719_;
+                                    if (_e1220 < 0f) {
+                                        phi_1725_ = -(_e1220);
                                     } else {
-                                        phi_1653_ = _e1172;
+                                        phi_1725_ = _e1220;
                                     }
-                                    let _e1225 = phi_1653_;
-                                    let _e1232 = (_e1213 - (_e1198[0] + (((_e1217 * _e1203[0]) + (_e1221 * _e1203[1])) + (_e1225 * _e1203[2]))));
-                                    let _e1235 = local.member_1[1u];
-                                    if (_e1235 < 0f) {
-                                        phi_1672_ = -(_e1235);
+                                    let _e1273 = phi_1725_;
+                                    let _e1280 = (_e1261 - (_e1246[0] + (((_e1265 * _e1251[0]) + (_e1269 * _e1251[1])) + (_e1273 * _e1251[2]))));
+                                    let _e1283 = local.member_1[1u];
+                                    if (_e1283 < 0f) {
+                                        phi_1744_ = -(_e1283);
                                     } else {
-                                        phi_1672_ = _e1235;
+                                        phi_1744_ = _e1283;
                                     }
-                                    let _e1239 = phi_1672_;
-                                    if (_e1176 < 0f) {
-                                        phi_1679_ = -(_e1176);
+                                    let _e1287 = phi_1744_;
+                                    if (_e1224 < 0f) {
+                                        phi_1751_ = -(_e1224);
                                     } else {
-                                        phi_1679_ = _e1176;
+                                        phi_1751_ = _e1224;
                                     }
-                                    let _e1243 = phi_1679_;
-                                    if (_e1180 < 0f) {
-                                        phi_1685_ = -(_e1180);
+                                    let _e1291 = phi_1751_;
+                                    if (_e1228 < 0f) {
+                                        phi_1757_ = -(_e1228);
                                     } else {
-                                        phi_1685_ = _e1180;
+                                        phi_1757_ = _e1228;
                                     }
-                                    let _e1247 = phi_1685_;
-                                    if (_e1184 < 0f) {
-                                        phi_1691_ = -(_e1184);
+                                    let _e1295 = phi_1757_;
+                                    if (_e1232 < 0f) {
+                                        phi_1763_ = -(_e1232);
                                     } else {
-                                        phi_1691_ = _e1184;
+                                        phi_1763_ = _e1232;
                                     }
-                                    let _e1251 = phi_1691_;
-                                    let _e1258 = (_e1239 - (_e1198[1] + (((_e1243 * _e1203[0]) + (_e1247 * _e1203[1])) + (_e1251 * _e1203[2]))));
-                                    let _e1261 = local.member_1[2u];
-                                    if (_e1261 < 0f) {
-                                        phi_1710_ = -(_e1261);
+                                    let _e1299 = phi_1763_;
+                                    let _e1306 = (_e1287 - (_e1246[1] + (((_e1291 * _e1251[0]) + (_e1295 * _e1251[1])) + (_e1299 * _e1251[2]))));
+                                    let _e1309 = local.member_1[2u];
+                                    if (_e1309 < 0f) {
+                                        phi_1782_ = -(_e1309);
                                     } else {
-                                        phi_1710_ = _e1261;
+                                        phi_1782_ = _e1309;
                                     }
-                                    let _e1265 = phi_1710_;
-                                    if (_e1188 < 0f) {
-                                        phi_1717_ = -(_e1188);
+                                    let _e1313 = phi_1782_;
+                                    if (_e1236 < 0f) {
+                                        phi_1789_ = -(_e1236);
                                     } else {
-                                        phi_1717_ = _e1188;
+                                        phi_1789_ = _e1236;
                                     }
-                                    let _e1269 = phi_1717_;
-                                    if (_e1192 < 0f) {
-                                        phi_1723_ = -(_e1192);
+                                    let _e1317 = phi_1789_;
+                                    if (_e1240 < 0f) {
+                                        phi_1795_ = -(_e1240);
                                     } else {
-                                        phi_1723_ = _e1192;
+                                        phi_1795_ = _e1240;
                                     }
-                                    let _e1273 = phi_1723_;
-                                    if (_e1196 < 0f) {
-                                        phi_1729_ = -(_e1196);
+                                    let _e1321 = phi_1795_;
+                                    if (_e1244 < 0f) {
+                                        phi_1801_ = -(_e1244);
                                     } else {
-                                        phi_1729_ = _e1196;
+                                        phi_1801_ = _e1244;
                                     }
-                                    let _e1277 = phi_1729_;
-                                    let _e1284 = (_e1265 - (_e1198[2] + (((_e1269 * _e1203[0]) + (_e1273 * _e1203[1])) + (_e1277 * _e1203[2]))));
-                                    let _e1287 = local.member_2[0u];
-                                    if (_e1287 < 0f) {
-                                        phi_1748_ = -(_e1287);
+                                    let _e1325 = phi_1801_;
+                                    let _e1332 = (_e1313 - (_e1246[2] + (((_e1317 * _e1251[0]) + (_e1321 * _e1251[1])) + (_e1325 * _e1251[2]))));
+                                    let _e1335 = local.member_2[0u];
+                                    if (_e1335 < 0f) {
+                                        phi_1820_ = -(_e1335);
                                     } else {
-                                        phi_1748_ = _e1287;
+                                        phi_1820_ = _e1335;
                                     }
-                                    let _e1291 = phi_1748_;
-                                    if (_e1164 < 0f) {
-                                        phi_1755_ = -(_e1164);
+                                    let _e1339 = phi_1820_;
+                                    if (_e1212 < 0f) {
+                                        phi_1827_ = -(_e1212);
                                     } else {
-                                        phi_1755_ = _e1164;
+                                        phi_1827_ = _e1212;
                                     }
-                                    let _e1295 = phi_1755_;
-                                    if (_e1176 < 0f) {
-                                        phi_1761_ = -(_e1176);
+                                    let _e1343 = phi_1827_;
+                                    if (_e1224 < 0f) {
+                                        phi_1833_ = -(_e1224);
                                     } else {
-                                        phi_1761_ = _e1176;
+                                        phi_1833_ = _e1224;
                                     }
-                                    let _e1299 = phi_1761_;
-                                    if (_e1188 < 0f) {
-                                        phi_1767_ = -(_e1188);
+                                    let _e1347 = phi_1833_;
+                                    if (_e1236 < 0f) {
+                                        phi_1839_ = -(_e1236);
                                     } else {
-                                        phi_1767_ = _e1188;
+                                        phi_1839_ = _e1236;
                                     }
-                                    let _e1303 = phi_1767_;
-                                    let _e1310 = (_e1291 - (_e1203[0] + (((_e1295 * _e1198[0]) + (_e1299 * _e1198[1])) + (_e1303 * _e1198[2]))));
-                                    let _e1313 = local.member_2[1u];
-                                    if (_e1313 < 0f) {
-                                        phi_1786_ = -(_e1313);
+                                    let _e1351 = phi_1839_;
+                                    let _e1358 = (_e1339 - (_e1251[0] + (((_e1343 * _e1246[0]) + (_e1347 * _e1246[1])) + (_e1351 * _e1246[2]))));
+                                    let _e1361 = local.member_2[1u];
+                                    if (_e1361 < 0f) {
+                                        phi_1858_ = -(_e1361);
                                     } else {
-                                        phi_1786_ = _e1313;
-                                    }
-                                    let _e1317 = phi_1786_;
-                                    if (_e1168 < 0f) {
-                                        phi_1793_ = -(_e1168);
-                                    } else {
-                                        phi_1793_ = _e1168;
-                                    }
-                                    let _e1321 = phi_1793_;
-                                    if (_e1180 < 0f) {
-                                        phi_1799_ = -(_e1180);
-                                    } else {
-                                        phi_1799_ = _e1180;
-                                    }
-                                    let _e1325 = phi_1799_;
-                                    if (_e1192 < 0f) {
-                                        phi_1805_ = -(_e1192);
-                                    } else {
-                                        phi_1805_ = _e1192;
-                                    }
-                                    let _e1329 = phi_1805_;
-                                    let _e1336 = (_e1317 - (_e1203[1] + (((_e1321 * _e1198[0]) + (_e1325 * _e1198[1])) + (_e1329 * _e1198[2]))));
-                                    let _e1339 = local.member_2[2u];
-                                    if (_e1339 < 0f) {
-                                        phi_1824_ = -(_e1339);
-                                    } else {
-                                        phi_1824_ = _e1339;
-                                    }
-                                    let _e1343 = phi_1824_;
-                                    if (_e1172 < 0f) {
-                                        phi_1831_ = -(_e1172);
-                                    } else {
-                                        phi_1831_ = _e1172;
-                                    }
-                                    let _e1347 = phi_1831_;
-                                    if (_e1184 < 0f) {
-                                        phi_1837_ = -(_e1184);
-                                    } else {
-                                        phi_1837_ = _e1184;
-                                    }
-                                    let _e1351 = phi_1837_;
-                                    if (_e1196 < 0f) {
-                                        phi_1843_ = -(_e1196);
-                                    } else {
-                                        phi_1843_ = _e1196;
-                                    }
-                                    let _e1355 = phi_1843_;
-                                    let _e1362 = (_e1343 - (_e1203[2] + (((_e1347 * _e1198[0]) + (_e1351 * _e1198[1])) + (_e1355 * _e1198[2]))));
-                                    if (_e1232 > _e1258) {
-                                        phi_1858_ = _e1232;
-                                    } else {
-                                        phi_1858_ = _e1258;
+                                        phi_1858_ = _e1361;
                                     }
                                     let _e1365 = phi_1858_;
-                                    if (_e1365 > _e1284) {
-                                        phi_1863_ = _e1365;
+                                    if (_e1216 < 0f) {
+                                        phi_1865_ = -(_e1216);
                                     } else {
-                                        phi_1863_ = _e1284;
+                                        phi_1865_ = _e1216;
                                     }
-                                    let _e1368 = phi_1863_;
-                                    if (_e1310 > _e1336) {
-                                        phi_1868_ = _e1310;
+                                    let _e1369 = phi_1865_;
+                                    if (_e1228 < 0f) {
+                                        phi_1871_ = -(_e1228);
                                     } else {
-                                        phi_1868_ = _e1336;
+                                        phi_1871_ = _e1228;
                                     }
-                                    let _e1371 = phi_1868_;
-                                    if (_e1371 > _e1362) {
-                                        phi_1873_ = _e1371;
+                                    let _e1373 = phi_1871_;
+                                    if (_e1240 < 0f) {
+                                        phi_1877_ = -(_e1240);
                                     } else {
-                                        phi_1873_ = _e1362;
+                                        phi_1877_ = _e1240;
                                     }
-                                    let _e1374 = phi_1873_;
-                                    if (_e1368 > _e1374) {
-                                        phi_1878_ = _e1368;
+                                    let _e1377 = phi_1877_;
+                                    let _e1384 = (_e1365 - (_e1251[1] + (((_e1369 * _e1246[0]) + (_e1373 * _e1246[1])) + (_e1377 * _e1246[2]))));
+                                    let _e1387 = local.member_2[2u];
+                                    if (_e1387 < 0f) {
+                                        phi_1896_ = -(_e1387);
                                     } else {
-                                        phi_1878_ = _e1374;
+                                        phi_1896_ = _e1387;
                                     }
-                                    let _e1377 = phi_1878_;
-                                    let _e1379 = local.member_5;
-                                    if (_e1377 > _e1379) {
-                                        phi_3191_ = true;
+                                    let _e1391 = phi_1896_;
+                                    if (_e1220 < 0f) {
+                                        phi_1903_ = -(_e1220);
                                     } else {
-                                        let _e1384 = local.member[1u][0u];
-                                        let _e1387 = local.member_1[2u];
-                                        let _e1392 = local.member[2u][0u];
-                                        let _e1395 = local.member_1[1u];
-                                        let _e1397 = ((_e1384 * _e1387) - (_e1392 * _e1395));
-                                        let _e1401 = local.member[2u][0u];
-                                        if (_e1401 < 0f) {
-                                            phi_1937_ = -(_e1401);
+                                        phi_1903_ = _e1220;
+                                    }
+                                    let _e1395 = phi_1903_;
+                                    if (_e1232 < 0f) {
+                                        phi_1909_ = -(_e1232);
+                                    } else {
+                                        phi_1909_ = _e1232;
+                                    }
+                                    let _e1399 = phi_1909_;
+                                    if (_e1244 < 0f) {
+                                        phi_1915_ = -(_e1244);
+                                    } else {
+                                        phi_1915_ = _e1244;
+                                    }
+                                    let _e1403 = phi_1915_;
+                                    let _e1410 = (_e1391 - (_e1251[2] + (((_e1395 * _e1246[0]) + (_e1399 * _e1246[1])) + (_e1403 * _e1246[2]))));
+                                    if (_e1280 > _e1306) {
+                                        phi_1930_ = _e1280;
+                                    } else {
+                                        phi_1930_ = _e1306;
+                                    }
+                                    let _e1413 = phi_1930_;
+                                    if (_e1413 > _e1332) {
+                                        phi_1935_ = _e1413;
+                                    } else {
+                                        phi_1935_ = _e1332;
+                                    }
+                                    let _e1416 = phi_1935_;
+                                    if (_e1358 > _e1384) {
+                                        phi_1940_ = _e1358;
+                                    } else {
+                                        phi_1940_ = _e1384;
+                                    }
+                                    let _e1419 = phi_1940_;
+                                    if (_e1419 > _e1410) {
+                                        phi_1945_ = _e1419;
+                                    } else {
+                                        phi_1945_ = _e1410;
+                                    }
+                                    let _e1422 = phi_1945_;
+                                    if (_e1416 > _e1422) {
+                                        phi_1950_ = _e1416;
+                                    } else {
+                                        phi_1950_ = _e1422;
+                                    }
+                                    let _e1425 = phi_1950_;
+                                    let _e1427 = local.member_5;
+                                    if (_e1425 > _e1427) {
+                                        phi_3263_ = true;
+                                    } else {
+                                        let _e1432 = local.member[1u][0u];
+                                        let _e1435 = local.member_1[2u];
+                                        let _e1440 = local.member[2u][0u];
+                                        let _e1443 = local.member_1[1u];
+                                        let _e1445 = ((_e1432 * _e1435) - (_e1440 * _e1443));
+                                        let _e1449 = local.member[2u][0u];
+                                        if (_e1449 < 0f) {
+                                            phi_2009_ = -(_e1449);
                                         } else {
-                                            phi_1937_ = _e1401;
+                                            phi_2009_ = _e1449;
                                         }
-                                        let _e1405 = phi_1937_;
-                                        let _e1408 = local.member_3[1u];
-                                        let _e1413 = local.member[1u][0u];
-                                        if (_e1413 < 0f) {
-                                            phi_1960_ = -(_e1413);
+                                        let _e1453 = phi_2009_;
+                                        let _e1456 = local.member_3[1u];
+                                        let _e1461 = local.member[1u][0u];
+                                        if (_e1461 < 0f) {
+                                            phi_2032_ = -(_e1461);
                                         } else {
-                                            phi_1960_ = _e1413;
+                                            phi_2032_ = _e1461;
                                         }
-                                        let _e1417 = phi_1960_;
-                                        let _e1420 = local.member_3[2u];
-                                        let _e1426 = local.member[0u][2u];
-                                        if (_e1426 < 0f) {
-                                            phi_1983_ = -(_e1426);
-                                        } else {
-                                            phi_1983_ = _e1426;
-                                        }
-                                        let _e1430 = phi_1983_;
-                                        let _e1433 = local.member_4[1u];
-                                        let _e1438 = local.member[0u][1u];
-                                        if (_e1438 < 0f) {
-                                            phi_2005_ = -(_e1438);
-                                        } else {
-                                            phi_2005_ = _e1438;
-                                        }
-                                        let _e1442 = phi_2005_;
-                                        let _e1445 = local.member_4[2u];
-                                        if (_e1397 < 0f) {
-                                            phi_2021_ = -(_e1397);
-                                        } else {
-                                            phi_2021_ = _e1397;
-                                        }
-                                        let _e1451 = phi_2021_;
-                                        let _e1453 = (_e1451 - (((_e1405 * _e1408) + (_e1417 * _e1420)) + ((_e1430 * _e1433) + (_e1442 * _e1445))));
-                                        let _e1457 = local.member[1u][1u];
-                                        let _e1460 = local.member_1[2u];
-                                        let _e1465 = local.member[2u][1u];
-                                        let _e1468 = local.member_1[1u];
-                                        let _e1470 = ((_e1457 * _e1460) - (_e1465 * _e1468));
-                                        let _e1474 = local.member[2u][1u];
+                                        let _e1465 = phi_2032_;
+                                        let _e1468 = local.member_3[2u];
+                                        let _e1474 = local.member[0u][2u];
                                         if (_e1474 < 0f) {
-                                            phi_2076_ = -(_e1474);
+                                            phi_2055_ = -(_e1474);
                                         } else {
-                                            phi_2076_ = _e1474;
+                                            phi_2055_ = _e1474;
                                         }
-                                        let _e1478 = phi_2076_;
-                                        let _e1481 = local.member_3[1u];
-                                        let _e1486 = local.member[1u][1u];
+                                        let _e1478 = phi_2055_;
+                                        let _e1481 = local.member_4[1u];
+                                        let _e1486 = local.member[0u][1u];
                                         if (_e1486 < 0f) {
-                                            phi_2099_ = -(_e1486);
+                                            phi_2077_ = -(_e1486);
                                         } else {
-                                            phi_2099_ = _e1486;
+                                            phi_2077_ = _e1486;
                                         }
-                                        let _e1490 = phi_2099_;
-                                        let _e1493 = local.member_3[2u];
-                                        let _e1499 = local.member[0u][0u];
-                                        if (_e1499 < 0f) {
-                                            phi_2122_ = -(_e1499);
+                                        let _e1490 = phi_2077_;
+                                        let _e1493 = local.member_4[2u];
+                                        if (_e1445 < 0f) {
+                                            phi_2093_ = -(_e1445);
                                         } else {
-                                            phi_2122_ = _e1499;
+                                            phi_2093_ = _e1445;
                                         }
-                                        let _e1503 = phi_2122_;
-                                        let _e1506 = local.member_4[2u];
-                                        let _e1511 = local.member[0u][2u];
-                                        if (_e1511 < 0f) {
-                                            phi_2144_ = -(_e1511);
+                                        let _e1499 = phi_2093_;
+                                        let _e1501 = (_e1499 - (((_e1453 * _e1456) + (_e1465 * _e1468)) + ((_e1478 * _e1481) + (_e1490 * _e1493))));
+                                        let _e1505 = local.member[1u][1u];
+                                        let _e1508 = local.member_1[2u];
+                                        let _e1513 = local.member[2u][1u];
+                                        let _e1516 = local.member_1[1u];
+                                        let _e1518 = ((_e1505 * _e1508) - (_e1513 * _e1516));
+                                        let _e1522 = local.member[2u][1u];
+                                        if (_e1522 < 0f) {
+                                            phi_2148_ = -(_e1522);
                                         } else {
-                                            phi_2144_ = _e1511;
+                                            phi_2148_ = _e1522;
                                         }
-                                        let _e1515 = phi_2144_;
-                                        let _e1518 = local.member_4[0u];
-                                        if (_e1470 < 0f) {
-                                            phi_2160_ = -(_e1470);
+                                        let _e1526 = phi_2148_;
+                                        let _e1529 = local.member_3[1u];
+                                        let _e1534 = local.member[1u][1u];
+                                        if (_e1534 < 0f) {
+                                            phi_2171_ = -(_e1534);
                                         } else {
-                                            phi_2160_ = _e1470;
+                                            phi_2171_ = _e1534;
                                         }
-                                        let _e1524 = phi_2160_;
-                                        let _e1526 = (_e1524 - (((_e1478 * _e1481) + (_e1490 * _e1493)) + ((_e1503 * _e1506) + (_e1515 * _e1518))));
-                                        let _e1530 = local.member[1u][2u];
-                                        let _e1533 = local.member_1[2u];
-                                        let _e1538 = local.member[2u][2u];
-                                        let _e1541 = local.member_1[1u];
-                                        let _e1543 = ((_e1530 * _e1533) - (_e1538 * _e1541));
-                                        let _e1547 = local.member[2u][2u];
+                                        let _e1538 = phi_2171_;
+                                        let _e1541 = local.member_3[2u];
+                                        let _e1547 = local.member[0u][0u];
                                         if (_e1547 < 0f) {
-                                            phi_2215_ = -(_e1547);
+                                            phi_2194_ = -(_e1547);
                                         } else {
-                                            phi_2215_ = _e1547;
+                                            phi_2194_ = _e1547;
                                         }
-                                        let _e1551 = phi_2215_;
-                                        let _e1554 = local.member_3[1u];
-                                        let _e1559 = local.member[1u][2u];
+                                        let _e1551 = phi_2194_;
+                                        let _e1554 = local.member_4[2u];
+                                        let _e1559 = local.member[0u][2u];
                                         if (_e1559 < 0f) {
-                                            phi_2238_ = -(_e1559);
+                                            phi_2216_ = -(_e1559);
                                         } else {
-                                            phi_2238_ = _e1559;
+                                            phi_2216_ = _e1559;
                                         }
-                                        let _e1563 = phi_2238_;
-                                        let _e1566 = local.member_3[2u];
-                                        let _e1572 = local.member[0u][1u];
-                                        if (_e1572 < 0f) {
-                                            phi_2261_ = -(_e1572);
+                                        let _e1563 = phi_2216_;
+                                        let _e1566 = local.member_4[0u];
+                                        if (_e1518 < 0f) {
+                                            phi_2232_ = -(_e1518);
                                         } else {
-                                            phi_2261_ = _e1572;
+                                            phi_2232_ = _e1518;
                                         }
-                                        let _e1576 = phi_2261_;
-                                        let _e1579 = local.member_4[0u];
-                                        let _e1584 = local.member[0u][0u];
-                                        if (_e1584 < 0f) {
-                                            phi_2283_ = -(_e1584);
+                                        let _e1572 = phi_2232_;
+                                        let _e1574 = (_e1572 - (((_e1526 * _e1529) + (_e1538 * _e1541)) + ((_e1551 * _e1554) + (_e1563 * _e1566))));
+                                        let _e1578 = local.member[1u][2u];
+                                        let _e1581 = local.member_1[2u];
+                                        let _e1586 = local.member[2u][2u];
+                                        let _e1589 = local.member_1[1u];
+                                        let _e1591 = ((_e1578 * _e1581) - (_e1586 * _e1589));
+                                        let _e1595 = local.member[2u][2u];
+                                        if (_e1595 < 0f) {
+                                            phi_2287_ = -(_e1595);
                                         } else {
-                                            phi_2283_ = _e1584;
+                                            phi_2287_ = _e1595;
                                         }
-                                        let _e1588 = phi_2283_;
-                                        let _e1591 = local.member_4[1u];
-                                        if (_e1543 < 0f) {
-                                            phi_2299_ = -(_e1543);
+                                        let _e1599 = phi_2287_;
+                                        let _e1602 = local.member_3[1u];
+                                        let _e1607 = local.member[1u][2u];
+                                        if (_e1607 < 0f) {
+                                            phi_2310_ = -(_e1607);
                                         } else {
-                                            phi_2299_ = _e1543;
+                                            phi_2310_ = _e1607;
                                         }
-                                        let _e1597 = phi_2299_;
-                                        let _e1599 = (_e1597 - (((_e1551 * _e1554) + (_e1563 * _e1566)) + ((_e1576 * _e1579) + (_e1588 * _e1591))));
-                                        let _e1603 = local.member[2u][0u];
-                                        let _e1606 = local.member_1[0u];
-                                        let _e1611 = local.member[0u][0u];
-                                        let _e1614 = local.member_1[2u];
-                                        let _e1616 = ((_e1603 * _e1606) - (_e1611 * _e1614));
-                                        let _e1620 = local.member[0u][0u];
+                                        let _e1611 = phi_2310_;
+                                        let _e1614 = local.member_3[2u];
+                                        let _e1620 = local.member[0u][1u];
                                         if (_e1620 < 0f) {
-                                            phi_2354_ = -(_e1620);
+                                            phi_2333_ = -(_e1620);
                                         } else {
-                                            phi_2354_ = _e1620;
+                                            phi_2333_ = _e1620;
                                         }
-                                        let _e1624 = phi_2354_;
-                                        let _e1627 = local.member_3[2u];
-                                        let _e1632 = local.member[2u][0u];
+                                        let _e1624 = phi_2333_;
+                                        let _e1627 = local.member_4[0u];
+                                        let _e1632 = local.member[0u][0u];
                                         if (_e1632 < 0f) {
-                                            phi_2377_ = -(_e1632);
+                                            phi_2355_ = -(_e1632);
                                         } else {
-                                            phi_2377_ = _e1632;
+                                            phi_2355_ = _e1632;
                                         }
-                                        let _e1636 = phi_2377_;
-                                        let _e1639 = local.member_3[0u];
-                                        let _e1645 = local.member[1u][2u];
-                                        if (_e1645 < 0f) {
-                                            phi_2401_ = -(_e1645);
+                                        let _e1636 = phi_2355_;
+                                        let _e1639 = local.member_4[1u];
+                                        if (_e1591 < 0f) {
+                                            phi_2371_ = -(_e1591);
                                         } else {
-                                            phi_2401_ = _e1645;
+                                            phi_2371_ = _e1591;
                                         }
-                                        let _e1649 = phi_2401_;
-                                        let _e1652 = local.member_4[1u];
-                                        let _e1657 = local.member[1u][1u];
-                                        if (_e1657 < 0f) {
-                                            phi_2424_ = -(_e1657);
+                                        let _e1645 = phi_2371_;
+                                        let _e1647 = (_e1645 - (((_e1599 * _e1602) + (_e1611 * _e1614)) + ((_e1624 * _e1627) + (_e1636 * _e1639))));
+                                        let _e1651 = local.member[2u][0u];
+                                        let _e1654 = local.member_1[0u];
+                                        let _e1659 = local.member[0u][0u];
+                                        let _e1662 = local.member_1[2u];
+                                        let _e1664 = ((_e1651 * _e1654) - (_e1659 * _e1662));
+                                        let _e1668 = local.member[0u][0u];
+                                        if (_e1668 < 0f) {
+                                            phi_2426_ = -(_e1668);
                                         } else {
-                                            phi_2424_ = _e1657;
+                                            phi_2426_ = _e1668;
                                         }
-                                        let _e1661 = phi_2424_;
-                                        let _e1664 = local.member_4[2u];
-                                        if (_e1616 < 0f) {
-                                            phi_2440_ = -(_e1616);
+                                        let _e1672 = phi_2426_;
+                                        let _e1675 = local.member_3[2u];
+                                        let _e1680 = local.member[2u][0u];
+                                        if (_e1680 < 0f) {
+                                            phi_2449_ = -(_e1680);
                                         } else {
-                                            phi_2440_ = _e1616;
+                                            phi_2449_ = _e1680;
                                         }
-                                        let _e1670 = phi_2440_;
-                                        let _e1672 = (_e1670 - (((_e1624 * _e1627) + (_e1636 * _e1639)) + ((_e1649 * _e1652) + (_e1661 * _e1664))));
-                                        let _e1676 = local.member[2u][1u];
-                                        let _e1679 = local.member_1[0u];
-                                        let _e1684 = local.member[0u][1u];
-                                        let _e1687 = local.member_1[2u];
-                                        let _e1689 = ((_e1676 * _e1679) - (_e1684 * _e1687));
-                                        let _e1693 = local.member[0u][1u];
+                                        let _e1684 = phi_2449_;
+                                        let _e1687 = local.member_3[0u];
+                                        let _e1693 = local.member[1u][2u];
                                         if (_e1693 < 0f) {
-                                            phi_2495_ = -(_e1693);
+                                            phi_2473_ = -(_e1693);
                                         } else {
-                                            phi_2495_ = _e1693;
+                                            phi_2473_ = _e1693;
                                         }
-                                        let _e1697 = phi_2495_;
-                                        let _e1700 = local.member_3[2u];
-                                        let _e1705 = local.member[2u][1u];
+                                        let _e1697 = phi_2473_;
+                                        let _e1700 = local.member_4[1u];
+                                        let _e1705 = local.member[1u][1u];
                                         if (_e1705 < 0f) {
-                                            phi_2518_ = -(_e1705);
+                                            phi_2496_ = -(_e1705);
                                         } else {
-                                            phi_2518_ = _e1705;
+                                            phi_2496_ = _e1705;
                                         }
-                                        let _e1709 = phi_2518_;
-                                        let _e1712 = local.member_3[0u];
-                                        let _e1718 = local.member[1u][0u];
-                                        if (_e1718 < 0f) {
-                                            phi_2542_ = -(_e1718);
+                                        let _e1709 = phi_2496_;
+                                        let _e1712 = local.member_4[2u];
+                                        if (_e1664 < 0f) {
+                                            phi_2512_ = -(_e1664);
                                         } else {
-                                            phi_2542_ = _e1718;
+                                            phi_2512_ = _e1664;
                                         }
-                                        let _e1722 = phi_2542_;
-                                        let _e1725 = local.member_4[2u];
-                                        let _e1730 = local.member[1u][2u];
-                                        if (_e1730 < 0f) {
-                                            phi_2565_ = -(_e1730);
+                                        let _e1718 = phi_2512_;
+                                        let _e1720 = (_e1718 - (((_e1672 * _e1675) + (_e1684 * _e1687)) + ((_e1697 * _e1700) + (_e1709 * _e1712))));
+                                        let _e1724 = local.member[2u][1u];
+                                        let _e1727 = local.member_1[0u];
+                                        let _e1732 = local.member[0u][1u];
+                                        let _e1735 = local.member_1[2u];
+                                        let _e1737 = ((_e1724 * _e1727) - (_e1732 * _e1735));
+                                        let _e1741 = local.member[0u][1u];
+                                        if (_e1741 < 0f) {
+                                            phi_2567_ = -(_e1741);
                                         } else {
-                                            phi_2565_ = _e1730;
+                                            phi_2567_ = _e1741;
                                         }
-                                        let _e1734 = phi_2565_;
-                                        let _e1737 = local.member_4[0u];
-                                        if (_e1689 < 0f) {
-                                            phi_2581_ = -(_e1689);
+                                        let _e1745 = phi_2567_;
+                                        let _e1748 = local.member_3[2u];
+                                        let _e1753 = local.member[2u][1u];
+                                        if (_e1753 < 0f) {
+                                            phi_2590_ = -(_e1753);
                                         } else {
-                                            phi_2581_ = _e1689;
+                                            phi_2590_ = _e1753;
                                         }
-                                        let _e1743 = phi_2581_;
-                                        let _e1745 = (_e1743 - (((_e1697 * _e1700) + (_e1709 * _e1712)) + ((_e1722 * _e1725) + (_e1734 * _e1737))));
-                                        let _e1749 = local.member[2u][2u];
-                                        let _e1752 = local.member_1[0u];
-                                        let _e1757 = local.member[0u][2u];
-                                        let _e1760 = local.member_1[2u];
-                                        let _e1762 = ((_e1749 * _e1752) - (_e1757 * _e1760));
-                                        let _e1766 = local.member[0u][2u];
+                                        let _e1757 = phi_2590_;
+                                        let _e1760 = local.member_3[0u];
+                                        let _e1766 = local.member[1u][0u];
                                         if (_e1766 < 0f) {
-                                            phi_2636_ = -(_e1766);
+                                            phi_2614_ = -(_e1766);
                                         } else {
-                                            phi_2636_ = _e1766;
+                                            phi_2614_ = _e1766;
                                         }
-                                        let _e1770 = phi_2636_;
-                                        let _e1773 = local.member_3[2u];
-                                        let _e1778 = local.member[2u][2u];
+                                        let _e1770 = phi_2614_;
+                                        let _e1773 = local.member_4[2u];
+                                        let _e1778 = local.member[1u][2u];
                                         if (_e1778 < 0f) {
-                                            phi_2659_ = -(_e1778);
+                                            phi_2637_ = -(_e1778);
                                         } else {
-                                            phi_2659_ = _e1778;
+                                            phi_2637_ = _e1778;
                                         }
-                                        let _e1782 = phi_2659_;
-                                        let _e1785 = local.member_3[0u];
-                                        let _e1791 = local.member[1u][1u];
-                                        if (_e1791 < 0f) {
-                                            phi_2683_ = -(_e1791);
+                                        let _e1782 = phi_2637_;
+                                        let _e1785 = local.member_4[0u];
+                                        if (_e1737 < 0f) {
+                                            phi_2653_ = -(_e1737);
                                         } else {
-                                            phi_2683_ = _e1791;
+                                            phi_2653_ = _e1737;
                                         }
-                                        let _e1795 = phi_2683_;
-                                        let _e1798 = local.member_4[0u];
-                                        let _e1803 = local.member[1u][0u];
-                                        if (_e1803 < 0f) {
-                                            phi_2706_ = -(_e1803);
+                                        let _e1791 = phi_2653_;
+                                        let _e1793 = (_e1791 - (((_e1745 * _e1748) + (_e1757 * _e1760)) + ((_e1770 * _e1773) + (_e1782 * _e1785))));
+                                        let _e1797 = local.member[2u][2u];
+                                        let _e1800 = local.member_1[0u];
+                                        let _e1805 = local.member[0u][2u];
+                                        let _e1808 = local.member_1[2u];
+                                        let _e1810 = ((_e1797 * _e1800) - (_e1805 * _e1808));
+                                        let _e1814 = local.member[0u][2u];
+                                        if (_e1814 < 0f) {
+                                            phi_2708_ = -(_e1814);
                                         } else {
-                                            phi_2706_ = _e1803;
+                                            phi_2708_ = _e1814;
                                         }
-                                        let _e1807 = phi_2706_;
-                                        let _e1810 = local.member_4[1u];
-                                        if (_e1762 < 0f) {
-                                            phi_2722_ = -(_e1762);
+                                        let _e1818 = phi_2708_;
+                                        let _e1821 = local.member_3[2u];
+                                        let _e1826 = local.member[2u][2u];
+                                        if (_e1826 < 0f) {
+                                            phi_2731_ = -(_e1826);
                                         } else {
-                                            phi_2722_ = _e1762;
+                                            phi_2731_ = _e1826;
                                         }
-                                        let _e1816 = phi_2722_;
-                                        let _e1818 = (_e1816 - (((_e1770 * _e1773) + (_e1782 * _e1785)) + ((_e1795 * _e1798) + (_e1807 * _e1810))));
-                                        let _e1822 = local.member[0u][0u];
-                                        let _e1825 = local.member_1[1u];
-                                        let _e1830 = local.member[1u][0u];
-                                        let _e1833 = local.member_1[0u];
-                                        let _e1835 = ((_e1822 * _e1825) - (_e1830 * _e1833));
-                                        let _e1839 = local.member[1u][0u];
+                                        let _e1830 = phi_2731_;
+                                        let _e1833 = local.member_3[0u];
+                                        let _e1839 = local.member[1u][1u];
                                         if (_e1839 < 0f) {
-                                            phi_2777_ = -(_e1839);
+                                            phi_2755_ = -(_e1839);
                                         } else {
-                                            phi_2777_ = _e1839;
+                                            phi_2755_ = _e1839;
                                         }
-                                        let _e1843 = phi_2777_;
-                                        let _e1846 = local.member_3[0u];
-                                        let _e1851 = local.member[0u][0u];
+                                        let _e1843 = phi_2755_;
+                                        let _e1846 = local.member_4[0u];
+                                        let _e1851 = local.member[1u][0u];
                                         if (_e1851 < 0f) {
-                                            phi_2800_ = -(_e1851);
+                                            phi_2778_ = -(_e1851);
                                         } else {
-                                            phi_2800_ = _e1851;
+                                            phi_2778_ = _e1851;
                                         }
-                                        let _e1855 = phi_2800_;
-                                        let _e1858 = local.member_3[1u];
-                                        let _e1864 = local.member[2u][2u];
-                                        if (_e1864 < 0f) {
-                                            phi_2824_ = -(_e1864);
+                                        let _e1855 = phi_2778_;
+                                        let _e1858 = local.member_4[1u];
+                                        if (_e1810 < 0f) {
+                                            phi_2794_ = -(_e1810);
                                         } else {
-                                            phi_2824_ = _e1864;
+                                            phi_2794_ = _e1810;
                                         }
-                                        let _e1868 = phi_2824_;
-                                        let _e1871 = local.member_4[1u];
-                                        let _e1876 = local.member[2u][1u];
-                                        if (_e1876 < 0f) {
-                                            phi_2847_ = -(_e1876);
+                                        let _e1864 = phi_2794_;
+                                        let _e1866 = (_e1864 - (((_e1818 * _e1821) + (_e1830 * _e1833)) + ((_e1843 * _e1846) + (_e1855 * _e1858))));
+                                        let _e1870 = local.member[0u][0u];
+                                        let _e1873 = local.member_1[1u];
+                                        let _e1878 = local.member[1u][0u];
+                                        let _e1881 = local.member_1[0u];
+                                        let _e1883 = ((_e1870 * _e1873) - (_e1878 * _e1881));
+                                        let _e1887 = local.member[1u][0u];
+                                        if (_e1887 < 0f) {
+                                            phi_2849_ = -(_e1887);
                                         } else {
-                                            phi_2847_ = _e1876;
+                                            phi_2849_ = _e1887;
                                         }
-                                        let _e1880 = phi_2847_;
-                                        let _e1883 = local.member_4[2u];
-                                        if (_e1835 < 0f) {
-                                            phi_2863_ = -(_e1835);
+                                        let _e1891 = phi_2849_;
+                                        let _e1894 = local.member_3[0u];
+                                        let _e1899 = local.member[0u][0u];
+                                        if (_e1899 < 0f) {
+                                            phi_2872_ = -(_e1899);
                                         } else {
-                                            phi_2863_ = _e1835;
+                                            phi_2872_ = _e1899;
                                         }
-                                        let _e1889 = phi_2863_;
-                                        let _e1891 = (_e1889 - (((_e1843 * _e1846) + (_e1855 * _e1858)) + ((_e1868 * _e1871) + (_e1880 * _e1883))));
-                                        let _e1895 = local.member[0u][1u];
-                                        let _e1898 = local.member_1[1u];
-                                        let _e1903 = local.member[1u][1u];
-                                        let _e1906 = local.member_1[0u];
-                                        let _e1908 = ((_e1895 * _e1898) - (_e1903 * _e1906));
-                                        let _e1912 = local.member[1u][1u];
+                                        let _e1903 = phi_2872_;
+                                        let _e1906 = local.member_3[1u];
+                                        let _e1912 = local.member[2u][2u];
                                         if (_e1912 < 0f) {
-                                            phi_2918_ = -(_e1912);
+                                            phi_2896_ = -(_e1912);
                                         } else {
-                                            phi_2918_ = _e1912;
+                                            phi_2896_ = _e1912;
                                         }
-                                        let _e1916 = phi_2918_;
-                                        let _e1919 = local.member_3[0u];
-                                        let _e1924 = local.member[0u][1u];
+                                        let _e1916 = phi_2896_;
+                                        let _e1919 = local.member_4[1u];
+                                        let _e1924 = local.member[2u][1u];
                                         if (_e1924 < 0f) {
-                                            phi_2941_ = -(_e1924);
+                                            phi_2919_ = -(_e1924);
                                         } else {
-                                            phi_2941_ = _e1924;
+                                            phi_2919_ = _e1924;
                                         }
-                                        let _e1928 = phi_2941_;
-                                        let _e1931 = local.member_3[1u];
-                                        let _e1937 = local.member[2u][0u];
-                                        if (_e1937 < 0f) {
-                                            phi_2965_ = -(_e1937);
+                                        let _e1928 = phi_2919_;
+                                        let _e1931 = local.member_4[2u];
+                                        if (_e1883 < 0f) {
+                                            phi_2935_ = -(_e1883);
                                         } else {
-                                            phi_2965_ = _e1937;
+                                            phi_2935_ = _e1883;
                                         }
-                                        let _e1941 = phi_2965_;
-                                        let _e1944 = local.member_4[2u];
-                                        let _e1949 = local.member[2u][2u];
-                                        if (_e1949 < 0f) {
-                                            phi_2988_ = -(_e1949);
+                                        let _e1937 = phi_2935_;
+                                        let _e1939 = (_e1937 - (((_e1891 * _e1894) + (_e1903 * _e1906)) + ((_e1916 * _e1919) + (_e1928 * _e1931))));
+                                        let _e1943 = local.member[0u][1u];
+                                        let _e1946 = local.member_1[1u];
+                                        let _e1951 = local.member[1u][1u];
+                                        let _e1954 = local.member_1[0u];
+                                        let _e1956 = ((_e1943 * _e1946) - (_e1951 * _e1954));
+                                        let _e1960 = local.member[1u][1u];
+                                        if (_e1960 < 0f) {
+                                            phi_2990_ = -(_e1960);
                                         } else {
-                                            phi_2988_ = _e1949;
+                                            phi_2990_ = _e1960;
                                         }
-                                        let _e1953 = phi_2988_;
-                                        let _e1956 = local.member_4[0u];
-                                        if (_e1908 < 0f) {
-                                            phi_3004_ = -(_e1908);
+                                        let _e1964 = phi_2990_;
+                                        let _e1967 = local.member_3[0u];
+                                        let _e1972 = local.member[0u][1u];
+                                        if (_e1972 < 0f) {
+                                            phi_3013_ = -(_e1972);
                                         } else {
-                                            phi_3004_ = _e1908;
+                                            phi_3013_ = _e1972;
                                         }
-                                        let _e1962 = phi_3004_;
-                                        let _e1964 = (_e1962 - (((_e1916 * _e1919) + (_e1928 * _e1931)) + ((_e1941 * _e1944) + (_e1953 * _e1956))));
-                                        let _e1968 = local.member[0u][2u];
-                                        let _e1971 = local.member_1[1u];
-                                        let _e1976 = local.member[1u][2u];
-                                        let _e1979 = local.member_1[0u];
-                                        let _e1981 = ((_e1968 * _e1971) - (_e1976 * _e1979));
-                                        let _e1985 = local.member[1u][2u];
+                                        let _e1976 = phi_3013_;
+                                        let _e1979 = local.member_3[1u];
+                                        let _e1985 = local.member[2u][0u];
                                         if (_e1985 < 0f) {
-                                            phi_3059_ = -(_e1985);
+                                            phi_3037_ = -(_e1985);
                                         } else {
-                                            phi_3059_ = _e1985;
+                                            phi_3037_ = _e1985;
                                         }
-                                        let _e1989 = phi_3059_;
-                                        let _e1992 = local.member_3[0u];
-                                        let _e1997 = local.member[0u][2u];
+                                        let _e1989 = phi_3037_;
+                                        let _e1992 = local.member_4[2u];
+                                        let _e1997 = local.member[2u][2u];
                                         if (_e1997 < 0f) {
-                                            phi_3082_ = -(_e1997);
+                                            phi_3060_ = -(_e1997);
                                         } else {
-                                            phi_3082_ = _e1997;
+                                            phi_3060_ = _e1997;
                                         }
-                                        let _e2001 = phi_3082_;
-                                        let _e2004 = local.member_3[1u];
-                                        let _e2010 = local.member[2u][1u];
-                                        if (_e2010 < 0f) {
-                                            phi_3106_ = -(_e2010);
+                                        let _e2001 = phi_3060_;
+                                        let _e2004 = local.member_4[0u];
+                                        if (_e1956 < 0f) {
+                                            phi_3076_ = -(_e1956);
                                         } else {
-                                            phi_3106_ = _e2010;
+                                            phi_3076_ = _e1956;
                                         }
-                                        let _e2014 = phi_3106_;
-                                        let _e2017 = local.member_4[0u];
-                                        let _e2022 = local.member[2u][0u];
-                                        if (_e2022 < 0f) {
-                                            phi_3129_ = -(_e2022);
+                                        let _e2010 = phi_3076_;
+                                        let _e2012 = (_e2010 - (((_e1964 * _e1967) + (_e1976 * _e1979)) + ((_e1989 * _e1992) + (_e2001 * _e2004))));
+                                        let _e2016 = local.member[0u][2u];
+                                        let _e2019 = local.member_1[1u];
+                                        let _e2024 = local.member[1u][2u];
+                                        let _e2027 = local.member_1[0u];
+                                        let _e2029 = ((_e2016 * _e2019) - (_e2024 * _e2027));
+                                        let _e2033 = local.member[1u][2u];
+                                        if (_e2033 < 0f) {
+                                            phi_3131_ = -(_e2033);
                                         } else {
-                                            phi_3129_ = _e2022;
+                                            phi_3131_ = _e2033;
                                         }
-                                        let _e2026 = phi_3129_;
-                                        let _e2029 = local.member_4[1u];
-                                        if (_e1981 < 0f) {
-                                            phi_3145_ = -(_e1981);
+                                        let _e2037 = phi_3131_;
+                                        let _e2040 = local.member_3[0u];
+                                        let _e2045 = local.member[0u][2u];
+                                        if (_e2045 < 0f) {
+                                            phi_3154_ = -(_e2045);
                                         } else {
-                                            phi_3145_ = _e1981;
+                                            phi_3154_ = _e2045;
                                         }
-                                        let _e2035 = phi_3145_;
-                                        let _e2037 = (_e2035 - (((_e1989 * _e1992) + (_e2001 * _e2004)) + ((_e2014 * _e2017) + (_e2026 * _e2029))));
-                                        if (_e1453 > _e1526) {
-                                            phi_3152_ = _e1453;
+                                        let _e2049 = phi_3154_;
+                                        let _e2052 = local.member_3[1u];
+                                        let _e2058 = local.member[2u][1u];
+                                        if (_e2058 < 0f) {
+                                            phi_3178_ = -(_e2058);
                                         } else {
-                                            phi_3152_ = _e1526;
+                                            phi_3178_ = _e2058;
                                         }
-                                        let _e2040 = phi_3152_;
-                                        if (_e2040 > _e1599) {
-                                            phi_3157_ = _e2040;
+                                        let _e2062 = phi_3178_;
+                                        let _e2065 = local.member_4[0u];
+                                        let _e2070 = local.member[2u][0u];
+                                        if (_e2070 < 0f) {
+                                            phi_3201_ = -(_e2070);
                                         } else {
-                                            phi_3157_ = _e1599;
+                                            phi_3201_ = _e2070;
                                         }
-                                        let _e2043 = phi_3157_;
-                                        if (_e1672 > _e1745) {
-                                            phi_3162_ = _e1672;
+                                        let _e2074 = phi_3201_;
+                                        let _e2077 = local.member_4[1u];
+                                        if (_e2029 < 0f) {
+                                            phi_3217_ = -(_e2029);
                                         } else {
-                                            phi_3162_ = _e1745;
+                                            phi_3217_ = _e2029;
                                         }
-                                        let _e2046 = phi_3162_;
-                                        if (_e2046 > _e1818) {
-                                            phi_3167_ = _e2046;
+                                        let _e2083 = phi_3217_;
+                                        let _e2085 = (_e2083 - (((_e2037 * _e2040) + (_e2049 * _e2052)) + ((_e2062 * _e2065) + (_e2074 * _e2077))));
+                                        if (_e1501 > _e1574) {
+                                            phi_3224_ = _e1501;
                                         } else {
-                                            phi_3167_ = _e1818;
+                                            phi_3224_ = _e1574;
                                         }
-                                        let _e2049 = phi_3167_;
-                                        if (_e2043 > _e2049) {
-                                            phi_3172_ = _e2043;
+                                        let _e2088 = phi_3224_;
+                                        if (_e2088 > _e1647) {
+                                            phi_3229_ = _e2088;
                                         } else {
-                                            phi_3172_ = _e2049;
+                                            phi_3229_ = _e1647;
                                         }
-                                        let _e2052 = phi_3172_;
-                                        if (_e1891 > _e1964) {
-                                            phi_3177_ = _e1891;
+                                        let _e2091 = phi_3229_;
+                                        if (_e1720 > _e1793) {
+                                            phi_3234_ = _e1720;
                                         } else {
-                                            phi_3177_ = _e1964;
+                                            phi_3234_ = _e1793;
                                         }
-                                        let _e2055 = phi_3177_;
-                                        if (_e2055 > _e2037) {
-                                            phi_3182_ = _e2055;
+                                        let _e2094 = phi_3234_;
+                                        if (_e2094 > _e1866) {
+                                            phi_3239_ = _e2094;
                                         } else {
-                                            phi_3182_ = _e2037;
+                                            phi_3239_ = _e1866;
                                         }
-                                        let _e2058 = phi_3182_;
-                                        if (_e2052 > _e2058) {
-                                            phi_3187_ = _e2052;
+                                        let _e2097 = phi_3239_;
+                                        if (_e2091 > _e2097) {
+                                            phi_3244_ = _e2091;
                                         } else {
-                                            phi_3187_ = _e2058;
+                                            phi_3244_ = _e2097;
                                         }
-                                        let _e2061 = phi_3187_;
-                                        let _e2063 = local.member_5;
-                                        phi_3191_ = (_e2061 > _e2063);
+                                        let _e2100 = phi_3244_;
+                                        if (_e1939 > _e2012) {
+                                            phi_3249_ = _e1939;
+                                        } else {
+                                            phi_3249_ = _e2012;
+                                        }
+                                        let _e2103 = phi_3249_;
+                                        if (_e2103 > _e2085) {
+                                            phi_3254_ = _e2103;
+                                        } else {
+                                            phi_3254_ = _e2085;
+                                        }
+                                        let _e2106 = phi_3254_;
+                                        if (_e2100 > _e2106) {
+                                            phi_3259_ = _e2100;
+                                        } else {
+                                            phi_3259_ = _e2106;
+                                        }
+                                        let _e2109 = phi_3259_;
+                                        let _e2111 = local.member_5;
+                                        phi_3263_ = (_e2109 > _e2111);
                                     }
-                                    let _e2066 = phi_3191_;
-                                    phi_3193_ = !(_e2066);
-                                    phi_3194_ = false;
+                                    let _e2114 = phi_3263_;
+                                    phi_3265_ = !(_e2114);
+                                    phi_3266_ = false;
                                 } else {
-                                    phi_3193_ = bool();
-                                    phi_3194_ = true;
+                                    phi_3265_ = bool();
+                                    phi_3266_ = true;
                                 }
-                                let _e2069 = phi_3193_;
-                                let _e2071 = phi_3194_;
-                                phi_3195_ = _e2069;
-                                phi_3196_ = _e2071;
+                                let _e2117 = phi_3265_;
+                                let _e2119 = phi_3266_;
+                                phi_3267_ = _e2117;
+                                phi_3268_ = _e2119;
                             }
-                            let _e2073 = phi_3195_;
-                            let _e2075 = phi_3196_;
-                            if _e2075 {
-                                phi_3200_ = true;
+                            let _e2121 = phi_3267_;
+                            let _e2123 = phi_3268_;
+                            if _e2123 {
+                                phi_3272_ = true;
                             } else {
-                                phi_3200_ = _e2073;
+                                phi_3272_ = _e2121;
                             }
-                            let _e2077 = phi_3200_;
-                            if _e2077 {
+                            let _e2125 = phi_3272_;
+                            if _e2125 {
                             } else {
                                 local_1[_e684.member_1] = array<u32, 2>(4294967295u, 4294967295u);
                             }
@@ -1571,451 +1660,451 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e688);
                     }
                 }
-                let _e2080 = local_1;
+                let _e2128 = local_1;
                 if (_e150 == 4294967295u) {
-                    phi_3250_ = 0u;
+                    phi_3322_ = 0u;
                 } else {
                     if (_e150 >= _e78) {
                         if (_e153 >= _e83) {
-                            phi_3244_ = false;
+                            phi_3316_ = false;
                         } else {
-                            phi_3244_ = true;
+                            phi_3316_ = true;
                         }
-                        let _e2101 = phi_3244_;
-                        phi_3245_ = _e2101;
+                        let _e2149 = phi_3316_;
+                        phi_3317_ = _e2149;
                     } else {
-                        phi_3245_ = true;
+                        phi_3317_ = true;
                     }
-                    let _e2103 = phi_3245_;
-                    if _e2103 {
-                        phi_3249_ = 1u;
+                    let _e2151 = phi_3317_;
+                    if _e2151 {
+                        phi_3321_ = 1u;
                     } else {
-                        phi_3249_ = 2u;
+                        phi_3321_ = 2u;
                     }
-                    let _e2105 = phi_3249_;
-                    phi_3250_ = _e2105;
+                    let _e2153 = phi_3321_;
+                    phi_3322_ = _e2153;
                 }
-                let _e2107 = phi_3250_;
-                if (_e2107 == 2u) {
-                    phi_3256_ = array<u32, 2>(_e150, _e153);
+                let _e2155 = phi_3322_;
+                if (_e2155 == 2u) {
+                    phi_3328_ = array<u32, 2>(_e150, _e153);
                 } else {
-                    phi_3256_ = array<u32, 2>(_e2080[0][0], _e2080[0][1]);
+                    phi_3328_ = array<u32, 2>(_e2128[0][0], _e2128[0][1]);
                 }
-                let _e2111 = phi_3256_;
-                phi_3257_ = array<u32, 2>(_e2080[3][0], _e2080[3][1]);
-                phi_3258_ = array<u32, 2>(_e2080[2][0], _e2080[2][1]);
-                phi_3259_ = array<u32, 2>(_e2080[1][0], _e2080[1][1]);
-                phi_3260_ = _e2111;
+                let _e2159 = phi_3328_;
+                phi_3329_ = array<u32, 2>(_e2128[3][0], _e2128[3][1]);
+                phi_3330_ = array<u32, 2>(_e2128[2][0], _e2128[2][1]);
+                phi_3331_ = array<u32, 2>(_e2128[1][0], _e2128[1][1]);
+                phi_3332_ = _e2159;
             } else {
-                phi_3257_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3258_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3259_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3260_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3329_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3330_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3331_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3332_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e2113 = phi_3257_;
-            let _e2115 = phi_3258_;
-            let _e2117 = phi_3259_;
-            let _e2119 = phi_3260_;
-            if (_e2119[0] == 4294967295u) {
-                phi_3282_ = 0u;
+            let _e2161 = phi_3329_;
+            let _e2163 = phi_3330_;
+            let _e2165 = phi_3331_;
+            let _e2167 = phi_3332_;
+            if (_e2167[0] == 4294967295u) {
+                phi_3354_ = 0u;
             } else {
-                if (_e2119[0] >= _e78) {
-                    if (_e2119[1] >= _e83) {
-                        phi_3276_ = false;
+                if (_e2167[0] >= _e78) {
+                    if (_e2167[1] >= _e83) {
+                        phi_3348_ = false;
                     } else {
-                        phi_3276_ = true;
+                        phi_3348_ = true;
                     }
-                    let _e2127 = phi_3276_;
-                    phi_3277_ = _e2127;
+                    let _e2175 = phi_3348_;
+                    phi_3349_ = _e2175;
                 } else {
-                    phi_3277_ = true;
+                    phi_3349_ = true;
                 }
-                let _e2129 = phi_3277_;
-                if _e2129 {
-                    phi_3281_ = 1u;
+                let _e2177 = phi_3349_;
+                if _e2177 {
+                    phi_3353_ = 1u;
                 } else {
-                    phi_3281_ = 2u;
+                    phi_3353_ = 2u;
                 }
-                let _e2131 = phi_3281_;
-                phi_3282_ = _e2131;
+                let _e2179 = phi_3353_;
+                phi_3354_ = _e2179;
             }
-            let _e2133 = phi_3282_;
-            if (_e2133 == 0u) {
-                phi_3294_ = 0u;
+            let _e2181 = phi_3354_;
+            if (_e2181 == 0u) {
+                phi_3366_ = 0u;
             } else {
-                if (_e2133 == 1u) {
-                    phi_3291_ = 0u;
+                if (_e2181 == 1u) {
+                    phi_3363_ = 0u;
                 } else {
-                    phi_3291_ = 1u;
+                    phi_3363_ = 1u;
                 }
-                let _e2137 = phi_3291_;
-                let _e2139 = atomicAdd((&counters[_e2137]), 1u);
-                phi_3294_ = _e2139;
+                let _e2185 = phi_3363_;
+                let _e2187 = atomicAdd((&counters[_e2185]), 1u);
+                phi_3366_ = _e2187;
             }
-            let _e2141 = phi_3294_;
-            if (_e2117[0] == 4294967295u) {
-                phi_3316_ = 0u;
+            let _e2189 = phi_3366_;
+            if (_e2165[0] == 4294967295u) {
+                phi_3388_ = 0u;
             } else {
-                if (_e2117[0] >= _e78) {
-                    if (_e2117[1] >= _e83) {
-                        phi_3310_ = false;
+                if (_e2165[0] >= _e78) {
+                    if (_e2165[1] >= _e83) {
+                        phi_3382_ = false;
                     } else {
-                        phi_3310_ = true;
+                        phi_3382_ = true;
                     }
-                    let _e2149 = phi_3310_;
-                    phi_3311_ = _e2149;
+                    let _e2197 = phi_3382_;
+                    phi_3383_ = _e2197;
                 } else {
-                    phi_3311_ = true;
+                    phi_3383_ = true;
                 }
-                let _e2151 = phi_3311_;
-                if _e2151 {
-                    phi_3315_ = 1u;
+                let _e2199 = phi_3383_;
+                if _e2199 {
+                    phi_3387_ = 1u;
                 } else {
-                    phi_3315_ = 2u;
+                    phi_3387_ = 2u;
                 }
-                let _e2153 = phi_3315_;
-                phi_3316_ = _e2153;
+                let _e2201 = phi_3387_;
+                phi_3388_ = _e2201;
             }
-            let _e2155 = phi_3316_;
-            if (_e2155 == 0u) {
-                phi_3328_ = 0u;
+            let _e2203 = phi_3388_;
+            if (_e2203 == 0u) {
+                phi_3400_ = 0u;
             } else {
-                if (_e2155 == 1u) {
-                    phi_3325_ = 0u;
+                if (_e2203 == 1u) {
+                    phi_3397_ = 0u;
                 } else {
-                    phi_3325_ = 1u;
+                    phi_3397_ = 1u;
                 }
-                let _e2159 = phi_3325_;
-                let _e2161 = atomicAdd((&counters[_e2159]), 1u);
-                phi_3328_ = _e2161;
+                let _e2207 = phi_3397_;
+                let _e2209 = atomicAdd((&counters[_e2207]), 1u);
+                phi_3400_ = _e2209;
             }
-            let _e2163 = phi_3328_;
-            if (_e2115[0] == 4294967295u) {
-                phi_3350_ = 0u;
+            let _e2211 = phi_3400_;
+            if (_e2163[0] == 4294967295u) {
+                phi_3422_ = 0u;
             } else {
-                if (_e2115[0] >= _e78) {
-                    if (_e2115[1] >= _e83) {
-                        phi_3344_ = false;
+                if (_e2163[0] >= _e78) {
+                    if (_e2163[1] >= _e83) {
+                        phi_3416_ = false;
                     } else {
-                        phi_3344_ = true;
+                        phi_3416_ = true;
                     }
-                    let _e2171 = phi_3344_;
-                    phi_3345_ = _e2171;
+                    let _e2219 = phi_3416_;
+                    phi_3417_ = _e2219;
                 } else {
-                    phi_3345_ = true;
+                    phi_3417_ = true;
                 }
-                let _e2173 = phi_3345_;
-                if _e2173 {
-                    phi_3349_ = 1u;
+                let _e2221 = phi_3417_;
+                if _e2221 {
+                    phi_3421_ = 1u;
                 } else {
-                    phi_3349_ = 2u;
+                    phi_3421_ = 2u;
                 }
-                let _e2175 = phi_3349_;
-                phi_3350_ = _e2175;
+                let _e2223 = phi_3421_;
+                phi_3422_ = _e2223;
             }
-            let _e2177 = phi_3350_;
-            if (_e2177 == 0u) {
-                phi_3362_ = 0u;
+            let _e2225 = phi_3422_;
+            if (_e2225 == 0u) {
+                phi_3434_ = 0u;
             } else {
-                if (_e2177 == 1u) {
-                    phi_3359_ = 0u;
+                if (_e2225 == 1u) {
+                    phi_3431_ = 0u;
                 } else {
-                    phi_3359_ = 1u;
+                    phi_3431_ = 1u;
                 }
-                let _e2181 = phi_3359_;
-                let _e2183 = atomicAdd((&counters[_e2181]), 1u);
-                phi_3362_ = _e2183;
+                let _e2229 = phi_3431_;
+                let _e2231 = atomicAdd((&counters[_e2229]), 1u);
+                phi_3434_ = _e2231;
             }
-            let _e2185 = phi_3362_;
-            if (_e2113[0] == 4294967295u) {
-                phi_3384_ = 0u;
+            let _e2233 = phi_3434_;
+            if (_e2161[0] == 4294967295u) {
+                phi_3456_ = 0u;
             } else {
-                if (_e2113[0] >= _e78) {
-                    if (_e2113[1] >= _e83) {
-                        phi_3378_ = false;
+                if (_e2161[0] >= _e78) {
+                    if (_e2161[1] >= _e83) {
+                        phi_3450_ = false;
                     } else {
-                        phi_3378_ = true;
+                        phi_3450_ = true;
                     }
-                    let _e2193 = phi_3378_;
-                    phi_3379_ = _e2193;
+                    let _e2241 = phi_3450_;
+                    phi_3451_ = _e2241;
                 } else {
-                    phi_3379_ = true;
+                    phi_3451_ = true;
                 }
-                let _e2195 = phi_3379_;
-                if _e2195 {
-                    phi_3383_ = 1u;
+                let _e2243 = phi_3451_;
+                if _e2243 {
+                    phi_3455_ = 1u;
                 } else {
-                    phi_3383_ = 2u;
+                    phi_3455_ = 2u;
                 }
-                let _e2197 = phi_3383_;
-                phi_3384_ = _e2197;
+                let _e2245 = phi_3455_;
+                phi_3456_ = _e2245;
             }
-            let _e2199 = phi_3384_;
-            if (_e2199 == 0u) {
-                phi_3396_ = 0u;
-            } else {
-                if (_e2199 == 1u) {
-                    phi_3393_ = 0u;
-                } else {
-                    phi_3393_ = 1u;
-                }
-                let _e2203 = phi_3393_;
-                let _e2205 = atomicAdd((&counters[_e2203]), 1u);
-                phi_3396_ = _e2205;
-            }
-            let _e2207 = phi_3396_;
-            workgroupBarrier();
-            if (_e46 == 0u) {
-                let _e2210 = atomicLoad((&counters[0u]));
-                let _e2212 = atomicLoad((&counters[1u]));
-                if (_e2210 > 0u) {
-                    let _e2216 = atomicAdd((&levels.member[(_e68 + 1u)]), _e2210);
-                    let _e2219 = atomicMax((&output.member[0u]), (_e2216 + _e2210));
-                    if ((_e2216 + _e2210) < _e2216) {
-                        let _e2223 = atomicAdd((&output.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[2u]), _e2216);
-                }
-                if (_e2212 > 0u) {
-                    let _e2227 = atomicAdd((&pairs.member[0u]), _e2212);
-                    if ((_e2227 + _e2212) < _e2227) {
-                        let _e2231 = atomicAdd((&pairs.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[3u]), _e2227);
-                }
-            }
-            workgroupBarrier();
-            let _e2234 = atomicLoad((&counters[2u]));
-            let _e2236 = atomicLoad((&counters[3u]));
-            if (_e2119[0] == 4294967295u) {
+            let _e2247 = phi_3456_;
+            if (_e2247 == 0u) {
                 phi_3468_ = 0u;
             } else {
-                if (_e2119[0] >= _e78) {
-                    if (_e2119[1] >= _e83) {
-                        phi_3462_ = false;
-                    } else {
-                        phi_3462_ = true;
-                    }
-                    let _e2244 = phi_3462_;
-                    phi_3463_ = _e2244;
+                if (_e2247 == 1u) {
+                    phi_3465_ = 0u;
                 } else {
-                    phi_3463_ = true;
+                    phi_3465_ = 1u;
                 }
-                let _e2246 = phi_3463_;
-                if _e2246 {
-                    phi_3467_ = 1u;
-                } else {
-                    phi_3467_ = 2u;
-                }
-                let _e2248 = phi_3467_;
-                phi_3468_ = _e2248;
+                let _e2251 = phi_3465_;
+                let _e2253 = atomicAdd((&counters[_e2251]), 1u);
+                phi_3468_ = _e2253;
             }
-            let _e2250 = phi_3468_;
-            if (_e2250 == 1u) {
-                let _e2289 = params.member.member_2.member_3;
-                let _e2290 = (_e2234 + _e2141);
-                if (_e2290 < _e2289) {
-                    let _e2292 = (2u * _e2290);
-                    atomicStore((&output.member[(4u + _e2292)]), _e2119[0]);
-                    atomicStore((&output.member[(_e2292 + 5u)]), _e2119[1]);
+            let _e2255 = phi_3468_;
+            workgroupBarrier();
+            if (_e46 == 0u) {
+                let _e2258 = atomicLoad((&counters[0u]));
+                let _e2260 = atomicLoad((&counters[1u]));
+                if (_e2258 > 0u) {
+                    let _e2264 = atomicAdd((&levels.member[(_e68 + 1u)]), _e2258);
+                    let _e2267 = atomicMax((&output.member[0u]), (_e2264 + _e2258));
+                    if ((_e2264 + _e2258) < _e2264) {
+                        let _e2271 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[2u]), _e2264);
+                }
+                if (_e2260 > 0u) {
+                    let _e2275 = atomicAdd((&pairs.member[0u]), _e2260);
+                    if ((_e2275 + _e2260) < _e2275) {
+                        let _e2279 = atomicAdd((&pairs.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[3u]), _e2275);
+                }
+            }
+            workgroupBarrier();
+            let _e2282 = atomicLoad((&counters[2u]));
+            let _e2284 = atomicLoad((&counters[3u]));
+            if (_e2167[0] == 4294967295u) {
+                phi_3540_ = 0u;
+            } else {
+                if (_e2167[0] >= _e78) {
+                    if (_e2167[1] >= _e83) {
+                        phi_3534_ = false;
+                    } else {
+                        phi_3534_ = true;
+                    }
+                    let _e2292 = phi_3534_;
+                    phi_3535_ = _e2292;
+                } else {
+                    phi_3535_ = true;
+                }
+                let _e2294 = phi_3535_;
+                if _e2294 {
+                    phi_3539_ = 1u;
+                } else {
+                    phi_3539_ = 2u;
+                }
+                let _e2296 = phi_3539_;
+                phi_3540_ = _e2296;
+            }
+            let _e2298 = phi_3540_;
+            if (_e2298 == 1u) {
+                let _e2337 = params.member.member_2.member_3;
+                let _e2338 = (_e2282 + _e2189);
+                if (_e2338 < _e2337) {
+                    let _e2340 = (2u * _e2338);
+                    atomicStore((&output.member[(4u + _e2340)]), _e2167[0]);
+                    atomicStore((&output.member[(_e2340 + 5u)]), _e2167[1]);
                 }
             } else {
-                if (_e2250 == 2u) {
-                    let _e2255 = a_nodes.member[_e2119[0]];
-                    let _e2259 = b_nodes.member[_e2119[1]];
-                    let _e2263 = params.member.member_2.member;
-                    if (_e2263 == 1u) {
-                        if (_e2255.member_1 < _e2259.member_1) {
-                            phi_3531_ = type_9(_e2255.member_1, _e2259.member_1);
+                if (_e2298 == 2u) {
+                    let _e2303 = a_nodes.member[_e2167[0]];
+                    let _e2307 = b_nodes.member[_e2167[1]];
+                    let _e2311 = params.member.member_2.member;
+                    if (_e2311 == 1u) {
+                        if (_e2303.member_1 < _e2307.member_1) {
+                            phi_3603_ = type_12(_e2303.member_1, _e2307.member_1);
                         } else {
-                            phi_3531_ = type_9(_e2259.member_1, _e2255.member_1);
+                            phi_3603_ = type_12(_e2307.member_1, _e2303.member_1);
                         }
-                        let _e2270 = phi_3531_;
-                        phi_3536_ = _e2270;
+                        let _e2318 = phi_3603_;
+                        phi_3608_ = _e2318;
                     } else {
-                        phi_3536_ = type_9(_e2255.member_1, _e2259.member_1);
+                        phi_3608_ = type_12(_e2303.member_1, _e2307.member_1);
                     }
-                    let _e2272 = phi_3536_;
-                    let _e2275 = params.member.member_1.member_3;
-                    let _e2276 = (_e2236 + _e2141);
-                    if (_e2276 < _e2275) {
-                        let _e2280 = (2u * _e2276);
-                        atomicStore((&pairs.member[(4u + _e2280)]), _e2272.member);
-                        atomicStore((&pairs.member[(_e2280 + 5u)]), _e2272.member_1);
+                    let _e2320 = phi_3608_;
+                    let _e2323 = params.member.member_1.member_3;
+                    let _e2324 = (_e2284 + _e2189);
+                    if (_e2324 < _e2323) {
+                        let _e2328 = (2u * _e2324);
+                        atomicStore((&pairs.member[(4u + _e2328)]), _e2320.member);
+                        atomicStore((&pairs.member[(_e2328 + 5u)]), _e2320.member_1);
                     }
                 }
             }
-            if (_e2117[0] == 4294967295u) {
-                phi_3575_ = 0u;
+            if (_e2165[0] == 4294967295u) {
+                phi_3647_ = 0u;
             } else {
-                if (_e2117[0] >= _e78) {
-                    if (_e2117[1] >= _e83) {
-                        phi_3569_ = false;
+                if (_e2165[0] >= _e78) {
+                    if (_e2165[1] >= _e83) {
+                        phi_3641_ = false;
                     } else {
-                        phi_3569_ = true;
+                        phi_3641_ = true;
                     }
-                    let _e2304 = phi_3569_;
-                    phi_3570_ = _e2304;
+                    let _e2352 = phi_3641_;
+                    phi_3642_ = _e2352;
                 } else {
-                    phi_3570_ = true;
+                    phi_3642_ = true;
                 }
-                let _e2306 = phi_3570_;
-                if _e2306 {
-                    phi_3574_ = 1u;
+                let _e2354 = phi_3642_;
+                if _e2354 {
+                    phi_3646_ = 1u;
                 } else {
-                    phi_3574_ = 2u;
+                    phi_3646_ = 2u;
                 }
-                let _e2308 = phi_3574_;
-                phi_3575_ = _e2308;
+                let _e2356 = phi_3646_;
+                phi_3647_ = _e2356;
             }
-            let _e2310 = phi_3575_;
-            if (_e2310 == 1u) {
-                let _e2349 = params.member.member_2.member_3;
-                let _e2350 = (_e2234 + _e2163);
-                if (_e2350 < _e2349) {
-                    let _e2352 = (2u * _e2350);
-                    atomicStore((&output.member[(4u + _e2352)]), _e2117[0]);
-                    atomicStore((&output.member[(_e2352 + 5u)]), _e2117[1]);
+            let _e2358 = phi_3647_;
+            if (_e2358 == 1u) {
+                let _e2397 = params.member.member_2.member_3;
+                let _e2398 = (_e2282 + _e2211);
+                if (_e2398 < _e2397) {
+                    let _e2400 = (2u * _e2398);
+                    atomicStore((&output.member[(4u + _e2400)]), _e2165[0]);
+                    atomicStore((&output.member[(_e2400 + 5u)]), _e2165[1]);
                 }
             } else {
-                if (_e2310 == 2u) {
-                    let _e2315 = a_nodes.member[_e2117[0]];
-                    let _e2319 = b_nodes.member[_e2117[1]];
-                    let _e2323 = params.member.member_2.member;
-                    if (_e2323 == 1u) {
-                        if (_e2315.member_1 < _e2319.member_1) {
-                            phi_3638_ = type_9(_e2315.member_1, _e2319.member_1);
+                if (_e2358 == 2u) {
+                    let _e2363 = a_nodes.member[_e2165[0]];
+                    let _e2367 = b_nodes.member[_e2165[1]];
+                    let _e2371 = params.member.member_2.member;
+                    if (_e2371 == 1u) {
+                        if (_e2363.member_1 < _e2367.member_1) {
+                            phi_3710_ = type_12(_e2363.member_1, _e2367.member_1);
                         } else {
-                            phi_3638_ = type_9(_e2319.member_1, _e2315.member_1);
+                            phi_3710_ = type_12(_e2367.member_1, _e2363.member_1);
                         }
-                        let _e2330 = phi_3638_;
-                        phi_3643_ = _e2330;
+                        let _e2378 = phi_3710_;
+                        phi_3715_ = _e2378;
                     } else {
-                        phi_3643_ = type_9(_e2315.member_1, _e2319.member_1);
+                        phi_3715_ = type_12(_e2363.member_1, _e2367.member_1);
                     }
-                    let _e2332 = phi_3643_;
-                    let _e2335 = params.member.member_1.member_3;
-                    let _e2336 = (_e2236 + _e2163);
-                    if (_e2336 < _e2335) {
-                        let _e2340 = (2u * _e2336);
-                        atomicStore((&pairs.member[(4u + _e2340)]), _e2332.member);
-                        atomicStore((&pairs.member[(_e2340 + 5u)]), _e2332.member_1);
+                    let _e2380 = phi_3715_;
+                    let _e2383 = params.member.member_1.member_3;
+                    let _e2384 = (_e2284 + _e2211);
+                    if (_e2384 < _e2383) {
+                        let _e2388 = (2u * _e2384);
+                        atomicStore((&pairs.member[(4u + _e2388)]), _e2380.member);
+                        atomicStore((&pairs.member[(_e2388 + 5u)]), _e2380.member_1);
                     }
                 }
             }
-            if (_e2115[0] == 4294967295u) {
-                phi_3682_ = 0u;
+            if (_e2163[0] == 4294967295u) {
+                phi_3754_ = 0u;
             } else {
-                if (_e2115[0] >= _e78) {
-                    if (_e2115[1] >= _e83) {
-                        phi_3676_ = false;
+                if (_e2163[0] >= _e78) {
+                    if (_e2163[1] >= _e83) {
+                        phi_3748_ = false;
                     } else {
-                        phi_3676_ = true;
+                        phi_3748_ = true;
                     }
-                    let _e2364 = phi_3676_;
-                    phi_3677_ = _e2364;
+                    let _e2412 = phi_3748_;
+                    phi_3749_ = _e2412;
                 } else {
-                    phi_3677_ = true;
+                    phi_3749_ = true;
                 }
-                let _e2366 = phi_3677_;
-                if _e2366 {
-                    phi_3681_ = 1u;
+                let _e2414 = phi_3749_;
+                if _e2414 {
+                    phi_3753_ = 1u;
                 } else {
-                    phi_3681_ = 2u;
+                    phi_3753_ = 2u;
                 }
-                let _e2368 = phi_3681_;
-                phi_3682_ = _e2368;
+                let _e2416 = phi_3753_;
+                phi_3754_ = _e2416;
             }
-            let _e2370 = phi_3682_;
-            if (_e2370 == 1u) {
-                let _e2409 = params.member.member_2.member_3;
-                let _e2410 = (_e2234 + _e2185);
-                if (_e2410 < _e2409) {
-                    let _e2412 = (2u * _e2410);
-                    atomicStore((&output.member[(4u + _e2412)]), _e2115[0]);
-                    atomicStore((&output.member[(_e2412 + 5u)]), _e2115[1]);
+            let _e2418 = phi_3754_;
+            if (_e2418 == 1u) {
+                let _e2457 = params.member.member_2.member_3;
+                let _e2458 = (_e2282 + _e2233);
+                if (_e2458 < _e2457) {
+                    let _e2460 = (2u * _e2458);
+                    atomicStore((&output.member[(4u + _e2460)]), _e2163[0]);
+                    atomicStore((&output.member[(_e2460 + 5u)]), _e2163[1]);
                 }
             } else {
-                if (_e2370 == 2u) {
-                    let _e2375 = a_nodes.member[_e2115[0]];
-                    let _e2379 = b_nodes.member[_e2115[1]];
-                    let _e2383 = params.member.member_2.member;
-                    if (_e2383 == 1u) {
-                        if (_e2375.member_1 < _e2379.member_1) {
-                            phi_3745_ = type_9(_e2375.member_1, _e2379.member_1);
+                if (_e2418 == 2u) {
+                    let _e2423 = a_nodes.member[_e2163[0]];
+                    let _e2427 = b_nodes.member[_e2163[1]];
+                    let _e2431 = params.member.member_2.member;
+                    if (_e2431 == 1u) {
+                        if (_e2423.member_1 < _e2427.member_1) {
+                            phi_3817_ = type_12(_e2423.member_1, _e2427.member_1);
                         } else {
-                            phi_3745_ = type_9(_e2379.member_1, _e2375.member_1);
+                            phi_3817_ = type_12(_e2427.member_1, _e2423.member_1);
                         }
-                        let _e2390 = phi_3745_;
-                        phi_3750_ = _e2390;
+                        let _e2438 = phi_3817_;
+                        phi_3822_ = _e2438;
                     } else {
-                        phi_3750_ = type_9(_e2375.member_1, _e2379.member_1);
+                        phi_3822_ = type_12(_e2423.member_1, _e2427.member_1);
                     }
-                    let _e2392 = phi_3750_;
-                    let _e2395 = params.member.member_1.member_3;
-                    let _e2396 = (_e2236 + _e2185);
-                    if (_e2396 < _e2395) {
-                        let _e2400 = (2u * _e2396);
-                        atomicStore((&pairs.member[(4u + _e2400)]), _e2392.member);
-                        atomicStore((&pairs.member[(_e2400 + 5u)]), _e2392.member_1);
+                    let _e2440 = phi_3822_;
+                    let _e2443 = params.member.member_1.member_3;
+                    let _e2444 = (_e2284 + _e2233);
+                    if (_e2444 < _e2443) {
+                        let _e2448 = (2u * _e2444);
+                        atomicStore((&pairs.member[(4u + _e2448)]), _e2440.member);
+                        atomicStore((&pairs.member[(_e2448 + 5u)]), _e2440.member_1);
                     }
                 }
             }
-            if (_e2113[0] == 4294967295u) {
-                phi_3789_ = 0u;
+            if (_e2161[0] == 4294967295u) {
+                phi_3861_ = 0u;
             } else {
-                if (_e2113[0] >= _e78) {
-                    if (_e2113[1] >= _e83) {
-                        phi_3783_ = false;
+                if (_e2161[0] >= _e78) {
+                    if (_e2161[1] >= _e83) {
+                        phi_3855_ = false;
                     } else {
-                        phi_3783_ = true;
+                        phi_3855_ = true;
                     }
-                    let _e2424 = phi_3783_;
-                    phi_3784_ = _e2424;
+                    let _e2472 = phi_3855_;
+                    phi_3856_ = _e2472;
                 } else {
-                    phi_3784_ = true;
+                    phi_3856_ = true;
                 }
-                let _e2426 = phi_3784_;
-                if _e2426 {
-                    phi_3788_ = 1u;
+                let _e2474 = phi_3856_;
+                if _e2474 {
+                    phi_3860_ = 1u;
                 } else {
-                    phi_3788_ = 2u;
+                    phi_3860_ = 2u;
                 }
-                let _e2428 = phi_3788_;
-                phi_3789_ = _e2428;
+                let _e2476 = phi_3860_;
+                phi_3861_ = _e2476;
             }
-            let _e2430 = phi_3789_;
-            if (_e2430 == 1u) {
-                let _e2469 = params.member.member_2.member_3;
-                let _e2470 = (_e2234 + _e2207);
-                if (_e2470 < _e2469) {
-                    let _e2472 = (2u * _e2470);
-                    atomicStore((&output.member[(4u + _e2472)]), _e2113[0]);
-                    atomicStore((&output.member[(_e2472 + 5u)]), _e2113[1]);
+            let _e2478 = phi_3861_;
+            if (_e2478 == 1u) {
+                let _e2517 = params.member.member_2.member_3;
+                let _e2518 = (_e2282 + _e2255);
+                if (_e2518 < _e2517) {
+                    let _e2520 = (2u * _e2518);
+                    atomicStore((&output.member[(4u + _e2520)]), _e2161[0]);
+                    atomicStore((&output.member[(_e2520 + 5u)]), _e2161[1]);
                 }
             } else {
-                if (_e2430 == 2u) {
-                    let _e2435 = a_nodes.member[_e2113[0]];
-                    let _e2439 = b_nodes.member[_e2113[1]];
-                    let _e2443 = params.member.member_2.member;
-                    if (_e2443 == 1u) {
-                        if (_e2435.member_1 < _e2439.member_1) {
-                            phi_3852_ = type_9(_e2435.member_1, _e2439.member_1);
+                if (_e2478 == 2u) {
+                    let _e2483 = a_nodes.member[_e2161[0]];
+                    let _e2487 = b_nodes.member[_e2161[1]];
+                    let _e2491 = params.member.member_2.member;
+                    if (_e2491 == 1u) {
+                        if (_e2483.member_1 < _e2487.member_1) {
+                            phi_3924_ = type_12(_e2483.member_1, _e2487.member_1);
                         } else {
-                            phi_3852_ = type_9(_e2439.member_1, _e2435.member_1);
+                            phi_3924_ = type_12(_e2487.member_1, _e2483.member_1);
                         }
-                        let _e2450 = phi_3852_;
-                        phi_3857_ = _e2450;
+                        let _e2498 = phi_3924_;
+                        phi_3929_ = _e2498;
                     } else {
-                        phi_3857_ = type_9(_e2435.member_1, _e2439.member_1);
+                        phi_3929_ = type_12(_e2483.member_1, _e2487.member_1);
                     }
-                    let _e2452 = phi_3857_;
-                    let _e2455 = params.member.member_1.member_3;
-                    let _e2456 = (_e2236 + _e2207);
-                    if (_e2456 < _e2455) {
-                        let _e2460 = (2u * _e2456);
-                        atomicStore((&pairs.member[(4u + _e2460)]), _e2452.member);
-                        atomicStore((&pairs.member[(_e2460 + 5u)]), _e2452.member_1);
+                    let _e2500 = phi_3929_;
+                    let _e2503 = params.member.member_1.member_3;
+                    let _e2504 = (_e2284 + _e2255);
+                    if (_e2504 < _e2503) {
+                        let _e2508 = (2u * _e2504);
+                        atomicStore((&pairs.member[(4u + _e2508)]), _e2500.member);
+                        atomicStore((&pairs.member[(_e2508 + 5u)]), _e2500.member_1);
                     }
                 }
             }

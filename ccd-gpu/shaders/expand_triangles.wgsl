@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -76,11 +76,11 @@ struct type_28 {
 }
 
 @group(0) @binding(4) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(2) 
-var<storage> regions: type_11;
+var<storage> regions: type_10;
 @group(0) @binding(5) 
 var<storage, read_write> vf: type_28;
 @group(0) @binding(6) 
@@ -100,9 +100,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_187_: u32;
     var phi_208_: u32;
     var phi_209_: u32;
-    var phi_212_: type_9;
-    var phi_213_: type_9;
-    var phi_236_: type_9;
+    var phi_212_: type_12;
+    var phi_213_: type_12;
+    var phi_236_: type_12;
     var phi_330_: bool;
     var phi_337_: bool;
     var phi_341_: bool;
@@ -198,39 +198,39 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1592_: u32;
     var phi_1593_: u32;
     var phi_1594_: u32;
-    var phi_1595_: type_9;
-    var phi_1650_: type_9;
+    var phi_1595_: type_12;
+    var phi_1650_: type_12;
     var phi_1653_: u32;
-    var phi_1651_: type_9;
-    var phi_1676_: type_9;
+    var phi_1651_: type_12;
+    var phi_1676_: type_12;
     var phi_1769_: u32;
     var phi_1770_: u32;
     var phi_1783_: u32;
     var phi_1784_: u32;
-    var phi_1791_: type_9;
+    var phi_1791_: type_12;
     var phi_1753_: u32;
     var phi_1754_: u32;
-    var phi_1795_: type_9;
+    var phi_1795_: type_12;
     var phi_1734_: u32;
     var phi_1735_: u32;
-    var phi_1796_: type_9;
+    var phi_1796_: type_12;
     var phi_1811_: u32;
     var phi_1654_: u32;
-    var phi_1814_: type_9;
+    var phi_1814_: type_12;
     var phi_1817_: u32;
-    var phi_1815_: type_9;
-    var phi_1840_: type_9;
+    var phi_1815_: type_12;
+    var phi_1840_: type_12;
     var phi_1931_: u32;
     var phi_1932_: u32;
     var phi_1945_: u32;
     var phi_1946_: u32;
-    var phi_1953_: type_9;
+    var phi_1953_: type_12;
     var phi_1915_: u32;
     var phi_1916_: u32;
-    var phi_1957_: type_9;
+    var phi_1957_: type_12;
     var phi_1896_: u32;
     var phi_1897_: u32;
-    var phi_1958_: type_9;
+    var phi_1958_: type_12;
     var phi_1973_: u32;
     var phi_1818_: u32;
     var id_2: vec3<u32>;
@@ -300,15 +300,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_209_ = 0u;
     }
     let _e109 = phi_209_;
-    phi_212_ = type_9(0u, _e109);
+    phi_212_ = type_12(0u, _e109);
     loop {
         let _e112 = phi_212_;
         if (_e112.member < _e112.member_1) {
-            phi_213_ = type_9((_e112.member + 1u), _e112.member_1);
-            phi_236_ = type_9(1u, _e112.member);
+            phi_213_ = type_12((_e112.member + 1u), _e112.member_1);
+            phi_236_ = type_12(1u, _e112.member);
         } else {
             phi_213_ = _e112;
-            phi_236_ = type_9(0u, type_9().member_1);
+            phi_236_ = type_12(0u, type_12().member_1);
         }
         let _e124 = phi_213_;
         let _e126 = phi_236_;
@@ -900,12 +900,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_1592_ = _e1323;
                 phi_1593_ = _e1325;
                 phi_1594_ = _e1286.member_1;
-                phi_1595_ = type_9(_e145, _e148);
+                phi_1595_ = type_12(_e145, _e148);
             } else {
                 phi_1592_ = 0u;
                 phi_1593_ = 0u;
                 phi_1594_ = 0u;
-                phi_1595_ = type_9(0u, 0u);
+                phi_1595_ = type_12(0u, 0u);
             }
             let _e1327 = phi_1592_;
             let _e1329 = phi_1593_;
@@ -935,17 +935,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             } else {
                 let _e1357 = atomicLoad((&shared_[7u]));
                 let _e1360 = atomicLoad((&shared_[8u]));
-                phi_1650_ = type_9(0u, 6u);
+                phi_1650_ = type_12(0u, 6u);
                 phi_1653_ = (_e1329 + _e1357);
                 loop {
                     let _e1363 = phi_1650_;
                     let _e1365 = phi_1653_;
                     if (_e1363.member < _e1363.member_1) {
-                        phi_1651_ = type_9((_e1363.member + 1u), _e1363.member_1);
-                        phi_1676_ = type_9(1u, _e1363.member);
+                        phi_1651_ = type_12((_e1363.member + 1u), _e1363.member_1);
+                        phi_1676_ = type_12(1u, _e1363.member);
                     } else {
                         phi_1651_ = _e1363;
-                        phi_1676_ = type_9(0u, type_9().member_1);
+                        phi_1676_ = type_12(0u, type_12().member_1);
                     }
                     let _e1377 = phi_1651_;
                     let _e1379 = phi_1676_;
@@ -968,7 +968,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_1735_ = _e1447;
                                 }
                                 let _e1450 = phi_1735_;
-                                phi_1796_ = type_9(_e1450, _e1333.member_1);
+                                phi_1796_ = type_12(_e1450, _e1333.member_1);
                             } else {
                                 if (_e1379.member_1 < 6u) {
                                     let _e1429 = (_e1379.member_1 - 3u);
@@ -984,7 +984,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_1754_ = _e1435;
                                     }
                                     let _e1438 = phi_1754_;
-                                    phi_1795_ = type_9(_e1438, _e1333.member);
+                                    phi_1795_ = type_12(_e1438, _e1333.member);
                                 } else {
                                     let _e1403 = (_e1379.member_1 - 6u);
                                     let _e1404 = (_e1403 / 3u);
@@ -1014,9 +1014,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e1423 = phi_1784_;
                                     if (_e1413 < _e1423) {
-                                        phi_1791_ = type_9(_e1413, _e1423);
+                                        phi_1791_ = type_12(_e1413, _e1423);
                                     } else {
-                                        phi_1791_ = type_9(_e1423, _e1413);
+                                        phi_1791_ = type_12(_e1423, _e1413);
                                     }
                                     let _e1428 = phi_1791_;
                                     phi_1795_ = _e1428;
@@ -1047,17 +1047,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e1383);
                     }
                 }
-                phi_1814_ = type_9(6u, 15u);
+                phi_1814_ = type_12(6u, 15u);
                 phi_1817_ = (_e1327 + _e1360);
                 loop {
                     let _e1469 = phi_1814_;
                     let _e1471 = phi_1817_;
                     if (_e1469.member < _e1469.member_1) {
-                        phi_1815_ = type_9((_e1469.member + 1u), _e1469.member_1);
-                        phi_1840_ = type_9(1u, _e1469.member);
+                        phi_1815_ = type_12((_e1469.member + 1u), _e1469.member_1);
+                        phi_1840_ = type_12(1u, _e1469.member);
                     } else {
                         phi_1815_ = _e1469;
-                        phi_1840_ = type_9(0u, type_9().member_1);
+                        phi_1840_ = type_12(0u, type_12().member_1);
                     }
                     let _e1483 = phi_1815_;
                     let _e1485 = phi_1840_;
@@ -1079,7 +1079,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_1897_ = _e1551;
                                 }
                                 let _e1554 = phi_1897_;
-                                phi_1958_ = type_9(_e1554, _e1333.member_1);
+                                phi_1958_ = type_12(_e1554, _e1333.member_1);
                             } else {
                                 if (_e1485.member_1 < 6u) {
                                     let _e1533 = (_e1485.member_1 - 3u);
@@ -1095,7 +1095,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_1916_ = _e1539;
                                     }
                                     let _e1542 = phi_1916_;
-                                    phi_1957_ = type_9(_e1542, _e1333.member);
+                                    phi_1957_ = type_12(_e1542, _e1333.member);
                                 } else {
                                     let _e1507 = (_e1485.member_1 - 6u);
                                     let _e1508 = (_e1507 / 3u);
@@ -1125,9 +1125,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e1527 = phi_1946_;
                                     if (_e1517 < _e1527) {
-                                        phi_1953_ = type_9(_e1517, _e1527);
+                                        phi_1953_ = type_12(_e1517, _e1527);
                                     } else {
-                                        phi_1953_ = type_9(_e1527, _e1517);
+                                        phi_1953_ = type_12(_e1527, _e1517);
                                     }
                                     let _e1532 = phi_1953_;
                                     phi_1957_ = _e1532;

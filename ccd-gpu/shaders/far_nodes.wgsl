@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -84,31 +84,31 @@ var<storage> branches: type_20;
 @group(0) @binding(2) 
 var<storage> block_nodes: type_24;
 @group(0) @binding(3) 
-var<storage> far: type_11;
+var<storage> far: type_10;
 @group(0) @binding(4) 
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_132_: u32;
-    var phi_135_: type_9;
-    var phi_136_: type_9;
-    var phi_159_: type_9;
+    var phi_135_: type_12;
+    var phi_136_: type_12;
+    var phi_159_: type_12;
     var phi_210_: u32;
-    var phi_215_: type_9;
+    var phi_215_: type_12;
     var phi_218_: type_29;
     var phi_220_: u32;
     var phi_222_: u32;
-    var phi_216_: type_9;
-    var phi_245_: type_9;
+    var phi_216_: type_12;
+    var phi_245_: type_12;
     var phi_264_: u32;
     var phi_274_: bool;
     var phi_278_: u32;
     var phi_279_: u32;
     var phi_296_: u32;
-    var phi_299_: type_9;
+    var phi_299_: type_12;
     var phi_302_: type_29;
-    var phi_300_: type_9;
-    var phi_325_: type_9;
+    var phi_300_: type_12;
+    var phi_325_: type_12;
     var phi_385_: u32;
     var phi_407_: u32;
     var phi_429_: u32;
@@ -138,10 +138,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_572_: f32;
     var phi_303_: type_29;
     var phi_591_: u32;
-    var phi_594_: type_9;
+    var phi_594_: type_12;
     var phi_597_: type_29;
-    var phi_595_: type_9;
-    var phi_620_: type_9;
+    var phi_595_: type_12;
+    var phi_620_: type_12;
     var phi_680_: u32;
     var phi_702_: u32;
     var phi_724_: u32;
@@ -175,21 +175,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_219_: type_29;
     var phi_221_: u32;
     var phi_223_: u32;
-    var phi_885_: type_9;
+    var phi_885_: type_12;
     var phi_888_: type_29;
     var phi_890_: u32;
     var phi_892_: u32;
-    var phi_886_: type_9;
-    var phi_915_: type_9;
+    var phi_886_: type_12;
+    var phi_915_: type_12;
     var phi_934_: u32;
     var phi_944_: bool;
     var phi_948_: u32;
     var phi_949_: u32;
     var phi_966_: u32;
-    var phi_969_: type_9;
+    var phi_969_: type_12;
     var phi_972_: type_29;
-    var phi_970_: type_9;
-    var phi_995_: type_9;
+    var phi_970_: type_12;
+    var phi_995_: type_12;
     var phi_1055_: u32;
     var phi_1077_: u32;
     var phi_1099_: u32;
@@ -219,10 +219,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1242_: f32;
     var phi_973_: type_29;
     var phi_1261_: u32;
-    var phi_1264_: type_9;
+    var phi_1264_: type_12;
     var phi_1267_: type_29;
-    var phi_1265_: type_9;
-    var phi_1290_: type_9;
+    var phi_1265_: type_12;
+    var phi_1290_: type_12;
     var phi_1350_: u32;
     var phi_1372_: u32;
     var phi_1394_: u32;
@@ -297,15 +297,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_132_ = _e47;
     }
     let _e53 = phi_132_;
-    phi_135_ = type_9(0u, _e53);
+    phi_135_ = type_12(0u, _e53);
     loop {
         let _e56 = phi_135_;
         if (_e56.member < _e56.member_1) {
-            phi_136_ = type_9((_e56.member + 1u), _e56.member_1);
-            phi_159_ = type_9(1u, _e56.member);
+            phi_136_ = type_12((_e56.member + 1u), _e56.member_1);
+            phi_159_ = type_12(1u, _e56.member);
         } else {
             phi_136_ = _e56;
-            phi_159_ = type_9(0u, type_9().member_1);
+            phi_159_ = type_12(0u, type_12().member_1);
         }
         let _e68 = phi_136_;
         let _e70 = phi_159_;
@@ -322,7 +322,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_210_ = _e89.x;
                 }
                 let _e97 = phi_210_;
-                phi_215_ = type_9(0u, 8u);
+                phi_215_ = type_12(0u, 8u);
                 phi_218_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 phi_220_ = (_e97 + 1u);
                 phi_222_ = _e89.z;
@@ -334,11 +334,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     local = _e103;
                     local_1 = _e103;
                     if (_e101.member < _e101.member_1) {
-                        phi_216_ = type_9((_e101.member + 1u), _e101.member_1);
-                        phi_245_ = type_9(1u, _e101.member);
+                        phi_216_ = type_12((_e101.member + 1u), _e101.member_1);
+                        phi_245_ = type_12(1u, _e101.member);
                     } else {
                         phi_216_ = _e101;
-                        phi_245_ = type_9(0u, type_9().member_1);
+                        phi_245_ = type_12(0u, type_12().member_1);
                     }
                     let _e119 = phi_216_;
                     let _e121 = phi_245_;
@@ -376,18 +376,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_296_ = _e145;
                         }
                         let _e150 = phi_296_;
-                        phi_299_ = type_9(0u, _e150);
+                        phi_299_ = type_12(0u, _e150);
                         phi_302_ = _e103;
                         loop {
                             let _e153 = phi_299_;
                             let _e155 = phi_302_;
                             local_4 = _e155;
                             if (_e153.member < _e153.member_1) {
-                                phi_300_ = type_9((_e153.member + 1u), _e153.member_1);
-                                phi_325_ = type_9(1u, _e153.member);
+                                phi_300_ = type_12((_e153.member + 1u), _e153.member_1);
+                                phi_325_ = type_12(1u, _e153.member);
                             } else {
                                 phi_300_ = _e153;
-                                phi_325_ = type_9(0u, type_9().member_1);
+                                phi_325_ = type_12(0u, type_12().member_1);
                             }
                             let _e167 = phi_300_;
                             let _e169 = phi_325_;
@@ -586,7 +586,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_591_ = _e346;
                         }
                         let _e351 = phi_591_;
-                        phi_594_ = type_9(0u, _e351);
+                        phi_594_ = type_12(0u, _e351);
                         let _e1136 = local_4;
                         phi_597_ = _e1136;
                         loop {
@@ -594,11 +594,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e356 = phi_597_;
                             local_5 = _e356;
                             if (_e354.member < _e354.member_1) {
-                                phi_595_ = type_9((_e354.member + 1u), _e354.member_1);
-                                phi_620_ = type_9(1u, _e354.member);
+                                phi_595_ = type_12((_e354.member + 1u), _e354.member_1);
+                                phi_620_ = type_12(1u, _e354.member);
                             } else {
                                 phi_595_ = _e354;
-                                phi_620_ = type_9(0u, type_9().member_1);
+                                phi_620_ = type_12(0u, type_12().member_1);
                             }
                             let _e368 = phi_595_;
                             let _e370 = phi_620_;
@@ -822,7 +822,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e125);
                     }
                 }
-                phi_885_ = type_9(0u, 8u);
+                phi_885_ = type_12(0u, 8u);
                 phi_888_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 phi_890_ = (_e89.w + 1u);
                 phi_892_ = (_e97 + 1u);
@@ -834,11 +834,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     local_2 = _e565;
                     local_3 = _e565;
                     if (_e563.member < _e563.member_1) {
-                        phi_886_ = type_9((_e563.member + 1u), _e563.member_1);
-                        phi_915_ = type_9(1u, _e563.member);
+                        phi_886_ = type_12((_e563.member + 1u), _e563.member_1);
+                        phi_915_ = type_12(1u, _e563.member);
                     } else {
                         phi_886_ = _e563;
-                        phi_915_ = type_9(0u, type_9().member_1);
+                        phi_915_ = type_12(0u, type_12().member_1);
                     }
                     let _e581 = phi_886_;
                     let _e583 = phi_915_;
@@ -876,18 +876,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_966_ = _e607;
                         }
                         let _e612 = phi_966_;
-                        phi_969_ = type_9(0u, _e612);
+                        phi_969_ = type_12(0u, _e612);
                         phi_972_ = _e565;
                         loop {
                             let _e615 = phi_969_;
                             let _e617 = phi_972_;
                             local_6 = _e617;
                             if (_e615.member < _e615.member_1) {
-                                phi_970_ = type_9((_e615.member + 1u), _e615.member_1);
-                                phi_995_ = type_9(1u, _e615.member);
+                                phi_970_ = type_12((_e615.member + 1u), _e615.member_1);
+                                phi_995_ = type_12(1u, _e615.member);
                             } else {
                                 phi_970_ = _e615;
-                                phi_995_ = type_9(0u, type_9().member_1);
+                                phi_995_ = type_12(0u, type_12().member_1);
                             }
                             let _e629 = phi_970_;
                             let _e631 = phi_995_;
@@ -1086,7 +1086,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1261_ = _e808;
                         }
                         let _e813 = phi_1261_;
-                        phi_1264_ = type_9(0u, _e813);
+                        phi_1264_ = type_12(0u, _e813);
                         let _e1221 = local_6;
                         phi_1267_ = _e1221;
                         loop {
@@ -1094,11 +1094,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e818 = phi_1267_;
                             local_7 = _e818;
                             if (_e816.member < _e816.member_1) {
-                                phi_1265_ = type_9((_e816.member + 1u), _e816.member_1);
-                                phi_1290_ = type_9(1u, _e816.member);
+                                phi_1265_ = type_12((_e816.member + 1u), _e816.member_1);
+                                phi_1290_ = type_12(1u, _e816.member);
                             } else {
                                 phi_1265_ = _e816;
-                                phi_1290_ = type_9(0u, type_9().member_1);
+                                phi_1290_ = type_12(0u, type_12().member_1);
                             }
                             let _e830 = phi_1265_;
                             let _e832 = phi_1290_;

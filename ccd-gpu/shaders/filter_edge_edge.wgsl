@@ -20,16 +20,16 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_16 {
+struct type_17 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,45 +37,45 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_18 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_17,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_19 {
+    member: type_18,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_27 {
+struct type_28 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -96,24 +96,24 @@ struct type_43 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_19;
 @group(0) @binding(2) 
-var<storage> leaves: type_25;
+var<storage> leaves: type_26;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_30;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_31, 128>;
+var<workgroup> columns: array<type_32, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_37;
 @group(0) @binding(5) 
-var<storage> paths: type_22;
+var<storage> paths: type_23;
 @group(0) @binding(6) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_43;
 
@@ -284,9 +284,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_412_: u32;
     var phi_433_: u32;
     var phi_434_: u32;
-    var phi_437_: type_9;
-    var phi_438_: type_9;
-    var phi_461_: type_9;
+    var phi_437_: type_13;
+    var phi_438_: type_13;
+    var phi_461_: type_13;
     var phi_502_: u32;
     var phi_503_: u32;
     var phi_511_: u32;
@@ -294,11 +294,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_608_: array<u32, 2>;
     var phi_812_: bool;
     var phi_813_: bool;
-    var phi_817_: type_31;
-    var phi_830_: type_9;
+    var phi_817_: type_32;
+    var phi_830_: type_13;
     var phi_833_: u32;
-    var phi_831_: type_9;
-    var phi_856_: type_9;
+    var phi_831_: type_13;
+    var phi_856_: type_13;
     var phi_922_: bool;
     var phi_923_: bool;
     var phi_924_: bool;
@@ -307,10 +307,10 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_947_: u32;
     var phi_948_: u32;
     var phi_834_: u32;
-    var phi_951_: type_9;
+    var phi_951_: type_13;
     var phi_954_: u32;
-    var phi_952_: type_9;
-    var phi_977_: type_9;
+    var phi_952_: type_13;
+    var phi_977_: type_13;
     var phi_1097_: bool;
     var phi_1103_: bool;
     var phi_1109_: bool;
@@ -339,15 +339,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1778_: bool;
     var phi_1779_: bool;
     var phi_1783_: bool;
-    var phi_1802_: type_9;
+    var phi_1802_: type_13;
     var phi_1845_: u32;
     var phi_1846_: bool;
     var phi_955_: u32;
     var phi_1847_: bool;
     var phi_1854_: u32;
-    var phi_1857_: type_9;
-    var phi_1858_: type_9;
-    var phi_1881_: type_9;
+    var phi_1857_: type_13;
+    var phi_1858_: type_13;
+    var phi_1881_: type_13;
     var phi_2009_: bool;
     var phi_2015_: bool;
     var phi_2021_: bool;
@@ -376,8 +376,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2690_: bool;
     var phi_2691_: bool;
     var phi_2695_: bool;
-    var phi_2708_: type_23;
-    var phi_2709_: type_23;
+    var phi_2708_: type_24;
+    var phi_2709_: type_24;
     var phi_3098_: f32;
     var phi_3105_: f32;
     var phi_3110_: f32;
@@ -748,11 +748,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7873_: bool;
     var phi_7884_: bool;
     var phi_7885_: bool;
-    var phi_7935_: type_9;
-    var phi_7936_: type_9;
-    var phi_7959_: type_9;
+    var phi_7935_: type_13;
+    var phi_7936_: type_13;
+    var phi_7959_: type_13;
     var phi_7982_: u32;
-    var phi_8037_: type_9;
+    var phi_8037_: type_13;
     var phi_8056_: bool;
     var phi_8057_: bool;
     var local_3: u32;
@@ -835,15 +835,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_434_ = 0u;
     }
     let _e138 = phi_434_;
-    phi_437_ = type_9(0u, _e138);
+    phi_437_ = type_13(0u, _e138);
     loop {
         let _e141 = phi_437_;
         if (_e141.member < _e141.member_1) {
-            phi_438_ = type_9((_e141.member + 1u), _e141.member_1);
-            phi_461_ = type_9(1u, _e141.member);
+            phi_438_ = type_13((_e141.member + 1u), _e141.member_1);
+            phi_461_ = type_13(1u, _e141.member);
         } else {
             phi_438_ = _e141;
-            phi_461_ = type_9(0u, type_9().member_1);
+            phi_461_ = type_13(0u, type_13().member_1);
         }
         let _e153 = phi_438_;
         let _e155 = phi_461_;
@@ -929,7 +929,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if ((((((_e329.member.x <= _e251.member_1.y) && (_e251.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e251.member_2.x)) && (_e251.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e251.member_2.y)) && (_e251.member_1.x <= _e329.member_2.y)) {
                     let _e355 = atomicAdd((&counters[_e239]), 1u);
                     let _e356 = ((_e239 * 32u) + _e355);
-                    columns[_e356] = type_31(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
+                    columns[_e356] = type_32(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
                     names[_e356] = _e240;
                 }
             }
@@ -947,26 +947,26 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e376 = phi_813_;
             if _e376 {
-                phi_817_ = type_31(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_817_ = type_32(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_817_ = type_31(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
+                phi_817_ = type_32(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
             }
             let _e378 = phi_817_;
             let _e380 = (_e67 / 32u);
             let _e381 = (_e67 % 32u);
             let _e383 = atomicLoad((&counters[_e380]));
-            phi_830_ = type_9(0u, _e383);
+            phi_830_ = type_13(0u, _e383);
             phi_833_ = 0u;
             loop {
                 let _e386 = phi_830_;
                 let _e388 = phi_833_;
                 local_3 = _e388;
                 if (_e386.member < _e386.member_1) {
-                    phi_831_ = type_9((_e386.member + 1u), _e386.member_1);
-                    phi_856_ = type_9(1u, _e386.member);
+                    phi_831_ = type_13((_e386.member + 1u), _e386.member_1);
+                    phi_856_ = type_13(1u, _e386.member);
                 } else {
                     phi_831_ = _e386;
-                    phi_856_ = type_9(0u, type_9().member_1);
+                    phi_856_ = type_13(0u, type_13().member_1);
                 }
                 let _e400 = phi_831_;
                 let _e402 = phi_856_;
@@ -1028,18 +1028,18 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     break if !(_e406);
                 }
             }
-            phi_951_ = type_9(0u, 32u);
+            phi_951_ = type_13(0u, 32u);
             let _e4599 = local_3;
             phi_954_ = _e4599;
             loop {
                 let _e479 = phi_951_;
                 let _e481 = phi_954_;
                 if (_e479.member < _e479.member_1) {
-                    phi_952_ = type_9((_e479.member + 1u), _e479.member_1);
-                    phi_977_ = type_9(1u, _e479.member);
+                    phi_952_ = type_13((_e479.member + 1u), _e479.member_1);
+                    phi_977_ = type_13(1u, _e479.member);
                 } else {
                     phi_952_ = _e479;
-                    phi_977_ = type_9(0u, type_9().member_1);
+                    phi_977_ = type_13(0u, type_13().member_1);
                 }
                 let _e493 = phi_952_;
                 let _e495 = phi_977_;
@@ -1285,9 +1285,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if _e930 {
                             let _e933 = params.member.member_1.member_3;
                             if (_e512.member_1 < _e514.member_1) {
-                                phi_1802_ = type_9(_e512.member_1, _e514.member_1);
+                                phi_1802_ = type_13(_e512.member_1, _e514.member_1);
                             } else {
-                                phi_1802_ = type_9(_e514.member_1, _e512.member_1);
+                                phi_1802_ = type_13(_e514.member_1, _e512.member_1);
                             }
                             let _e940 = phi_1802_;
                             let _e944 = atomicAdd((&output.member[0u]), 1u);
@@ -1332,15 +1332,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_1854_ = _e971;
             }
             let _e974 = phi_1854_;
-            phi_1857_ = type_9(0u, 16u);
+            phi_1857_ = type_13(0u, 16u);
             loop {
                 let _e976 = phi_1857_;
                 if (_e976.member < _e976.member_1) {
-                    phi_1858_ = type_9((_e976.member + 1u), _e976.member_1);
-                    phi_1881_ = type_9(1u, _e976.member);
+                    phi_1858_ = type_13((_e976.member + 1u), _e976.member_1);
+                    phi_1881_ = type_13(1u, _e976.member);
                 } else {
                     phi_1858_ = _e976;
-                    phi_1881_ = type_9(0u, type_9().member_1);
+                    phi_1881_ = type_13(0u, type_13().member_1);
                 }
                 let _e988 = phi_1858_;
                 let _e990 = phi_1881_;
@@ -4250,15 +4250,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
             }
-            phi_7935_ = type_9(0u, 16u);
+            phi_7935_ = type_13(0u, 16u);
             loop {
                 let _e4489 = phi_7935_;
                 if (_e4489.member < _e4489.member_1) {
-                    phi_7936_ = type_9((_e4489.member + 1u), _e4489.member_1);
-                    phi_7959_ = type_9(1u, _e4489.member);
+                    phi_7936_ = type_13((_e4489.member + 1u), _e4489.member_1);
+                    phi_7959_ = type_13(1u, _e4489.member);
                 } else {
                     phi_7936_ = _e4489;
-                    phi_7959_ = type_9(0u, type_9().member_1);
+                    phi_7959_ = type_13(0u, type_13().member_1);
                 }
                 let _e4501 = phi_7936_;
                 let _e4503 = phi_7959_;
@@ -4283,9 +4283,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e4545 = params.member.member_1.member_3;
                             let _e4546 = (_e4477 + _e4519);
                             if (_e4533.member_1 < _e4540.member_1) {
-                                phi_8037_ = type_9(_e4533.member_1, _e4540.member_1);
+                                phi_8037_ = type_13(_e4533.member_1, _e4540.member_1);
                             } else {
-                                phi_8037_ = type_9(_e4540.member_1, _e4533.member_1);
+                                phi_8037_ = type_13(_e4540.member_1, _e4533.member_1);
                             }
                             let _e4551 = phi_8037_;
                             if (_e4546 < _e4545) {

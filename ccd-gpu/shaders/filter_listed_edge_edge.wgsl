@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -81,13 +81,13 @@ struct type_34 {
 }
 
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_26;
 @group(0) @binding(5) 
 var<storage> paths: type_17;
 @group(0) @binding(6) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_34;
 var<workgroup> counters: array<atomic<u32>, 4>;
@@ -264,9 +264,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_342_: u32;
     var phi_363_: u32;
     var phi_364_: u32;
-    var phi_367_: type_9;
-    var phi_368_: type_9;
-    var phi_391_: type_9;
+    var phi_367_: type_12;
+    var phi_368_: type_12;
+    var phi_391_: type_12;
     var phi_546_: bool;
     var phi_552_: bool;
     var phi_558_: bool;
@@ -668,7 +668,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6381_: bool;
     var phi_6382_: u32;
     var phi_6383_: bool;
-    var phi_6384_: type_9;
+    var phi_6384_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -731,15 +731,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_364_ = 0u;
     }
     let _e102 = phi_364_;
-    phi_367_ = type_9(0u, _e102);
+    phi_367_ = type_12(0u, _e102);
     loop {
         let _e105 = phi_367_;
         if (_e105.member < _e105.member_1) {
-            phi_368_ = type_9((_e105.member + 1u), _e105.member_1);
-            phi_391_ = type_9(1u, _e105.member);
+            phi_368_ = type_12((_e105.member + 1u), _e105.member_1);
+            phi_391_ = type_12(1u, _e105.member);
         } else {
             phi_368_ = _e105;
-            phi_391_ = type_9(0u, type_9().member_1);
+            phi_391_ = type_12(0u, type_12().member_1);
         }
         let _e117 = phi_368_;
         let _e119 = phi_391_;
@@ -3621,11 +3621,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e3503 = phi_6381_;
                 phi_6382_ = _e3501;
                 phi_6383_ = _e3503;
-                phi_6384_ = type_9(_e138, _e141);
+                phi_6384_ = type_12(_e138, _e141);
             } else {
                 phi_6382_ = 0u;
                 phi_6383_ = false;
-                phi_6384_ = type_9(0u, 0u);
+                phi_6384_ = type_12(0u, 0u);
             }
             let _e3505 = phi_6382_;
             let _e3507 = phi_6383_;

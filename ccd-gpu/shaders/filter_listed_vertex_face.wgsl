@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -81,13 +81,13 @@ struct type_34 {
 }
 
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_24;
 @group(0) @binding(5) 
 var<storage> paths: type_17;
 @group(0) @binding(6) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_34;
 var<workgroup> counters: array<atomic<u32>, 4>;
@@ -264,9 +264,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_343_: u32;
     var phi_364_: u32;
     var phi_365_: u32;
-    var phi_368_: type_9;
-    var phi_369_: type_9;
-    var phi_392_: type_9;
+    var phi_368_: type_12;
+    var phi_369_: type_12;
+    var phi_392_: type_12;
     var phi_513_: bool;
     var phi_520_: bool;
     var phi_528_: bool;
@@ -726,7 +726,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6394_: bool;
     var phi_6395_: u32;
     var phi_6396_: bool;
-    var phi_6397_: type_9;
+    var phi_6397_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -789,15 +789,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_365_ = 0u;
     }
     let _e102 = phi_365_;
-    phi_368_ = type_9(0u, _e102);
+    phi_368_ = type_12(0u, _e102);
     loop {
         let _e105 = phi_368_;
         if (_e105.member < _e105.member_1) {
-            phi_369_ = type_9((_e105.member + 1u), _e105.member_1);
-            phi_392_ = type_9(1u, _e105.member);
+            phi_369_ = type_12((_e105.member + 1u), _e105.member_1);
+            phi_392_ = type_12(1u, _e105.member);
         } else {
             phi_369_ = _e105;
-            phi_392_ = type_9(0u, type_9().member_1);
+            phi_392_ = type_12(0u, type_12().member_1);
         }
         let _e117 = phi_369_;
         let _e119 = phi_392_;
@@ -4058,11 +4058,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e3875 = phi_6394_;
                 phi_6395_ = _e3873;
                 phi_6396_ = _e3875;
-                phi_6397_ = type_9(_e138, _e141);
+                phi_6397_ = type_12(_e138, _e141);
             } else {
                 phi_6395_ = 0u;
                 phi_6396_ = false;
-                phi_6397_ = type_9(0u, 0u);
+                phi_6397_ = type_12(0u, 0u);
             }
             let _e3877 = phi_6395_;
             let _e3879 = phi_6396_;

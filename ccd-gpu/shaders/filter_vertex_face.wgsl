@@ -20,16 +20,16 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_16 {
+struct type_17 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,45 +37,45 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_18 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_17,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_19 {
+    member: type_18,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_27 {
+struct type_28 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -96,24 +96,24 @@ struct type_43 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_19;
 @group(0) @binding(2) 
-var<storage> leaves: type_25;
+var<storage> leaves: type_26;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_30;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_31, 128>;
+var<workgroup> columns: array<type_32, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_37;
 @group(0) @binding(5) 
-var<storage> paths: type_22;
+var<storage> paths: type_23;
 @group(0) @binding(6) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_43;
 
@@ -284,9 +284,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_412_: u32;
     var phi_433_: u32;
     var phi_434_: u32;
-    var phi_437_: type_9;
-    var phi_438_: type_9;
-    var phi_461_: type_9;
+    var phi_437_: type_13;
+    var phi_438_: type_13;
+    var phi_461_: type_13;
     var phi_502_: u32;
     var phi_503_: u32;
     var phi_511_: u32;
@@ -294,18 +294,18 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_608_: array<u32, 2>;
     var phi_812_: bool;
     var phi_813_: bool;
-    var phi_817_: type_31;
-    var phi_830_: type_9;
+    var phi_817_: type_32;
+    var phi_830_: type_13;
     var phi_833_: u32;
-    var phi_831_: type_9;
-    var phi_856_: type_9;
+    var phi_831_: type_13;
+    var phi_856_: type_13;
     var phi_946_: u32;
     var phi_948_: u32;
     var phi_834_: u32;
-    var phi_951_: type_9;
+    var phi_951_: type_13;
     var phi_954_: u32;
-    var phi_952_: type_9;
-    var phi_977_: type_9;
+    var phi_952_: type_13;
+    var phi_977_: type_13;
     var phi_1071_: bool;
     var phi_1078_: bool;
     var phi_1086_: bool;
@@ -340,9 +340,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_955_: u32;
     var phi_1847_: bool;
     var phi_1854_: u32;
-    var phi_1857_: type_9;
-    var phi_1858_: type_9;
-    var phi_1881_: type_9;
+    var phi_1857_: type_13;
+    var phi_1858_: type_13;
+    var phi_1881_: type_13;
     var phi_1983_: bool;
     var phi_1990_: bool;
     var phi_1998_: bool;
@@ -799,9 +799,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7865_: bool;
     var phi_7876_: bool;
     var phi_7877_: bool;
-    var phi_7927_: type_9;
-    var phi_7928_: type_9;
-    var phi_7951_: type_9;
+    var phi_7927_: type_13;
+    var phi_7928_: type_13;
+    var phi_7951_: type_13;
     var phi_7974_: u32;
     var phi_8048_: bool;
     var phi_8049_: bool;
@@ -885,15 +885,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_434_ = 0u;
     }
     let _e138 = phi_434_;
-    phi_437_ = type_9(0u, _e138);
+    phi_437_ = type_13(0u, _e138);
     loop {
         let _e141 = phi_437_;
         if (_e141.member < _e141.member_1) {
-            phi_438_ = type_9((_e141.member + 1u), _e141.member_1);
-            phi_461_ = type_9(1u, _e141.member);
+            phi_438_ = type_13((_e141.member + 1u), _e141.member_1);
+            phi_461_ = type_13(1u, _e141.member);
         } else {
             phi_438_ = _e141;
-            phi_461_ = type_9(0u, type_9().member_1);
+            phi_461_ = type_13(0u, type_13().member_1);
         }
         let _e153 = phi_438_;
         let _e155 = phi_461_;
@@ -979,7 +979,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if ((((((_e329.member.x <= _e251.member_1.y) && (_e251.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e251.member_2.x)) && (_e251.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e251.member_2.y)) && (_e251.member_1.x <= _e329.member_2.y)) {
                     let _e355 = atomicAdd((&counters[_e239]), 1u);
                     let _e356 = ((_e239 * 32u) + _e355);
-                    columns[_e356] = type_31(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
+                    columns[_e356] = type_32(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
                     names[_e356] = _e240;
                 }
             }
@@ -997,25 +997,25 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e376 = phi_813_;
             if _e376 {
-                phi_817_ = type_31(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_817_ = type_32(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_817_ = type_31(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
+                phi_817_ = type_32(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
             }
             let _e378 = phi_817_;
             let _e379 = (_e67 / 32u);
             let _e382 = atomicLoad((&counters[_e379]));
-            phi_830_ = type_9(0u, _e382);
+            phi_830_ = type_13(0u, _e382);
             phi_833_ = 0u;
             loop {
                 let _e385 = phi_830_;
                 let _e387 = phi_833_;
                 local_3 = _e387;
                 if (_e385.member < _e385.member_1) {
-                    phi_831_ = type_9((_e385.member + 1u), _e385.member_1);
-                    phi_856_ = type_9(1u, _e385.member);
+                    phi_831_ = type_13((_e385.member + 1u), _e385.member_1);
+                    phi_856_ = type_13(1u, _e385.member);
                 } else {
                     phi_831_ = _e385;
-                    phi_856_ = type_9(0u, type_9().member_1);
+                    phi_856_ = type_13(0u, type_13().member_1);
                 }
                 let _e399 = phi_831_;
                 let _e401 = phi_856_;
@@ -1049,18 +1049,18 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     break if !(_e405);
                 }
             }
-            phi_951_ = type_9(0u, 32u);
+            phi_951_ = type_13(0u, 32u);
             let _e4921 = local_3;
             phi_954_ = _e4921;
             loop {
                 let _e467 = phi_951_;
                 let _e469 = phi_954_;
                 if (_e467.member < _e467.member_1) {
-                    phi_952_ = type_9((_e467.member + 1u), _e467.member_1);
-                    phi_977_ = type_9(1u, _e467.member);
+                    phi_952_ = type_13((_e467.member + 1u), _e467.member_1);
+                    phi_977_ = type_13(1u, _e467.member);
                 } else {
                     phi_952_ = _e467;
-                    phi_977_ = type_9(0u, type_9().member_1);
+                    phi_977_ = type_13(0u, type_13().member_1);
                 }
                 let _e481 = phi_952_;
                 let _e483 = phi_977_;
@@ -1353,15 +1353,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_1854_ = _e955;
             }
             let _e958 = phi_1854_;
-            phi_1857_ = type_9(0u, 16u);
+            phi_1857_ = type_13(0u, 16u);
             loop {
                 let _e960 = phi_1857_;
                 if (_e960.member < _e960.member_1) {
-                    phi_1858_ = type_9((_e960.member + 1u), _e960.member_1);
-                    phi_1881_ = type_9(1u, _e960.member);
+                    phi_1858_ = type_13((_e960.member + 1u), _e960.member_1);
+                    phi_1881_ = type_13(1u, _e960.member);
                 } else {
                     phi_1858_ = _e960;
-                    phi_1881_ = type_9(0u, type_9().member_1);
+                    phi_1881_ = type_13(0u, type_13().member_1);
                 }
                 let _e972 = phi_1858_;
                 let _e974 = phi_1881_;
@@ -4643,15 +4643,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
             }
-            phi_7927_ = type_9(0u, 16u);
+            phi_7927_ = type_13(0u, 16u);
             loop {
                 let _e4823 = phi_7927_;
                 if (_e4823.member < _e4823.member_1) {
-                    phi_7928_ = type_9((_e4823.member + 1u), _e4823.member_1);
-                    phi_7951_ = type_9(1u, _e4823.member);
+                    phi_7928_ = type_13((_e4823.member + 1u), _e4823.member_1);
+                    phi_7951_ = type_13(1u, _e4823.member);
                 } else {
                     phi_7928_ = _e4823;
-                    phi_7951_ = type_9(0u, type_9().member_1);
+                    phi_7951_ = type_13(0u, type_13().member_1);
                 }
                 let _e4835 = phi_7928_;
                 let _e4837 = phi_7951_;

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -60,7 +60,7 @@ struct type_27 {
 }
 
 @group(0) @binding(2) 
-var<storage> keys: type_11;
+var<storage> keys: type_10;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
@@ -71,11 +71,11 @@ var<storage> params: type_23;
 @group(0) @binding(1) 
 var<storage> sorted: type_18;
 @group(0) @binding(3) 
-var<storage> order: type_11;
+var<storage> order: type_10;
 @group(0) @binding(4) 
-var<storage> survey: type_11;
+var<storage> survey: type_10;
 @group(0) @binding(5) 
-var<storage> work: type_11;
+var<storage> work: type_10;
 var<workgroup> boxes: array<type_16, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
@@ -93,9 +93,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_316_: u32;
     var phi_337_: u32;
     var phi_338_: u32;
-    var phi_341_: type_9;
-    var phi_342_: type_9;
-    var phi_365_: type_9;
+    var phi_341_: type_12;
+    var phi_342_: type_12;
+    var phi_365_: type_12;
     var phi_419_: array<u32, 2>;
     var phi_431_: array<u32, 2>;
     var phi_432_: bool;
@@ -134,38 +134,38 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_673_: u32;
     var phi_676_: array<u32, 3>;
     var phi_693_: type_16;
-    var phi_696_: type_9;
-    var phi_697_: type_9;
-    var phi_720_: type_9;
+    var phi_696_: type_12;
+    var phi_697_: type_12;
+    var phi_720_: type_12;
     var phi_755_: type_16;
     var phi_756_: u32;
-    var phi_777_: type_9;
-    var phi_778_: type_9;
-    var phi_801_: type_9;
-    var phi_934_: type_9;
+    var phi_777_: type_12;
+    var phi_778_: type_12;
+    var phi_801_: type_12;
+    var phi_934_: type_12;
     var phi_935_: bool;
-    var phi_936_: type_9;
+    var phi_936_: type_12;
     var phi_937_: bool;
-    var phi_946_: type_9;
-    var phi_914_: type_9;
-    var phi_947_: type_9;
+    var phi_946_: type_12;
+    var phi_914_: type_12;
+    var phi_947_: type_12;
     var phi_982_: u32;
-    var phi_1008_: type_9;
-    var phi_1009_: type_9;
-    var phi_1032_: type_9;
+    var phi_1008_: type_12;
+    var phi_1009_: type_12;
+    var phi_1032_: type_12;
     var phi_1061_: array<u32, 2>;
     var phi_1073_: array<u32, 2>;
     var phi_1074_: bool;
     var phi_1075_: array<u32, 2>;
     var phi_1076_: bool;
     var phi_1081_: array<u32, 2>;
-    var phi_1164_: type_9;
+    var phi_1164_: type_12;
     var phi_1165_: bool;
-    var phi_1166_: type_9;
+    var phi_1166_: type_12;
     var phi_1167_: bool;
-    var phi_1176_: type_9;
-    var phi_1144_: type_9;
-    var phi_1177_: type_9;
+    var phi_1176_: type_12;
+    var phi_1144_: type_12;
+    var phi_1177_: type_12;
     var phi_1195_: bool;
     var phi_1196_: bool;
     var id_2: vec3<u32>;
@@ -284,15 +284,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_338_ = 0u;
     }
     let _e161 = phi_338_;
-    phi_341_ = type_9(0u, _e161);
+    phi_341_ = type_12(0u, _e161);
     loop {
         let _e164 = phi_341_;
         if (_e164.member < _e164.member_1) {
-            phi_342_ = type_9((_e164.member + 1u), _e164.member_1);
-            phi_365_ = type_9(1u, _e164.member);
+            phi_342_ = type_12((_e164.member + 1u), _e164.member_1);
+            phi_365_ = type_12(1u, _e164.member);
         } else {
             phi_342_ = _e164;
-            phi_365_ = type_9(0u, type_9().member_1);
+            phi_365_ = type_12(0u, type_12().member_1);
         }
         let _e176 = phi_342_;
         let _e178 = phi_365_;
@@ -527,15 +527,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_693_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
             let _e405 = phi_693_;
-            phi_696_ = type_9(0u, (((_e192 >> bitcast<u32>(24i)) & 15u) + 1u));
+            phi_696_ = type_12(0u, (((_e192 >> bitcast<u32>(24i)) & 15u) + 1u));
             loop {
                 let _e408 = phi_696_;
                 if (_e408.member < _e408.member_1) {
-                    phi_697_ = type_9((_e408.member + 1u), _e408.member_1);
-                    phi_720_ = type_9(1u, _e408.member);
+                    phi_697_ = type_12((_e408.member + 1u), _e408.member_1);
+                    phi_720_ = type_12(1u, _e408.member);
                 } else {
                     phi_697_ = _e408;
-                    phi_720_ = type_9(0u, type_9().member_1);
+                    phi_720_ = type_12(0u, type_12().member_1);
                 }
                 let _e420 = phi_697_;
                 let _e422 = phi_720_;
@@ -560,15 +560,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         atomicStore((&counters[4u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_777_ = type_9(0u, 128u);
+                    phi_777_ = type_12(0u, 128u);
                     loop {
                         let _e455 = phi_777_;
                         if (_e455.member < _e455.member_1) {
-                            phi_778_ = type_9((_e455.member + 1u), _e455.member_1);
-                            phi_801_ = type_9(1u, _e455.member);
+                            phi_778_ = type_12((_e455.member + 1u), _e455.member_1);
+                            phi_801_ = type_12(1u, _e455.member);
                         } else {
                             phi_778_ = _e455;
-                            phi_801_ = type_9(0u, type_9().member_1);
+                            phi_801_ = type_12(0u, type_12().member_1);
                         }
                         let _e467 = phi_778_;
                         let _e469 = phi_801_;
@@ -593,9 +593,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e560 = params.member.member.member_2[1u];
                                                     let _e561 = (_e520 - _e560);
                                                     if (_e556 < _e561) {
-                                                        phi_914_ = type_9(_e556, _e561);
+                                                        phi_914_ = type_12(_e556, _e561);
                                                     } else {
-                                                        phi_914_ = type_9(_e561, _e556);
+                                                        phi_914_ = type_12(_e561, _e556);
                                                     }
                                                     let _e566 = phi_914_;
                                                     phi_947_ = _e566;
@@ -604,10 +604,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     if (_e527 == 1u) {
                                                         if (_e197 == 1u) {
                                                             let _e533 = params.member.member.member_2[2u];
-                                                            phi_934_ = type_9(_e520, (_e518 - _e533));
+                                                            phi_934_ = type_12(_e520, (_e518 - _e533));
                                                             phi_935_ = false;
                                                         } else {
-                                                            phi_934_ = type_9();
+                                                            phi_934_ = type_12();
                                                             phi_935_ = true;
                                                         }
                                                         let _e537 = phi_934_;
@@ -615,14 +615,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_936_ = _e537;
                                                         phi_937_ = _e539;
                                                     } else {
-                                                        phi_936_ = type_9();
+                                                        phi_936_ = type_12();
                                                         phi_937_ = true;
                                                     }
                                                     let _e541 = phi_936_;
                                                     let _e543 = phi_937_;
                                                     if _e543 {
                                                         let _e547 = params.member.member.member_2[2u];
-                                                        phi_946_ = type_9(_e518, (_e520 - _e547));
+                                                        phi_946_ = type_12(_e518, (_e520 - _e547));
                                                     } else {
                                                         phi_946_ = _e541;
                                                     }
@@ -671,15 +671,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     workgroupBarrier();
                     let _e606 = atomicLoad((&counters[5u]));
-                    phi_1008_ = type_9(0u, 16u);
+                    phi_1008_ = type_12(0u, 16u);
                     loop {
                         let _e608 = phi_1008_;
                         if (_e608.member < _e608.member_1) {
-                            phi_1009_ = type_9((_e608.member + 1u), _e608.member_1);
-                            phi_1032_ = type_9(1u, _e608.member);
+                            phi_1009_ = type_12((_e608.member + 1u), _e608.member_1);
+                            phi_1032_ = type_12(1u, _e608.member);
                         } else {
                             phi_1009_ = _e608;
-                            phi_1032_ = type_9(0u, type_9().member_1);
+                            phi_1032_ = type_12(0u, type_12().member_1);
                         }
                         let _e620 = phi_1009_;
                         let _e622 = phi_1032_;
@@ -731,9 +731,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e711 = params.member.member.member_2[1u];
                                     let _e712 = (_e671 - _e711);
                                     if (_e707 < _e712) {
-                                        phi_1144_ = type_9(_e707, _e712);
+                                        phi_1144_ = type_12(_e707, _e712);
                                     } else {
-                                        phi_1144_ = type_9(_e712, _e707);
+                                        phi_1144_ = type_12(_e712, _e707);
                                     }
                                     let _e717 = phi_1144_;
                                     phi_1177_ = _e717;
@@ -742,10 +742,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     if (_e678 == 1u) {
                                         if (_e197 == 1u) {
                                             let _e684 = params.member.member.member_2[2u];
-                                            phi_1164_ = type_9(_e671, (_e669 - _e684));
+                                            phi_1164_ = type_12(_e671, (_e669 - _e684));
                                             phi_1165_ = false;
                                         } else {
-                                            phi_1164_ = type_9();
+                                            phi_1164_ = type_12();
                                             phi_1165_ = true;
                                         }
                                         let _e688 = phi_1164_;
@@ -753,14 +753,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_1166_ = _e688;
                                         phi_1167_ = _e690;
                                     } else {
-                                        phi_1166_ = type_9();
+                                        phi_1166_ = type_12();
                                         phi_1167_ = true;
                                     }
                                     let _e692 = phi_1166_;
                                     let _e694 = phi_1167_;
                                     if _e694 {
                                         let _e698 = params.member.member.member_2[2u];
-                                        phi_1176_ = type_9(_e669, (_e671 - _e698));
+                                        phi_1176_ = type_12(_e669, (_e671 - _e698));
                                     } else {
                                         phi_1176_ = _e692;
                                     }

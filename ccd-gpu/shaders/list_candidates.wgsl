@@ -20,16 +20,16 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_16 {
+struct type_17 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,36 +37,36 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_18 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
-}
-
-struct type_18 {
-    member: type_17,
+    member_2: type_17,
 }
 
 struct type_19 {
+    member: type_18,
+}
+
+struct type_20 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_21 {
-    member: array<type_19>,
+struct type_22 {
+    member: array<type_20>,
 }
 
-struct type_23 {
+struct type_24 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_27 {
+struct type_28 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -80,22 +80,22 @@ struct type_37 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_19;
 @group(0) @binding(2) 
-var<storage> leaves: type_21;
+var<storage> leaves: type_22;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
+var<storage> nodes: type_26;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_27, 128>;
+var<workgroup> columns: array<type_28, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_33;
 @group(0) @binding(5) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_37;
 
@@ -264,9 +264,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_234_: u32;
     var phi_255_: u32;
     var phi_256_: u32;
-    var phi_259_: type_9;
-    var phi_260_: type_9;
-    var phi_283_: type_9;
+    var phi_259_: type_13;
+    var phi_260_: type_13;
+    var phi_283_: type_13;
     var phi_324_: u32;
     var phi_325_: u32;
     var phi_333_: u32;
@@ -274,12 +274,12 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_430_: array<u32, 2>;
     var phi_634_: bool;
     var phi_635_: bool;
-    var phi_639_: type_27;
+    var phi_639_: type_28;
     var phi_645_: bool;
-    var phi_652_: type_9;
+    var phi_652_: type_13;
     var phi_655_: u32;
-    var phi_653_: type_9;
-    var phi_678_: type_9;
+    var phi_653_: type_13;
+    var phi_678_: type_13;
     var phi_744_: bool;
     var phi_745_: bool;
     var phi_746_: bool;
@@ -288,10 +288,10 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_769_: u32;
     var phi_770_: u32;
     var phi_656_: u32;
-    var phi_773_: type_9;
+    var phi_773_: type_13;
     var phi_776_: u32;
-    var phi_774_: type_9;
-    var phi_799_: type_9;
+    var phi_774_: type_13;
+    var phi_799_: type_13;
     var phi_919_: bool;
     var phi_925_: bool;
     var phi_893_: bool;
@@ -324,16 +324,16 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1600_: bool;
     var phi_1601_: bool;
     var phi_1605_: bool;
-    var phi_1624_: type_9;
-    var phi_1629_: type_9;
+    var phi_1624_: type_13;
+    var phi_1629_: type_13;
     var phi_1667_: u32;
     var phi_1668_: bool;
     var phi_777_: u32;
     var phi_1669_: bool;
     var phi_1676_: u32;
-    var phi_1679_: type_9;
-    var phi_1680_: type_9;
-    var phi_1703_: type_9;
+    var phi_1679_: type_13;
+    var phi_1680_: type_13;
+    var phi_1703_: type_13;
     var phi_1831_: bool;
     var phi_1837_: bool;
     var phi_1805_: bool;
@@ -368,12 +368,12 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2517_: bool;
     var phi_2532_: bool;
     var phi_2533_: bool;
-    var phi_2583_: type_9;
-    var phi_2584_: type_9;
-    var phi_2607_: type_9;
+    var phi_2583_: type_13;
+    var phi_2584_: type_13;
+    var phi_2607_: type_13;
     var phi_2630_: u32;
-    var phi_2685_: type_9;
-    var phi_2690_: type_9;
+    var phi_2685_: type_13;
+    var phi_2690_: type_13;
     var phi_2704_: bool;
     var phi_2705_: bool;
     var local: u32;
@@ -463,15 +463,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_256_ = 0u;
     }
     let _e125 = phi_256_;
-    phi_259_ = type_9(0u, _e125);
+    phi_259_ = type_13(0u, _e125);
     loop {
         let _e128 = phi_259_;
         if (_e128.member < _e128.member_1) {
-            phi_260_ = type_9((_e128.member + 1u), _e128.member_1);
-            phi_283_ = type_9(1u, _e128.member);
+            phi_260_ = type_13((_e128.member + 1u), _e128.member_1);
+            phi_283_ = type_13(1u, _e128.member);
         } else {
             phi_260_ = _e128;
-            phi_283_ = type_9(0u, type_9().member_1);
+            phi_283_ = type_13(0u, type_13().member_1);
         }
         let _e140 = phi_260_;
         let _e142 = phi_283_;
@@ -557,7 +557,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if ((((((_e316.member.x <= _e238.member_1.y) && (_e238.member.x <= _e316.member_1.y)) && (_e316.member.y <= _e238.member_2.x)) && (_e238.member.y <= _e316.member_2.x)) && (_e316.member_1.x <= _e238.member_2.y)) && (_e238.member_1.x <= _e316.member_2.y)) {
                     let _e342 = atomicAdd((&counters[_e226]), 1u);
                     let _e343 = ((_e226 * 32u) + _e342);
-                    columns[_e343] = type_27(array<f32, 3>(_e316.member.x, _e316.member.y, _e316.member_1.x), array<f32, 3>(_e316.member_1.y, _e316.member_2.x, _e316.member_2.y));
+                    columns[_e343] = type_28(array<f32, 3>(_e316.member.x, _e316.member.y, _e316.member_1.x), array<f32, 3>(_e316.member_1.y, _e316.member_2.x, _e316.member_2.y));
                     names[_e343] = _e227;
                 }
             }
@@ -575,9 +575,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e363 = phi_635_;
             if _e363 {
-                phi_639_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_639_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_639_ = type_27(array<f32, 3>(_e287.member.x, _e287.member.y, _e287.member_1.x), array<f32, 3>(_e287.member_1.y, _e287.member_2.x, _e287.member_2.y));
+                phi_639_ = type_28(array<f32, 3>(_e287.member.x, _e287.member.y, _e287.member_1.x), array<f32, 3>(_e287.member_1.y, _e287.member_2.x, _e287.member_2.y));
             }
             let _e365 = phi_639_;
             if (_e78[0] == _e78[1]) {
@@ -589,18 +589,18 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e370 = (_e47 / 32u);
             let _e371 = (_e47 % 32u);
             let _e373 = atomicLoad((&counters[_e370]));
-            phi_652_ = type_9(0u, _e373);
+            phi_652_ = type_13(0u, _e373);
             phi_655_ = 0u;
             loop {
                 let _e376 = phi_652_;
                 let _e378 = phi_655_;
                 local = _e378;
                 if (_e376.member < _e376.member_1) {
-                    phi_653_ = type_9((_e376.member + 1u), _e376.member_1);
-                    phi_678_ = type_9(1u, _e376.member);
+                    phi_653_ = type_13((_e376.member + 1u), _e376.member_1);
+                    phi_678_ = type_13(1u, _e376.member);
                 } else {
                     phi_653_ = _e376;
-                    phi_678_ = type_9(0u, type_9().member_1);
+                    phi_678_ = type_13(0u, type_13().member_1);
                 }
                 let _e390 = phi_653_;
                 let _e392 = phi_678_;
@@ -662,18 +662,18 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     break if !(_e396);
                 }
             }
-            phi_773_ = type_9(0u, 32u);
+            phi_773_ = type_13(0u, 32u);
             let _e1630 = local;
             phi_776_ = _e1630;
             loop {
                 let _e469 = phi_773_;
                 let _e471 = phi_776_;
                 if (_e469.member < _e469.member_1) {
-                    phi_774_ = type_9((_e469.member + 1u), _e469.member_1);
-                    phi_799_ = type_9(1u, _e469.member);
+                    phi_774_ = type_13((_e469.member + 1u), _e469.member_1);
+                    phi_799_ = type_13(1u, _e469.member);
                 } else {
                     phi_774_ = _e469;
-                    phi_799_ = type_9(0u, type_9().member_1);
+                    phi_799_ = type_13(0u, type_13().member_1);
                 }
                 let _e483 = phi_774_;
                 let _e485 = phi_799_;
@@ -944,14 +944,14 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e946 = params.member.member_1.member_3;
                             if (_e78[0] == _e78[1]) {
                                 if (_e502.member_1 < _e504.member_1) {
-                                    phi_1624_ = type_9(_e502.member_1, _e504.member_1);
+                                    phi_1624_ = type_13(_e502.member_1, _e504.member_1);
                                 } else {
-                                    phi_1624_ = type_9(_e504.member_1, _e502.member_1);
+                                    phi_1624_ = type_13(_e504.member_1, _e502.member_1);
                                 }
                                 let _e955 = phi_1624_;
                                 phi_1629_ = _e955;
                             } else {
-                                phi_1629_ = type_9(_e502.member_1, _e504.member_1);
+                                phi_1629_ = type_13(_e502.member_1, _e504.member_1);
                             }
                             let _e957 = phi_1629_;
                             let _e961 = atomicAdd((&output.member[0u]), 1u);
@@ -996,15 +996,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_1676_ = _e988;
             }
             let _e991 = phi_1676_;
-            phi_1679_ = type_9(0u, 16u);
+            phi_1679_ = type_13(0u, 16u);
             loop {
                 let _e993 = phi_1679_;
                 if (_e993.member < _e993.member_1) {
-                    phi_1680_ = type_9((_e993.member + 1u), _e993.member_1);
-                    phi_1703_ = type_9(1u, _e993.member);
+                    phi_1680_ = type_13((_e993.member + 1u), _e993.member_1);
+                    phi_1703_ = type_13(1u, _e993.member);
                 } else {
                     phi_1680_ = _e993;
-                    phi_1703_ = type_9(0u, type_9().member_1);
+                    phi_1703_ = type_13(0u, type_13().member_1);
                 }
                 let _e1005 = phi_1680_;
                 let _e1007 = phi_1703_;
@@ -1315,15 +1315,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
             }
-            phi_2583_ = type_9(0u, 16u);
+            phi_2583_ = type_13(0u, 16u);
             loop {
                 let _e1514 = phi_2583_;
                 if (_e1514.member < _e1514.member_1) {
-                    phi_2584_ = type_9((_e1514.member + 1u), _e1514.member_1);
-                    phi_2607_ = type_9(1u, _e1514.member);
+                    phi_2584_ = type_13((_e1514.member + 1u), _e1514.member_1);
+                    phi_2607_ = type_13(1u, _e1514.member);
                 } else {
                     phi_2584_ = _e1514;
-                    phi_2607_ = type_9(0u, type_9().member_1);
+                    phi_2607_ = type_13(0u, type_13().member_1);
                 }
                 let _e1526 = phi_2584_;
                 let _e1528 = phi_2607_;
@@ -1349,14 +1349,14 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1571 = (_e1502 + _e1544);
                             if (_e78[0] == _e78[1]) {
                                 if (_e1558.member_1 < _e1565.member_1) {
-                                    phi_2685_ = type_9(_e1558.member_1, _e1565.member_1);
+                                    phi_2685_ = type_13(_e1558.member_1, _e1565.member_1);
                                 } else {
-                                    phi_2685_ = type_9(_e1565.member_1, _e1558.member_1);
+                                    phi_2685_ = type_13(_e1565.member_1, _e1558.member_1);
                                 }
                                 let _e1578 = phi_2685_;
                                 phi_2690_ = _e1578;
                             } else {
-                                phi_2690_ = type_9(_e1558.member_1, _e1565.member_1);
+                                phi_2690_ = type_13(_e1558.member_1, _e1565.member_1);
                             }
                             let _e1580 = phi_2690_;
                             if (_e1571 < _e1570) {

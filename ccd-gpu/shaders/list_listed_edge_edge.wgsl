@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -65,11 +65,11 @@ struct type_28 {
 }
 
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_22;
 @group(0) @binding(5) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_28;
 var<workgroup> counters: array<atomic<u32>, 4>;
@@ -243,9 +243,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_304_: u32;
     var phi_325_: u32;
     var phi_326_: u32;
-    var phi_329_: type_9;
-    var phi_330_: type_9;
-    var phi_353_: type_9;
+    var phi_329_: type_12;
+    var phi_330_: type_12;
+    var phi_353_: type_12;
     var phi_508_: bool;
     var phi_514_: bool;
     var phi_520_: bool;
@@ -278,7 +278,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1181_: bool;
     var phi_1182_: u32;
     var phi_1183_: bool;
-    var phi_1184_: type_9;
+    var phi_1184_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -341,15 +341,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_326_ = 0u;
     }
     let _e81 = phi_326_;
-    phi_329_ = type_9(0u, _e81);
+    phi_329_ = type_12(0u, _e81);
     loop {
         let _e84 = phi_329_;
         if (_e84.member < _e84.member_1) {
-            phi_330_ = type_9((_e84.member + 1u), _e84.member_1);
-            phi_353_ = type_9(1u, _e84.member);
+            phi_330_ = type_12((_e84.member + 1u), _e84.member_1);
+            phi_353_ = type_12(1u, _e84.member);
         } else {
             phi_330_ = _e84;
-            phi_353_ = type_9(0u, type_9().member_1);
+            phi_353_ = type_12(0u, type_12().member_1);
         }
         let _e96 = phi_330_;
         let _e98 = phi_353_;
@@ -612,11 +612,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e480 = phi_1181_;
                 phi_1182_ = _e478;
                 phi_1183_ = _e480;
-                phi_1184_ = type_9(_e117, _e120);
+                phi_1184_ = type_12(_e117, _e120);
             } else {
                 phi_1182_ = 0u;
                 phi_1183_ = false;
-                phi_1184_ = type_9(0u, 0u);
+                phi_1184_ = type_12(0u, 0u);
             }
             let _e482 = phi_1182_;
             let _e484 = phi_1183_;

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -65,11 +65,11 @@ struct type_28 {
 }
 
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> bodies: type_10;
 @group(0) @binding(4) 
 var<storage> keys: type_20;
 @group(0) @binding(5) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_28;
 var<workgroup> counters: array<atomic<u32>, 4>;
@@ -243,9 +243,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_305_: u32;
     var phi_326_: u32;
     var phi_327_: u32;
-    var phi_330_: type_9;
-    var phi_331_: type_9;
-    var phi_354_: type_9;
+    var phi_330_: type_12;
+    var phi_331_: type_12;
+    var phi_354_: type_12;
     var phi_475_: bool;
     var phi_482_: bool;
     var phi_490_: bool;
@@ -279,7 +279,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1191_: bool;
     var phi_1192_: u32;
     var phi_1193_: bool;
-    var phi_1194_: type_9;
+    var phi_1194_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -342,15 +342,15 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_327_ = 0u;
     }
     let _e81 = phi_327_;
-    phi_330_ = type_9(0u, _e81);
+    phi_330_ = type_12(0u, _e81);
     loop {
         let _e84 = phi_330_;
         if (_e84.member < _e84.member_1) {
-            phi_331_ = type_9((_e84.member + 1u), _e84.member_1);
-            phi_354_ = type_9(1u, _e84.member);
+            phi_331_ = type_12((_e84.member + 1u), _e84.member_1);
+            phi_354_ = type_12(1u, _e84.member);
         } else {
             phi_331_ = _e84;
-            phi_354_ = type_9(0u, type_9().member_1);
+            phi_354_ = type_12(0u, type_12().member_1);
         }
         let _e96 = phi_331_;
         let _e98 = phi_354_;
@@ -617,11 +617,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e495 = phi_1191_;
                 phi_1192_ = _e493;
                 phi_1193_ = _e495;
-                phi_1194_ = type_9(_e117, _e120);
+                phi_1194_ = type_12(_e117, _e120);
             } else {
                 phi_1192_ = 0u;
                 phi_1193_ = false;
-                phi_1194_ = type_9(0u, 0u);
+                phi_1194_ = type_12(0u, 0u);
             }
             let _e497 = phi_1192_;
             let _e499 = phi_1193_;

@@ -20,16 +20,16 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_16 {
+struct type_17 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,27 +37,27 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_18 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_17,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_19 {
+    member: type_18,
 }
 
-struct type_20 {
+struct type_21 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_24 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -67,16 +67,16 @@ struct type_30 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_19;
 @group(0) @binding(1) 
-var<storage> nodes: type_22;
+var<storage> nodes: type_23;
 @group(0) @binding(2) 
-var<storage> input: type_11;
+var<storage> input: type_10;
 @group(0) @binding(3) 
 var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_24, 128>;
+var<workgroup> columns: array<type_25, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
@@ -88,9 +88,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_186_: u32;
     var phi_207_: u32;
     var phi_208_: u32;
-    var phi_211_: type_9;
-    var phi_212_: type_9;
-    var phi_235_: type_9;
+    var phi_211_: type_13;
+    var phi_212_: type_13;
+    var phi_235_: type_13;
     var phi_276_: u32;
     var phi_277_: u32;
     var phi_285_: u32;
@@ -98,12 +98,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_353_: array<u32, 2>;
     var phi_557_: bool;
     var phi_558_: bool;
-    var phi_562_: type_24;
+    var phi_562_: type_25;
     var phi_571_: bool;
-    var phi_578_: type_9;
+    var phi_578_: type_13;
     var phi_581_: u32;
-    var phi_579_: type_9;
-    var phi_604_: type_9;
+    var phi_579_: type_13;
+    var phi_604_: type_13;
     var phi_669_: bool;
     var phi_670_: bool;
     var phi_671_: bool;
@@ -113,18 +113,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_695_: u32;
     var phi_696_: u32;
     var phi_582_: u32;
-    var phi_699_: type_9;
+    var phi_699_: type_13;
     var phi_702_: u32;
-    var phi_700_: type_9;
-    var phi_725_: type_9;
+    var phi_700_: type_13;
+    var phi_725_: type_13;
     var phi_776_: u32;
     var phi_777_: bool;
     var phi_703_: u32;
     var phi_778_: bool;
     var phi_785_: u32;
-    var phi_818_: type_9;
-    var phi_819_: type_9;
-    var phi_842_: type_9;
+    var phi_818_: type_13;
+    var phi_819_: type_13;
+    var phi_842_: type_13;
     var phi_887_: bool;
     var phi_888_: bool;
     var local: u32;
@@ -206,15 +206,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_208_ = 0u;
     }
     let _e105 = phi_208_;
-    phi_211_ = type_9(0u, _e105);
+    phi_211_ = type_13(0u, _e105);
     loop {
         let _e108 = phi_211_;
         if (_e108.member < _e108.member_1) {
-            phi_212_ = type_9((_e108.member + 1u), _e108.member_1);
-            phi_235_ = type_9(1u, _e108.member);
+            phi_212_ = type_13((_e108.member + 1u), _e108.member_1);
+            phi_235_ = type_13(1u, _e108.member);
         } else {
             phi_212_ = _e108;
-            phi_235_ = type_9(0u, type_9().member_1);
+            phi_235_ = type_13(0u, type_13().member_1);
         }
         let _e120 = phi_212_;
         let _e122 = phi_235_;
@@ -296,7 +296,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if ((((((_e285.member.x <= _e207.member_1.y) && (_e207.member.x <= _e285.member_1.y)) && (_e285.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e285.member_2.x)) && (_e285.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e285.member_2.y)) {
                     let _e311 = atomicAdd((&counters[_e195]), 1u);
                     let _e312 = ((_e195 * 32u) + _e311);
-                    columns[_e312] = type_24(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member_1.x), array<f32, 3>(_e285.member_1.y, _e285.member_2.x, _e285.member_2.y));
+                    columns[_e312] = type_25(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member_1.x), array<f32, 3>(_e285.member_1.y, _e285.member_2.x, _e285.member_2.y));
                     names[_e312] = _e196;
                 }
             }
@@ -314,9 +314,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e332 = phi_558_;
             if _e332 {
-                phi_562_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_562_ = type_25(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_562_ = type_24(array<f32, 3>(_e256.member.x, _e256.member.y, _e256.member_1.x), array<f32, 3>(_e256.member_1.y, _e256.member_2.x, _e256.member_2.y));
+                phi_562_ = type_25(array<f32, 3>(_e256.member.x, _e256.member.y, _e256.member_1.x), array<f32, 3>(_e256.member_1.y, _e256.member_2.x, _e256.member_2.y));
             }
             let _e334 = phi_562_;
             let _e337 = params.member.member_2.member_1;
@@ -329,18 +329,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e342 = (_e39 / 32u);
             let _e343 = (_e39 % 32u);
             let _e345 = atomicLoad((&counters[_e342]));
-            phi_578_ = type_9(0u, _e345);
+            phi_578_ = type_13(0u, _e345);
             phi_581_ = 0u;
             loop {
                 let _e348 = phi_578_;
                 let _e350 = phi_581_;
                 local = _e350;
                 if (_e348.member < _e348.member_1) {
-                    phi_579_ = type_9((_e348.member + 1u), _e348.member_1);
-                    phi_604_ = type_9(1u, _e348.member);
+                    phi_579_ = type_13((_e348.member + 1u), _e348.member_1);
+                    phi_604_ = type_13(1u, _e348.member);
                 } else {
                     phi_579_ = _e348;
-                    phi_604_ = type_9(0u, type_9().member_1);
+                    phi_604_ = type_13(0u, type_13().member_1);
                 }
                 let _e362 = phi_579_;
                 let _e364 = phi_604_;
@@ -408,18 +408,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     break if !(_e368);
                 }
             }
-            phi_699_ = type_9(0u, 32u);
+            phi_699_ = type_13(0u, 32u);
             let _e615 = local;
             phi_702_ = _e615;
             loop {
                 let _e444 = phi_699_;
                 let _e446 = phi_702_;
                 if (_e444.member < _e444.member_1) {
-                    phi_700_ = type_9((_e444.member + 1u), _e444.member_1);
-                    phi_725_ = type_9(1u, _e444.member);
+                    phi_700_ = type_13((_e444.member + 1u), _e444.member_1);
+                    phi_725_ = type_13(1u, _e444.member);
                 } else {
                     phi_700_ = _e444;
-                    phi_725_ = type_9(0u, type_9().member_1);
+                    phi_725_ = type_13(0u, type_13().member_1);
                 }
                 let _e458 = phi_700_;
                 let _e460 = phi_725_;
@@ -483,15 +483,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             workgroupBarrier();
             let _e522 = atomicLoad((&counters[6u]));
-            phi_818_ = type_9(0u, 16u);
+            phi_818_ = type_13(0u, 16u);
             loop {
                 let _e524 = phi_818_;
                 if (_e524.member < _e524.member_1) {
-                    phi_819_ = type_9((_e524.member + 1u), _e524.member_1);
-                    phi_842_ = type_9(1u, _e524.member);
+                    phi_819_ = type_13((_e524.member + 1u), _e524.member_1);
+                    phi_842_ = type_13(1u, _e524.member);
                 } else {
                     phi_819_ = _e524;
-                    phi_842_ = type_9(0u, type_9().member_1);
+                    phi_842_ = type_13(0u, type_13().member_1);
                 }
                 let _e536 = phi_819_;
                 let _e538 = phi_842_;

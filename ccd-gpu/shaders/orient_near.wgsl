@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_14 {
@@ -118,318 +118,351 @@ var<workgroup> counters: array<atomic<u32>, 2>;
 @group(0) @binding(3) 
 var<storage, read_write> oriented: type_32;
 @group(0) @binding(4) 
-var<storage, read_write> stamps: type_11;
+var<storage, read_write> stamps: type_10;
 @group(0) @binding(5) 
 var<storage, read_write> far: type_42;
 var<workgroup> done: array<atomic<u32>, 8>;
 var<workgroup> boxes: array<type_33, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_191_: bool;
-    var phi_195_: u32;
-    var phi_196_: type_8;
+    var phi_193_: bool;
     var phi_197_: u32;
-    var phi_200_: type_9;
-    var phi_203_: u32;
-    var phi_201_: type_9;
-    var phi_226_: type_9;
-    var phi_251_: u32;
-    var phi_266_: u32;
+    var phi_198_: type_8;
+    var phi_199_: u32;
+    var phi_202_: type_12;
+    var phi_205_: u32;
+    var phi_203_: type_12;
+    var phi_228_: type_12;
+    var phi_253_: u32;
     var phi_268_: u32;
+    var phi_270_: u32;
+    var phi_347_: f32;
     var phi_352_: f32;
     var phi_357_: f32;
     var phi_362_: f32;
-    var phi_409_: type_33;
-    var phi_489_: f32;
-    var phi_494_: f32;
-    var phi_499_: f32;
-    var phi_546_: type_33;
-    var phi_563_: f32;
-    var phi_569_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_585_: f32;
-    var phi_593_: f32;
-    var phi_600_: f32;
-    var phi_605_: f32;
-    var phi_612_: f32;
-    var phi_617_: f32;
-    var phi_622_: f32;
-    var phi_630_: f32;
-    var phi_637_: f32;
+    var phi_367_: f32;
+    var phi_372_: f32;
+    var phi_384_: f32;
+    var phi_389_: f32;
+    var phi_394_: f32;
+    var phi_441_: type_33;
+    var phi_514_: f32;
+    var phi_519_: f32;
+    var phi_524_: f32;
+    var phi_529_: f32;
+    var phi_534_: f32;
+    var phi_539_: f32;
+    var phi_551_: f32;
+    var phi_556_: f32;
+    var phi_561_: f32;
+    var phi_608_: type_33;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_636_: f32;
     var phi_642_: f32;
-    var phi_649_: f32;
-    var phi_654_: f32;
-    var phi_659_: f32;
-    var phi_680_: u32;
-    var phi_682_: f32;
-    var phi_683_: bool;
+    var phi_647_: f32;
+    var phi_655_: f32;
+    var phi_662_: f32;
+    var phi_667_: f32;
+    var phi_674_: f32;
+    var phi_679_: f32;
     var phi_684_: f32;
-    var phi_685_: bool;
-    var phi_689_: f32;
-    var phi_956_: f32;
-    var phi_963_: f32;
-    var phi_968_: f32;
-    var phi_975_: f32;
-    var phi_980_: f32;
-    var phi_989_: f32;
-    var phi_995_: f32;
-    var phi_1000_: f32;
-    var phi_1006_: f32;
-    var phi_1011_: f32;
-    var phi_1016_: f32;
-    var phi_1037_: u32;
-    var phi_1082_: type_14;
-    var phi_1085_: f32;
-    var phi_1106_: bool;
-    var phi_1112_: type_15;
-    var phi_1083_: type_14;
-    var phi_1126_: type_15;
-    var phi_1086_: f32;
+    var phi_692_: f32;
+    var phi_699_: f32;
+    var phi_704_: f32;
+    var phi_711_: f32;
+    var phi_716_: f32;
+    var phi_721_: f32;
+    var phi_742_: u32;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_746_: f32;
+    var phi_747_: bool;
+    var phi_751_: f32;
+    var phi_1018_: f32;
+    var phi_1025_: f32;
+    var phi_1030_: f32;
+    var phi_1037_: f32;
+    var phi_1042_: f32;
+    var phi_1051_: f32;
+    var phi_1057_: f32;
+    var phi_1062_: f32;
+    var phi_1068_: f32;
+    var phi_1073_: f32;
+    var phi_1078_: f32;
+    var phi_1099_: u32;
+    var phi_1144_: type_14;
+    var phi_1147_: f32;
+    var phi_1168_: bool;
+    var phi_1174_: type_15;
+    var phi_1145_: type_14;
+    var phi_1188_: type_15;
+    var phi_1148_: f32;
     var local: f32;
-    var phi_1075_: f32;
-    var phi_1139_: f32;
-    var phi_1151_: type_34;
-    var phi_1190_: type_9;
-    var phi_1193_: type_36;
-    var phi_1191_: type_9;
-    var phi_1216_: type_9;
-    var phi_1236_: f32;
-    var phi_1243_: f32;
-    var phi_1276_: type_14;
-    var phi_1279_: f32;
-    var phi_1300_: bool;
-    var phi_1306_: type_15;
-    var phi_1277_: type_14;
-    var phi_1320_: type_15;
-    var phi_1280_: f32;
+    var phi_1137_: f32;
+    var phi_1201_: f32;
+    var phi_1213_: type_34;
+    var phi_1252_: type_12;
+    var phi_1255_: type_36;
+    var phi_1253_: type_12;
+    var phi_1278_: type_12;
+    var phi_1298_: f32;
+    var phi_1305_: f32;
+    var phi_1338_: type_14;
+    var phi_1341_: f32;
+    var phi_1362_: bool;
+    var phi_1368_: type_15;
+    var phi_1339_: type_14;
+    var phi_1382_: type_15;
+    var phi_1342_: f32;
     var local_1: f32;
-    var phi_1269_: f32;
-    var phi_1333_: f32;
-    var phi_1340_: f32;
-    var phi_1374_: type_14;
-    var phi_1377_: f32;
-    var phi_1398_: bool;
-    var phi_1404_: type_15;
-    var phi_1375_: type_14;
-    var phi_1418_: type_15;
-    var phi_1378_: f32;
+    var phi_1331_: f32;
+    var phi_1395_: f32;
+    var phi_1402_: f32;
+    var phi_1436_: type_14;
+    var phi_1439_: f32;
+    var phi_1460_: bool;
+    var phi_1466_: type_15;
+    var phi_1437_: type_14;
+    var phi_1480_: type_15;
+    var phi_1440_: f32;
     var local_2: f32;
-    var phi_1367_: f32;
-    var phi_1431_: f32;
-    var phi_1443_: type_34;
-    var phi_1539_: type_14;
-    var phi_1542_: f32;
-    var phi_1563_: bool;
-    var phi_1569_: type_15;
-    var phi_1540_: type_14;
-    var phi_1583_: type_15;
-    var phi_1543_: f32;
+    var phi_1429_: f32;
+    var phi_1493_: f32;
+    var phi_1505_: type_34;
+    var phi_1601_: type_14;
+    var phi_1604_: f32;
+    var phi_1625_: bool;
+    var phi_1631_: type_15;
+    var phi_1602_: type_14;
+    var phi_1645_: type_15;
+    var phi_1605_: f32;
     var local_3: f32;
-    var phi_1532_: f32;
-    var phi_1596_: f32;
-    var phi_1608_: type_34;
-    var phi_1675_: type_36;
-    var phi_1676_: bool;
-    var phi_1677_: type_36;
-    var phi_1678_: bool;
-    var phi_1967_: type_14;
-    var phi_1970_: f32;
-    var phi_1991_: bool;
-    var phi_1997_: type_15;
-    var phi_1968_: type_14;
-    var phi_2011_: type_15;
-    var phi_1971_: f32;
+    var phi_1594_: f32;
+    var phi_1658_: f32;
+    var phi_1670_: type_34;
+    var phi_1737_: type_36;
+    var phi_1738_: bool;
+    var phi_1739_: type_36;
+    var phi_1740_: bool;
+    var phi_2029_: type_14;
+    var phi_2032_: f32;
+    var phi_2053_: bool;
+    var phi_2059_: type_15;
+    var phi_2030_: type_14;
+    var phi_2073_: type_15;
+    var phi_2033_: f32;
     var local_4: f32;
-    var phi_1960_: f32;
-    var phi_2024_: f32;
-    var phi_2031_: f32;
-    var phi_2065_: type_14;
-    var phi_2068_: f32;
-    var phi_2089_: bool;
-    var phi_2095_: type_15;
-    var phi_2066_: type_14;
-    var phi_2109_: type_15;
-    var phi_2069_: f32;
+    var phi_2022_: f32;
+    var phi_2086_: f32;
+    var phi_2093_: f32;
+    var phi_2127_: type_14;
+    var phi_2130_: f32;
+    var phi_2151_: bool;
+    var phi_2157_: type_15;
+    var phi_2128_: type_14;
+    var phi_2171_: type_15;
+    var phi_2131_: f32;
     var local_5: f32;
-    var phi_2058_: f32;
-    var phi_2122_: f32;
-    var phi_2134_: type_34;
-    var phi_2196_: type_36;
-    var phi_1710_: type_14;
-    var phi_1713_: f32;
-    var phi_1734_: bool;
-    var phi_1740_: type_15;
-    var phi_1711_: type_14;
-    var phi_1754_: type_15;
-    var phi_1714_: f32;
+    var phi_2120_: f32;
+    var phi_2184_: f32;
+    var phi_2196_: type_34;
+    var phi_2258_: type_36;
+    var phi_1772_: type_14;
+    var phi_1775_: f32;
+    var phi_1796_: bool;
+    var phi_1802_: type_15;
+    var phi_1773_: type_14;
+    var phi_1816_: type_15;
+    var phi_1776_: f32;
     var local_6: f32;
-    var phi_1703_: f32;
-    var phi_1767_: f32;
-    var phi_1774_: f32;
-    var phi_1808_: type_14;
-    var phi_1811_: f32;
-    var phi_1832_: bool;
-    var phi_1838_: type_15;
-    var phi_1809_: type_14;
-    var phi_1852_: type_15;
-    var phi_1812_: f32;
+    var phi_1765_: f32;
+    var phi_1829_: f32;
+    var phi_1836_: f32;
+    var phi_1870_: type_14;
+    var phi_1873_: f32;
+    var phi_1894_: bool;
+    var phi_1900_: type_15;
+    var phi_1871_: type_14;
+    var phi_1914_: type_15;
+    var phi_1874_: f32;
     var local_7: f32;
-    var phi_1801_: f32;
-    var phi_1865_: f32;
-    var phi_1877_: type_34;
-    var phi_2197_: type_36;
-    var phi_2198_: type_36;
-    var phi_2202_: bool;
-    var phi_2206_: bool;
-    var phi_1194_: type_36;
-    var phi_2207_: type_36;
-    var phi_2208_: bool;
-    var phi_2209_: bool;
+    var phi_1863_: f32;
+    var phi_1927_: f32;
+    var phi_1939_: type_34;
+    var phi_2259_: type_36;
+    var phi_2260_: type_36;
+    var phi_2264_: bool;
+    var phi_2268_: bool;
+    var phi_1256_: type_36;
+    var phi_2269_: type_36;
+    var phi_2270_: bool;
+    var phi_2271_: bool;
     var local_8: bool;
-    var phi_2213_: type_36;
-    var phi_2225_: u32;
-    var phi_2358_: f32;
-    var phi_2364_: f32;
-    var phi_2370_: f32;
-    var phi_2376_: f32;
-    var phi_2382_: f32;
-    var phi_2388_: f32;
+    var phi_2275_: type_36;
+    var phi_2287_: u32;
+    var phi_2420_: f32;
+    var phi_2426_: f32;
     var phi_2432_: f32;
     var phi_2438_: f32;
     var phi_2444_: f32;
     var phi_2450_: f32;
-    var phi_2456_: f32;
-    var phi_2462_: f32;
+    var phi_2494_: f32;
+    var phi_2500_: f32;
     var phi_2506_: f32;
     var phi_2512_: f32;
     var phi_2518_: f32;
     var phi_2524_: f32;
-    var phi_2530_: f32;
-    var phi_2536_: f32;
-    var phi_2577_: f32;
-    var phi_2583_: f32;
-    var phi_2588_: f32;
-    var phi_2594_: f32;
-    var phi_2599_: f32;
-    var phi_2605_: f32;
-    var phi_2611_: f32;
-    var phi_2616_: f32;
-    var phi_2622_: f32;
-    var phi_2627_: f32;
-    var phi_2632_: f32;
-    var phi_2643_: array<array<f32, 3>, 3>;
-    var phi_2645_: type_37;
-    var phi_2646_: bool;
-    var phi_2647_: type_37;
-    var phi_2648_: bool;
-    var phi_2661_: type_37;
-    var phi_2706_: f32;
-    var phi_2712_: f32;
-    var phi_2718_: f32;
-    var phi_2770_: f32;
-    var phi_2776_: f32;
-    var phi_2782_: f32;
-    var phi_2834_: f32;
-    var phi_2840_: f32;
-    var phi_2846_: f32;
-    var phi_2898_: f32;
-    var phi_2904_: f32;
-    var phi_2910_: f32;
-    var phi_2962_: f32;
-    var phi_2968_: f32;
-    var phi_2974_: f32;
-    var phi_3026_: f32;
-    var phi_3032_: f32;
-    var phi_3038_: f32;
-    var phi_3084_: f32;
-    var phi_3089_: f32;
+    var phi_2568_: f32;
+    var phi_2574_: f32;
+    var phi_2580_: f32;
+    var phi_2586_: f32;
+    var phi_2592_: f32;
+    var phi_2598_: f32;
+    var phi_2639_: f32;
+    var phi_2645_: f32;
+    var phi_2650_: f32;
+    var phi_2656_: f32;
+    var phi_2661_: f32;
+    var phi_2667_: f32;
+    var phi_2673_: f32;
+    var phi_2678_: f32;
+    var phi_2684_: f32;
+    var phi_2689_: f32;
+    var phi_2694_: f32;
+    var phi_2705_: array<array<f32, 3>, 3>;
+    var phi_2707_: type_37;
+    var phi_2708_: bool;
+    var phi_2709_: type_37;
+    var phi_2710_: bool;
+    var phi_2723_: type_37;
+    var phi_2768_: f32;
+    var phi_2774_: f32;
+    var phi_2780_: f32;
+    var phi_2832_: f32;
+    var phi_2838_: f32;
+    var phi_2844_: f32;
+    var phi_2896_: f32;
+    var phi_2902_: f32;
+    var phi_2908_: f32;
+    var phi_2960_: f32;
+    var phi_2966_: f32;
+    var phi_2972_: f32;
+    var phi_3024_: f32;
+    var phi_3030_: f32;
+    var phi_3036_: f32;
+    var phi_3088_: f32;
     var phi_3094_: f32;
-    var phi_3102_: f32;
-    var phi_3107_: f32;
-    var phi_3112_: f32;
-    var phi_3168_: f32;
-    var phi_3175_: f32;
-    var phi_3183_: f32;
-    var phi_3192_: f32;
-    var phi_3198_: f32;
-    var phi_3204_: f32;
-    var phi_3212_: f32;
-    var phi_3219_: f32;
-    var phi_3226_: f32;
-    var phi_3239_: f32;
-    var phi_3246_: f32;
-    var phi_3253_: f32;
-    var phi_3266_: f32;
-    var phi_3273_: f32;
-    var phi_3280_: f32;
-    var phi_3327_: f32;
-    var phi_3333_: f32;
-    var phi_3339_: f32;
-    var phi_3383_: f32;
-    var phi_3389_: f32;
-    var phi_3395_: f32;
-    var phi_3447_: f32;
-    var phi_3453_: f32;
-    var phi_3459_: f32;
+    var phi_3100_: f32;
+    var phi_3146_: f32;
+    var phi_3151_: f32;
+    var phi_3156_: f32;
+    var phi_3164_: f32;
+    var phi_3169_: f32;
+    var phi_3174_: f32;
+    var phi_3223_: f32;
+    var phi_3230_: f32;
+    var phi_3237_: f32;
+    var phi_3245_: f32;
+    var phi_3252_: f32;
+    var phi_3259_: f32;
+    var phi_3264_: f32;
+    var phi_3269_: f32;
+    var phi_3274_: f32;
+    var phi_3287_: f32;
+    var phi_3293_: f32;
+    var phi_3300_: f32;
+    var phi_3311_: f32;
+    var phi_3318_: f32;
+    var phi_3325_: f32;
+    var phi_3338_: f32;
+    var phi_3345_: f32;
+    var phi_3352_: f32;
+    var phi_3365_: f32;
+    var phi_3372_: f32;
+    var phi_3379_: f32;
+    var phi_3406_: f32;
+    var phi_3413_: f32;
+    var phi_3421_: f32;
+    var phi_3430_: f32;
+    var phi_3436_: f32;
+    var phi_3442_: f32;
+    var phi_3450_: f32;
+    var phi_3457_: f32;
+    var phi_3464_: f32;
+    var phi_3477_: f32;
+    var phi_3484_: f32;
+    var phi_3491_: f32;
+    var phi_3504_: f32;
     var phi_3511_: f32;
-    var phi_3517_: f32;
-    var phi_3523_: f32;
-    var phi_3552_: f32;
-    var phi_3559_: f32;
-    var phi_3567_: f32;
-    var phi_3576_: f32;
-    var phi_3582_: f32;
-    var phi_3588_: f32;
-    var phi_3596_: f32;
-    var phi_3603_: f32;
-    var phi_3610_: f32;
-    var phi_3623_: f32;
-    var phi_3630_: f32;
-    var phi_3637_: f32;
-    var phi_3650_: f32;
-    var phi_3657_: f32;
-    var phi_3664_: f32;
-    var phi_3711_: f32;
-    var phi_3717_: f32;
-    var phi_3723_: f32;
-    var phi_3767_: f32;
-    var phi_3773_: f32;
-    var phi_3779_: f32;
-    var phi_3831_: f32;
-    var phi_3837_: f32;
-    var phi_3843_: f32;
+    var phi_3518_: f32;
+    var phi_3565_: f32;
+    var phi_3571_: f32;
+    var phi_3577_: f32;
+    var phi_3621_: f32;
+    var phi_3627_: f32;
+    var phi_3633_: f32;
+    var phi_3685_: f32;
+    var phi_3691_: f32;
+    var phi_3697_: f32;
+    var phi_3749_: f32;
+    var phi_3755_: f32;
+    var phi_3761_: f32;
+    var phi_3790_: f32;
+    var phi_3797_: f32;
+    var phi_3805_: f32;
+    var phi_3814_: f32;
+    var phi_3820_: f32;
+    var phi_3826_: f32;
+    var phi_3834_: f32;
+    var phi_3841_: f32;
+    var phi_3848_: f32;
+    var phi_3861_: f32;
+    var phi_3868_: f32;
+    var phi_3875_: f32;
+    var phi_3888_: f32;
     var phi_3895_: f32;
-    var phi_3901_: f32;
-    var phi_3907_: f32;
-    var phi_3937_: bool;
-    var phi_3938_: bool;
-    var phi_3939_: bool;
-    var phi_3940_: bool;
-    var phi_3944_: bool;
-    var phi_3963_: bool;
-    var phi_3964_: bool;
-    var phi_3965_: bool;
-    var phi_3966_: bool;
-    var phi_3970_: bool;
-    var phi_3978_: f32;
-    var phi_3983_: f32;
-    var phi_3988_: f32;
-    var phi_3991_: type_33;
-    var phi_3992_: bool;
-    var phi_3993_: type_33;
-    var phi_3994_: bool;
-    var phi_4008_: u32;
-    var phi_4018_: type_33;
-    var phi_4054_: u32;
-    var phi_204_: u32;
+    var phi_3902_: f32;
+    var phi_3949_: f32;
+    var phi_3955_: f32;
+    var phi_3961_: f32;
+    var phi_4005_: f32;
+    var phi_4011_: f32;
+    var phi_4017_: f32;
+    var phi_4069_: f32;
+    var phi_4075_: f32;
+    var phi_4081_: f32;
+    var phi_4133_: f32;
+    var phi_4139_: f32;
+    var phi_4145_: f32;
+    var phi_4181_: bool;
+    var phi_4182_: bool;
+    var phi_4183_: bool;
+    var phi_4184_: bool;
+    var phi_4188_: bool;
+    var phi_4207_: bool;
+    var phi_4208_: bool;
+    var phi_4209_: bool;
+    var phi_4210_: bool;
+    var phi_4214_: bool;
+    var phi_4222_: f32;
+    var phi_4227_: f32;
+    var phi_4232_: f32;
+    var phi_4235_: type_33;
+    var phi_4236_: bool;
+    var phi_4237_: type_33;
+    var phi_4238_: bool;
+    var phi_4252_: u32;
+    var phi_4262_: type_33;
+    var phi_4298_: u32;
+    var phi_206_: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_4063_: bool;
-    var phi_4069_: u32;
+    var phi_4307_: bool;
+    var phi_4313_: u32;
     var local_11: u32;
     var local_12: u32;
-    var phi_4171_: u32;
+    var phi_4415_: u32;
     var local_13: type_36;
     var local_14: type_36;
     var id_2: vec3<u32>;
@@ -439,2035 +472,2241 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e60 = id_2;
-    let _e61 = n_2;
-    let _e62 = lane_2;
-    let _e74 = (((_e60.y * _e61.x) + _e60.x) * 256u);
-    let _e75 = (_e74 + _e62);
-    let _e78 = params.member.member_2.member_1;
-    let _e82 = params.member.member.member[_e78];
-    if (_e62 < 8u) {
-        atomicStore((&done[_e62]), 0u);
+    let _e62 = id_2;
+    let _e63 = n_2;
+    let _e64 = lane_2;
+    let _e76 = (((_e62.y * _e63.x) + _e62.x) * 256u);
+    let _e77 = (_e76 + _e64);
+    let _e80 = params.member.member_2.member_1;
+    let _e84 = params.member.member.member[_e80];
+    if (_e64 < 8u) {
+        atomicStore((&done[_e64]), 0u);
     }
-    if (_e62 < 2u) {
-        atomicStore((&counters[_e62]), 0u);
+    if (_e64 < 2u) {
+        atomicStore((&counters[_e64]), 0u);
     }
-    if ((_e75 + 1u) < _e82) {
-        let _e91 = branches.member[_e75];
-        if (_e91.z >= _e74) {
-            phi_191_ = (_e91.w < (_e74 + 256u));
+    if ((_e77 + 1u) < _e84) {
+        let _e93 = branches.member[_e77];
+        if (_e93.z >= _e76) {
+            phi_193_ = (_e93.w < (_e76 + 256u));
         } else {
-            phi_191_ = false;
+            phi_193_ = false;
         }
-        let _e101 = phi_191_;
-        if _e101 {
-            phi_195_ = 1u;
+        let _e103 = phi_193_;
+        if _e103 {
+            phi_197_ = 1u;
         } else {
-            phi_195_ = 3u;
+            phi_197_ = 3u;
         }
-        let _e103 = phi_195_;
-        phi_196_ = type_8(_e91.x, _e91.y, _e91.z, _e91.w);
-        phi_197_ = _e103;
+        let _e105 = phi_197_;
+        phi_198_ = type_8(_e93.x, _e93.y, _e93.z, _e93.w);
+        phi_199_ = _e105;
     } else {
-        phi_196_ = type_8(0u, 0u, _e74, _e74);
-        phi_197_ = 0u;
+        phi_198_ = type_8(0u, 0u, _e76, _e76);
+        phi_199_ = 0u;
     }
-    let _e105 = phi_196_;
-    let _e107 = phi_197_;
+    let _e107 = phi_198_;
+    let _e109 = phi_199_;
     workgroupBarrier();
-    phi_200_ = type_9(0u, 38u);
-    phi_203_ = _e107;
+    phi_202_ = type_12(0u, 38u);
+    phi_205_ = _e109;
     loop {
-        let _e109 = phi_200_;
-        let _e111 = phi_203_;
-        local_9 = _e111;
-        local_10 = _e111;
-        local_11 = _e111;
-        local_12 = _e111;
-        if (_e109.member < _e109.member_1) {
-            phi_201_ = type_9((_e109.member + 1u), _e109.member_1);
-            phi_226_ = type_9(1u, _e109.member);
+        let _e111 = phi_202_;
+        let _e113 = phi_205_;
+        local_9 = _e113;
+        local_10 = _e113;
+        local_11 = _e113;
+        local_12 = _e113;
+        if (_e111.member < _e111.member_1) {
+            phi_203_ = type_12((_e111.member + 1u), _e111.member_1);
+            phi_228_ = type_12(1u, _e111.member);
         } else {
-            phi_201_ = _e109;
-            phi_226_ = type_9(0u, type_9().member_1);
+            phi_203_ = _e111;
+            phi_228_ = type_12(0u, type_12().member_1);
         }
-        let _e123 = phi_201_;
-        let _e125 = phi_226_;
-        let _e128 = (bitcast<i32>(_e125.member) != 0i);
-        if _e128 {
-            if (_e111 == 1u) {
-                if ((_e105.member + 1u) >= _e82) {
-                    phi_251_ = 1u;
+        let _e125 = phi_203_;
+        let _e127 = phi_228_;
+        let _e130 = (bitcast<i32>(_e127.member) != 0i);
+        if _e130 {
+            if (_e113 == 1u) {
+                if ((_e107.member + 1u) >= _e84) {
+                    phi_253_ = 1u;
                 } else {
-                    let _e133 = (_e105.member - _e74);
-                    let _e136 = atomicLoad((&done[(_e133 / 32u)]));
-                    phi_251_ = ((_e136 >> bitcast<u32>(((_e133 % 32u) & 31u))) & 1u);
+                    let _e135 = (_e107.member - _e76);
+                    let _e138 = atomicLoad((&done[(_e135 / 32u)]));
+                    phi_253_ = ((_e138 >> bitcast<u32>(((_e135 % 32u) & 31u))) & 1u);
                 }
-                let _e143 = phi_251_;
-                if ((_e105.member_1 + 1u) >= _e82) {
-                    phi_266_ = 1u;
+                let _e145 = phi_253_;
+                if ((_e107.member_1 + 1u) >= _e84) {
+                    phi_268_ = 1u;
                 } else {
-                    let _e147 = (_e105.member_1 - _e74);
-                    let _e150 = atomicLoad((&done[(_e147 / 32u)]));
-                    phi_266_ = ((_e150 >> bitcast<u32>(((_e147 % 32u) & 31u))) & 1u);
+                    let _e149 = (_e107.member_1 - _e76);
+                    let _e152 = atomicLoad((&done[(_e149 / 32u)]));
+                    phi_268_ = ((_e152 >> bitcast<u32>(((_e149 % 32u) & 31u))) & 1u);
                 }
-                let _e157 = phi_266_;
-                phi_268_ = (_e143 & _e157);
+                let _e159 = phi_268_;
+                phi_270_ = (_e145 & _e159);
             } else {
-                phi_268_ = 0u;
+                phi_270_ = 0u;
             }
-            let _e160 = phi_268_;
+            let _e162 = phi_270_;
             workgroupBarrier();
-            if (_e160 == 0u) {
-                phi_4054_ = _e111;
+            if (_e162 == 0u) {
+                phi_4298_ = _e113;
             } else {
-                let _e166 = params.member.member_2.member_1;
-                let _e170 = params.member.member.member[_e166];
-                if ((_e105.member + 1u) >= _e170) {
-                    let _e205 = params.member.member_2.member_1;
-                    let _e209 = params.member.member.member[_e205];
-                    let _e216 = params.member.member_2.member[0u][_e205];
-                    let _e219 = block_nodes.member[(_e216 + (_e105.member - (_e209 - 1u)))];
-                    let _e238 = ((_e219.member.x * 0.5f) + (_e219.member_1.y * 0.5f));
-                    let _e239 = ((_e219.member.y * 0.5f) + (_e219.member_2.x * 0.5f));
-                    let _e240 = ((_e219.member_1.x * 0.5f) + (_e219.member_2.y * 0.5f));
-                    let _e242 = (_e219.member_1.y - _e238);
-                    let _e243 = (_e219.member_2.x - _e239);
-                    let _e244 = (_e219.member_2.y - _e240);
-                    let _e245 = (_e238 - _e219.member.x);
-                    let _e246 = (_e239 - _e219.member.y);
-                    let _e247 = (_e240 - _e219.member_1.x);
-                    if (_e242 > _e245) {
-                        phi_352_ = _e242;
+                let _e168 = params.member.member_2.member_1;
+                let _e172 = params.member.member.member[_e168];
+                if ((_e107.member + 1u) >= _e172) {
+                    let _e207 = params.member.member_2.member_1;
+                    let _e211 = params.member.member.member[_e207];
+                    let _e218 = params.member.member_2.member[0u][_e207];
+                    let _e221 = block_nodes.member[(_e218 + (_e107.member - (_e211 - 1u)))];
+                    let _e240 = ((_e221.member.x * 0.5f) + (_e221.member_1.y * 0.5f));
+                    let _e241 = ((_e221.member.y * 0.5f) + (_e221.member_2.x * 0.5f));
+                    let _e242 = ((_e221.member_1.x * 0.5f) + (_e221.member_2.y * 0.5f));
+                    if (_e240 < _e221.member_1.y) {
+                        phi_347_ = _e240;
                     } else {
-                        phi_352_ = _e245;
+                        phi_347_ = _e221.member_1.y;
                     }
-                    let _e250 = phi_352_;
-                    if (_e243 > _e246) {
-                        phi_357_ = _e243;
+                    let _e245 = phi_347_;
+                    if (_e241 < _e221.member_2.x) {
+                        phi_352_ = _e241;
                     } else {
-                        phi_357_ = _e246;
+                        phi_352_ = _e221.member_2.x;
                     }
-                    let _e253 = phi_357_;
-                    if (_e244 > _e247) {
-                        phi_362_ = _e244;
+                    let _e248 = phi_352_;
+                    if (_e242 < _e221.member_2.y) {
+                        phi_357_ = _e242;
                     } else {
-                        phi_362_ = _e247;
+                        phi_357_ = _e221.member_2.y;
                     }
-                    let _e256 = phi_362_;
-                    let _e258 = (1f + (0.000000059604645f * 4f));
-                    let _e262 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    phi_409_ = type_33(array<f32, 3>(_e238, _e239, _e240), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e250 * _e258) + _e262), ((_e253 * _e258) + _e262), ((_e256 * _e258) + _e262)));
-                } else {
-                    let _e174 = boxes[(_e105.member - _e74)];
-                    phi_409_ = type_33(array<f32, 3>(_e174.member[0], _e174.member[1], _e174.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e174.member_1[0][0], _e174.member_1[0][1], _e174.member_1[0][2]), array<f32, 3>(_e174.member_1[1][0], _e174.member_1[1][1], _e174.member_1[1][2]), array<f32, 3>(_e174.member_1[2][0], _e174.member_1[2][1], _e174.member_1[2][2])), array<f32, 3>(_e174.member_2[0], _e174.member_2[1], _e174.member_2[2]));
-                }
-                let _e269 = phi_409_;
-                let _e274 = params.member.member_2.member_1;
-                let _e278 = params.member.member.member[_e274];
-                if ((_e105.member_1 + 1u) >= _e278) {
-                    let _e313 = params.member.member_2.member_1;
-                    let _e317 = params.member.member.member[_e313];
-                    let _e324 = params.member.member_2.member[0u][_e313];
-                    let _e327 = block_nodes.member[(_e324 + (_e105.member_1 - (_e317 - 1u)))];
-                    let _e346 = ((_e327.member.x * 0.5f) + (_e327.member_1.y * 0.5f));
-                    let _e347 = ((_e327.member.y * 0.5f) + (_e327.member_2.x * 0.5f));
-                    let _e348 = ((_e327.member_1.x * 0.5f) + (_e327.member_2.y * 0.5f));
-                    let _e350 = (_e327.member_1.y - _e346);
-                    let _e351 = (_e327.member_2.x - _e347);
-                    let _e352 = (_e327.member_2.y - _e348);
-                    let _e353 = (_e346 - _e327.member.x);
-                    let _e354 = (_e347 - _e327.member.y);
-                    let _e355 = (_e348 - _e327.member_1.x);
-                    if (_e350 > _e353) {
-                        phi_489_ = _e350;
+                    let _e251 = phi_357_;
+                    if (_e245 > _e221.member.x) {
+                        phi_362_ = _e245;
                     } else {
-                        phi_489_ = _e353;
+                        phi_362_ = _e221.member.x;
                     }
-                    let _e358 = phi_489_;
-                    if (_e351 > _e354) {
-                        phi_494_ = _e351;
+                    let _e254 = phi_362_;
+                    if (_e248 > _e221.member.y) {
+                        phi_367_ = _e248;
                     } else {
-                        phi_494_ = _e354;
+                        phi_367_ = _e221.member.y;
                     }
-                    let _e361 = phi_494_;
-                    if (_e352 > _e355) {
-                        phi_499_ = _e352;
+                    let _e257 = phi_367_;
+                    if (_e251 > _e221.member_1.x) {
+                        phi_372_ = _e251;
                     } else {
-                        phi_499_ = _e355;
+                        phi_372_ = _e221.member_1.x;
                     }
-                    let _e364 = phi_499_;
-                    let _e366 = (1f + (0.000000059604645f * 4f));
-                    let _e370 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    phi_546_ = type_33(array<f32, 3>(_e346, _e347, _e348), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e358 * _e366) + _e370), ((_e361 * _e366) + _e370), ((_e364 * _e366) + _e370)));
+                    let _e260 = phi_372_;
+                    let _e262 = (_e221.member_1.y - _e254);
+                    let _e263 = (_e221.member_2.x - _e257);
+                    let _e264 = (_e221.member_2.y - _e260);
+                    let _e265 = (_e254 - _e221.member.x);
+                    let _e266 = (_e257 - _e221.member.y);
+                    let _e267 = (_e260 - _e221.member_1.x);
+                    if (_e262 > _e265) {
+                        phi_384_ = _e262;
+                    } else {
+                        phi_384_ = _e265;
+                    }
+                    let _e270 = phi_384_;
+                    if (_e263 > _e266) {
+                        phi_389_ = _e263;
+                    } else {
+                        phi_389_ = _e266;
+                    }
+                    let _e273 = phi_389_;
+                    if (_e264 > _e267) {
+                        phi_394_ = _e264;
+                    } else {
+                        phi_394_ = _e267;
+                    }
+                    let _e276 = phi_394_;
+                    let _e278 = (1f + (0.000000059604645f * 4f));
+                    let _e282 = (0.000000000000000000000000000000000000011754944f * 8f);
+                    phi_441_ = type_33(array<f32, 3>(_e254, _e257, _e260), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e270 * _e278) + _e282), ((_e273 * _e278) + _e282), ((_e276 * _e278) + _e282)));
                 } else {
-                    let _e282 = boxes[(_e105.member_1 - _e74)];
-                    phi_546_ = type_33(array<f32, 3>(_e282.member[0], _e282.member[1], _e282.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e282.member_1[0][0], _e282.member_1[0][1], _e282.member_1[0][2]), array<f32, 3>(_e282.member_1[1][0], _e282.member_1[1][1], _e282.member_1[1][2]), array<f32, 3>(_e282.member_1[2][0], _e282.member_1[2][1], _e282.member_1[2][2])), array<f32, 3>(_e282.member_2[0], _e282.member_2[1], _e282.member_2[2]));
+                    let _e176 = boxes[(_e107.member - _e76)];
+                    phi_441_ = type_33(array<f32, 3>(_e176.member[0], _e176.member[1], _e176.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e176.member_1[0][0], _e176.member_1[0][1], _e176.member_1[0][2]), array<f32, 3>(_e176.member_1[1][0], _e176.member_1[1][1], _e176.member_1[1][2]), array<f32, 3>(_e176.member_1[2][0], _e176.member_1[2][1], _e176.member_1[2][2])), array<f32, 3>(_e176.member_2[0], _e176.member_2[1], _e176.member_2[2]));
                 }
-                let _e377 = phi_546_;
-                let _e382 = (_e377.member[0] - _e269.member[0]);
-                let _e385 = (_e377.member[1] - _e269.member[1]);
-                let _e388 = (_e377.member[2] - _e269.member[2]);
-                if (_e382 < 0f) {
-                    phi_563_ = -(_e382);
+                let _e289 = phi_441_;
+                let _e294 = params.member.member_2.member_1;
+                let _e298 = params.member.member.member[_e294];
+                if ((_e107.member_1 + 1u) >= _e298) {
+                    let _e333 = params.member.member_2.member_1;
+                    let _e337 = params.member.member.member[_e333];
+                    let _e344 = params.member.member_2.member[0u][_e333];
+                    let _e347 = block_nodes.member[(_e344 + (_e107.member_1 - (_e337 - 1u)))];
+                    let _e366 = ((_e347.member.x * 0.5f) + (_e347.member_1.y * 0.5f));
+                    let _e367 = ((_e347.member.y * 0.5f) + (_e347.member_2.x * 0.5f));
+                    let _e368 = ((_e347.member_1.x * 0.5f) + (_e347.member_2.y * 0.5f));
+                    if (_e366 < _e347.member_1.y) {
+                        phi_514_ = _e366;
+                    } else {
+                        phi_514_ = _e347.member_1.y;
+                    }
+                    let _e371 = phi_514_;
+                    if (_e367 < _e347.member_2.x) {
+                        phi_519_ = _e367;
+                    } else {
+                        phi_519_ = _e347.member_2.x;
+                    }
+                    let _e374 = phi_519_;
+                    if (_e368 < _e347.member_2.y) {
+                        phi_524_ = _e368;
+                    } else {
+                        phi_524_ = _e347.member_2.y;
+                    }
+                    let _e377 = phi_524_;
+                    if (_e371 > _e347.member.x) {
+                        phi_529_ = _e371;
+                    } else {
+                        phi_529_ = _e347.member.x;
+                    }
+                    let _e380 = phi_529_;
+                    if (_e374 > _e347.member.y) {
+                        phi_534_ = _e374;
+                    } else {
+                        phi_534_ = _e347.member.y;
+                    }
+                    let _e383 = phi_534_;
+                    if (_e377 > _e347.member_1.x) {
+                        phi_539_ = _e377;
+                    } else {
+                        phi_539_ = _e347.member_1.x;
+                    }
+                    let _e386 = phi_539_;
+                    let _e388 = (_e347.member_1.y - _e380);
+                    let _e389 = (_e347.member_2.x - _e383);
+                    let _e390 = (_e347.member_2.y - _e386);
+                    let _e391 = (_e380 - _e347.member.x);
+                    let _e392 = (_e383 - _e347.member.y);
+                    let _e393 = (_e386 - _e347.member_1.x);
+                    if (_e388 > _e391) {
+                        phi_551_ = _e388;
+                    } else {
+                        phi_551_ = _e391;
+                    }
+                    let _e396 = phi_551_;
+                    if (_e389 > _e392) {
+                        phi_556_ = _e389;
+                    } else {
+                        phi_556_ = _e392;
+                    }
+                    let _e399 = phi_556_;
+                    if (_e390 > _e393) {
+                        phi_561_ = _e390;
+                    } else {
+                        phi_561_ = _e393;
+                    }
+                    let _e402 = phi_561_;
+                    let _e404 = (1f + (0.000000059604645f * 4f));
+                    let _e408 = (0.000000000000000000000000000000000000011754944f * 8f);
+                    phi_608_ = type_33(array<f32, 3>(_e380, _e383, _e386), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e396 * _e404) + _e408), ((_e399 * _e404) + _e408), ((_e402 * _e404) + _e408)));
                 } else {
-                    phi_563_ = _e382;
+                    let _e302 = boxes[(_e107.member_1 - _e76)];
+                    phi_608_ = type_33(array<f32, 3>(_e302.member[0], _e302.member[1], _e302.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e302.member_1[0][0], _e302.member_1[0][1], _e302.member_1[0][2]), array<f32, 3>(_e302.member_1[1][0], _e302.member_1[1][1], _e302.member_1[1][2]), array<f32, 3>(_e302.member_1[2][0], _e302.member_1[2][1], _e302.member_1[2][2])), array<f32, 3>(_e302.member_2[0], _e302.member_2[1], _e302.member_2[2]));
                 }
-                let _e392 = phi_563_;
-                if (_e385 < 0f) {
-                    phi_569_ = -(_e385);
+                let _e415 = phi_608_;
+                let _e420 = (_e415.member[0] - _e289.member[0]);
+                let _e423 = (_e415.member[1] - _e289.member[1]);
+                let _e426 = (_e415.member[2] - _e289.member[2]);
+                if (_e420 < 0f) {
+                    phi_625_ = -(_e420);
                 } else {
-                    phi_569_ = _e385;
+                    phi_625_ = _e420;
                 }
-                let _e396 = phi_569_;
-                if (_e392 > _e396) {
-                    phi_574_ = _e392;
+                let _e430 = phi_625_;
+                if (_e423 < 0f) {
+                    phi_631_ = -(_e423);
                 } else {
-                    phi_574_ = _e396;
+                    phi_631_ = _e423;
                 }
-                let _e399 = phi_574_;
-                if (_e388 < 0f) {
-                    phi_580_ = -(_e388);
+                let _e434 = phi_631_;
+                if (_e430 > _e434) {
+                    phi_636_ = _e430;
                 } else {
-                    phi_580_ = _e388;
+                    phi_636_ = _e434;
                 }
-                let _e403 = phi_580_;
-                if (_e399 > _e403) {
-                    phi_585_ = _e399;
+                let _e437 = phi_636_;
+                if (_e426 < 0f) {
+                    phi_642_ = -(_e426);
                 } else {
-                    phi_585_ = _e403;
+                    phi_642_ = _e426;
                 }
-                let _e406 = phi_585_;
-                if (_e269.member_2[0] < 0f) {
-                    phi_593_ = -(_e269.member_2[0]);
+                let _e441 = phi_642_;
+                if (_e437 > _e441) {
+                    phi_647_ = _e437;
                 } else {
-                    phi_593_ = _e269.member_2[0];
+                    phi_647_ = _e441;
                 }
-                let _e412 = phi_593_;
-                if (_e269.member_2[1] < 0f) {
-                    phi_600_ = -(_e269.member_2[1]);
+                let _e444 = phi_647_;
+                if (_e289.member_2[0] < 0f) {
+                    phi_655_ = -(_e289.member_2[0]);
                 } else {
-                    phi_600_ = _e269.member_2[1];
+                    phi_655_ = _e289.member_2[0];
                 }
-                let _e417 = phi_600_;
-                if (_e412 > _e417) {
-                    phi_605_ = _e412;
+                let _e450 = phi_655_;
+                if (_e289.member_2[1] < 0f) {
+                    phi_662_ = -(_e289.member_2[1]);
                 } else {
-                    phi_605_ = _e417;
+                    phi_662_ = _e289.member_2[1];
                 }
-                let _e420 = phi_605_;
-                if (_e269.member_2[2] < 0f) {
-                    phi_612_ = -(_e269.member_2[2]);
+                let _e455 = phi_662_;
+                if (_e450 > _e455) {
+                    phi_667_ = _e450;
                 } else {
-                    phi_612_ = _e269.member_2[2];
+                    phi_667_ = _e455;
                 }
-                let _e425 = phi_612_;
-                if (_e420 > _e425) {
-                    phi_617_ = _e420;
+                let _e458 = phi_667_;
+                if (_e289.member_2[2] < 0f) {
+                    phi_674_ = -(_e289.member_2[2]);
                 } else {
-                    phi_617_ = _e425;
+                    phi_674_ = _e289.member_2[2];
                 }
-                let _e428 = phi_617_;
-                if (_e406 > _e428) {
-                    phi_622_ = _e406;
+                let _e463 = phi_674_;
+                if (_e458 > _e463) {
+                    phi_679_ = _e458;
                 } else {
-                    phi_622_ = _e428;
+                    phi_679_ = _e463;
                 }
-                let _e431 = phi_622_;
-                if (_e377.member_2[0] < 0f) {
-                    phi_630_ = -(_e377.member_2[0]);
+                let _e466 = phi_679_;
+                if (_e444 > _e466) {
+                    phi_684_ = _e444;
                 } else {
-                    phi_630_ = _e377.member_2[0];
+                    phi_684_ = _e466;
                 }
-                let _e437 = phi_630_;
-                if (_e377.member_2[1] < 0f) {
-                    phi_637_ = -(_e377.member_2[1]);
+                let _e469 = phi_684_;
+                if (_e415.member_2[0] < 0f) {
+                    phi_692_ = -(_e415.member_2[0]);
                 } else {
-                    phi_637_ = _e377.member_2[1];
+                    phi_692_ = _e415.member_2[0];
                 }
-                let _e442 = phi_637_;
-                if (_e437 > _e442) {
-                    phi_642_ = _e437;
+                let _e475 = phi_692_;
+                if (_e415.member_2[1] < 0f) {
+                    phi_699_ = -(_e415.member_2[1]);
                 } else {
-                    phi_642_ = _e442;
+                    phi_699_ = _e415.member_2[1];
                 }
-                let _e445 = phi_642_;
-                if (_e377.member_2[2] < 0f) {
-                    phi_649_ = -(_e377.member_2[2]);
+                let _e480 = phi_699_;
+                if (_e475 > _e480) {
+                    phi_704_ = _e475;
                 } else {
-                    phi_649_ = _e377.member_2[2];
+                    phi_704_ = _e480;
                 }
-                let _e450 = phi_649_;
-                if (_e445 > _e450) {
-                    phi_654_ = _e445;
+                let _e483 = phi_704_;
+                if (_e415.member_2[2] < 0f) {
+                    phi_711_ = -(_e415.member_2[2]);
                 } else {
-                    phi_654_ = _e450;
+                    phi_711_ = _e415.member_2[2];
                 }
-                let _e453 = phi_654_;
-                if (_e431 > _e453) {
-                    phi_659_ = _e431;
+                let _e488 = phi_711_;
+                if (_e483 > _e488) {
+                    phi_716_ = _e483;
                 } else {
-                    phi_659_ = _e453;
+                    phi_716_ = _e488;
                 }
-                let _e456 = phi_659_;
-                if (_e456 > 0.000000000000000000000000000000000000011754944f) {
-                    if ((bitcast<u32>(_e456) & 2139095040u) != 2139095040u) {
-                        let _e463 = (2130706432u - (bitcast<u32>(_e456) & 2139095040u));
-                        if (_e463 > 8388608u) {
-                            phi_680_ = _e463;
+                let _e491 = phi_716_;
+                if (_e469 > _e491) {
+                    phi_721_ = _e469;
+                } else {
+                    phi_721_ = _e491;
+                }
+                let _e494 = phi_721_;
+                if (_e494 > 0.000000000000000000000000000000000000011754944f) {
+                    if ((bitcast<u32>(_e494) & 2139095040u) != 2139095040u) {
+                        let _e501 = (2130706432u - (bitcast<u32>(_e494) & 2139095040u));
+                        if (_e501 > 8388608u) {
+                            phi_742_ = _e501;
                         } else {
-                            phi_680_ = 8388608u;
+                            phi_742_ = 8388608u;
                         }
-                        let _e466 = phi_680_;
-                        phi_682_ = bitcast<f32>(_e466);
-                        phi_683_ = false;
+                        let _e504 = phi_742_;
+                        phi_744_ = bitcast<f32>(_e504);
+                        phi_745_ = false;
                     } else {
-                        phi_682_ = f32();
-                        phi_683_ = true;
+                        phi_744_ = f32();
+                        phi_745_ = true;
                     }
-                    let _e469 = phi_682_;
-                    let _e471 = phi_683_;
-                    phi_684_ = _e469;
-                    phi_685_ = _e471;
+                    let _e507 = phi_744_;
+                    let _e509 = phi_745_;
+                    phi_746_ = _e507;
+                    phi_747_ = _e509;
                 } else {
-                    phi_684_ = f32();
-                    phi_685_ = true;
+                    phi_746_ = f32();
+                    phi_747_ = true;
                 }
-                let _e473 = phi_684_;
-                let _e475 = phi_685_;
-                if _e475 {
-                    phi_689_ = 0f;
+                let _e511 = phi_746_;
+                let _e513 = phi_747_;
+                if _e513 {
+                    phi_751_ = 0f;
                 } else {
-                    phi_689_ = _e473;
+                    phi_751_ = _e511;
                 }
-                let _e477 = phi_689_;
-                let _e478 = (_e382 * _e477);
-                let _e479 = (_e385 * _e477);
-                let _e480 = (_e388 * _e477);
-                let _e481 = (_e478 * 0.5f);
-                let _e482 = (_e479 * 0.5f);
-                let _e500 = (_e269.member_2[0] * _e477);
-                let _e502 = (_e269.member_1[0][0] * _e500);
-                let _e504 = (_e269.member_1[0][1] * _e500);
-                let _e506 = (_e269.member_1[0][2] * _e500);
-                let _e507 = (_e502 * 1f);
-                let _e508 = (_e504 * 1f);
-                let _e526 = (_e269.member_2[1] * _e477);
-                let _e528 = (_e269.member_1[1][0] * _e526);
-                let _e530 = (_e269.member_1[1][1] * _e526);
-                let _e532 = (_e269.member_1[1][2] * _e526);
-                let _e533 = (_e528 * 1f);
-                let _e534 = (_e530 * 1f);
-                let _e552 = (_e269.member_2[2] * _e477);
-                let _e554 = (_e269.member_1[2][0] * _e552);
-                let _e556 = (_e269.member_1[2][1] * _e552);
-                let _e558 = (_e269.member_1[2][2] * _e552);
-                let _e559 = (_e554 * 1f);
-                let _e560 = (_e556 * 1f);
-                let _e578 = (_e377.member_2[0] * _e477);
-                let _e580 = (_e377.member_1[0][0] * _e578);
-                let _e582 = (_e377.member_1[0][1] * _e578);
-                let _e584 = (_e377.member_1[0][2] * _e578);
-                let _e585 = (_e580 * 1f);
-                let _e586 = (_e582 * 1f);
-                let _e604 = (_e377.member_2[1] * _e477);
-                let _e606 = (_e377.member_1[1][0] * _e604);
-                let _e608 = (_e377.member_1[1][1] * _e604);
-                let _e610 = (_e377.member_1[1][2] * _e604);
-                let _e611 = (_e606 * 1f);
-                let _e612 = (_e608 * 1f);
-                let _e630 = (_e377.member_2[2] * _e477);
-                let _e632 = (_e377.member_1[2][0] * _e630);
-                let _e634 = (_e377.member_1[2][1] * _e630);
-                let _e636 = (_e377.member_1[2][2] * _e630);
-                let _e637 = (_e632 * 1f);
-                let _e638 = (_e634 * 1f);
-                let _e643 = (((((((0f + (_e478 * _e481)) + (_e502 * _e507)) + (_e528 * _e533)) + (_e554 * _e559)) + (_e580 * _e585)) + (_e606 * _e611)) + (_e632 * _e637));
-                let _e644 = (((((((0f + (_e479 * _e481)) + (_e504 * _e507)) + (_e530 * _e533)) + (_e556 * _e559)) + (_e582 * _e585)) + (_e608 * _e611)) + (_e634 * _e637));
-                let _e645 = (((((((0f + (_e480 * _e481)) + (_e506 * _e507)) + (_e532 * _e533)) + (_e558 * _e559)) + (_e584 * _e585)) + (_e610 * _e611)) + (_e636 * _e637));
-                let _e647 = (((((((0f + (_e482 * _e479)) + (_e508 * _e504)) + (_e534 * _e530)) + (_e560 * _e556)) + (_e586 * _e582)) + (_e612 * _e608)) + (_e638 * _e634));
-                let _e649 = (((((((0f + (_e482 * _e480)) + (_e508 * _e506)) + (_e534 * _e532)) + (_e560 * _e558)) + (_e586 * _e584)) + (_e612 * _e610)) + (_e638 * _e636));
-                let _e651 = (((((((0f + ((_e480 * 0.5f) * _e480)) + ((_e506 * 1f) * _e506)) + ((_e532 * 1f) * _e532)) + ((_e558 * 1f) * _e558)) + ((_e584 * 1f) * _e584)) + ((_e610 * 1f) * _e610)) + ((_e636 * 1f) * _e636));
-                if (_e643 < 0f) {
-                    phi_956_ = -(_e643);
+                let _e515 = phi_751_;
+                let _e516 = (_e420 * _e515);
+                let _e517 = (_e423 * _e515);
+                let _e518 = (_e426 * _e515);
+                let _e519 = (_e516 * 0.5f);
+                let _e520 = (_e517 * 0.5f);
+                let _e538 = (_e289.member_2[0] * _e515);
+                let _e540 = (_e289.member_1[0][0] * _e538);
+                let _e542 = (_e289.member_1[0][1] * _e538);
+                let _e544 = (_e289.member_1[0][2] * _e538);
+                let _e545 = (_e540 * 1f);
+                let _e546 = (_e542 * 1f);
+                let _e564 = (_e289.member_2[1] * _e515);
+                let _e566 = (_e289.member_1[1][0] * _e564);
+                let _e568 = (_e289.member_1[1][1] * _e564);
+                let _e570 = (_e289.member_1[1][2] * _e564);
+                let _e571 = (_e566 * 1f);
+                let _e572 = (_e568 * 1f);
+                let _e590 = (_e289.member_2[2] * _e515);
+                let _e592 = (_e289.member_1[2][0] * _e590);
+                let _e594 = (_e289.member_1[2][1] * _e590);
+                let _e596 = (_e289.member_1[2][2] * _e590);
+                let _e597 = (_e592 * 1f);
+                let _e598 = (_e594 * 1f);
+                let _e616 = (_e415.member_2[0] * _e515);
+                let _e618 = (_e415.member_1[0][0] * _e616);
+                let _e620 = (_e415.member_1[0][1] * _e616);
+                let _e622 = (_e415.member_1[0][2] * _e616);
+                let _e623 = (_e618 * 1f);
+                let _e624 = (_e620 * 1f);
+                let _e642 = (_e415.member_2[1] * _e515);
+                let _e644 = (_e415.member_1[1][0] * _e642);
+                let _e646 = (_e415.member_1[1][1] * _e642);
+                let _e648 = (_e415.member_1[1][2] * _e642);
+                let _e649 = (_e644 * 1f);
+                let _e650 = (_e646 * 1f);
+                let _e668 = (_e415.member_2[2] * _e515);
+                let _e670 = (_e415.member_1[2][0] * _e668);
+                let _e672 = (_e415.member_1[2][1] * _e668);
+                let _e674 = (_e415.member_1[2][2] * _e668);
+                let _e675 = (_e670 * 1f);
+                let _e676 = (_e672 * 1f);
+                let _e681 = (((((((0f + (_e516 * _e519)) + (_e540 * _e545)) + (_e566 * _e571)) + (_e592 * _e597)) + (_e618 * _e623)) + (_e644 * _e649)) + (_e670 * _e675));
+                let _e682 = (((((((0f + (_e517 * _e519)) + (_e542 * _e545)) + (_e568 * _e571)) + (_e594 * _e597)) + (_e620 * _e623)) + (_e646 * _e649)) + (_e672 * _e675));
+                let _e683 = (((((((0f + (_e518 * _e519)) + (_e544 * _e545)) + (_e570 * _e571)) + (_e596 * _e597)) + (_e622 * _e623)) + (_e648 * _e649)) + (_e674 * _e675));
+                let _e685 = (((((((0f + (_e520 * _e517)) + (_e546 * _e542)) + (_e572 * _e568)) + (_e598 * _e594)) + (_e624 * _e620)) + (_e650 * _e646)) + (_e676 * _e672));
+                let _e687 = (((((((0f + (_e520 * _e518)) + (_e546 * _e544)) + (_e572 * _e570)) + (_e598 * _e596)) + (_e624 * _e622)) + (_e650 * _e648)) + (_e676 * _e674));
+                let _e689 = (((((((0f + ((_e518 * 0.5f) * _e518)) + ((_e544 * 1f) * _e544)) + ((_e570 * 1f) * _e570)) + ((_e596 * 1f) * _e596)) + ((_e622 * 1f) * _e622)) + ((_e648 * 1f) * _e648)) + ((_e674 * 1f) * _e674));
+                if (_e681 < 0f) {
+                    phi_1018_ = -(_e681);
                 } else {
-                    phi_956_ = _e643;
+                    phi_1018_ = _e681;
                 }
-                let _e655 = phi_956_;
-                if (_e644 < 0f) {
-                    phi_963_ = -(_e644);
+                let _e693 = phi_1018_;
+                if (_e682 < 0f) {
+                    phi_1025_ = -(_e682);
                 } else {
-                    phi_963_ = _e644;
+                    phi_1025_ = _e682;
                 }
-                let _e659 = phi_963_;
-                if (_e655 > _e659) {
-                    phi_968_ = _e655;
+                let _e697 = phi_1025_;
+                if (_e693 > _e697) {
+                    phi_1030_ = _e693;
                 } else {
-                    phi_968_ = _e659;
+                    phi_1030_ = _e697;
                 }
-                let _e662 = phi_968_;
-                if (_e645 < 0f) {
-                    phi_975_ = -(_e645);
+                let _e700 = phi_1030_;
+                if (_e683 < 0f) {
+                    phi_1037_ = -(_e683);
                 } else {
-                    phi_975_ = _e645;
+                    phi_1037_ = _e683;
                 }
-                let _e666 = phi_975_;
-                if (_e662 > _e666) {
-                    phi_980_ = _e662;
+                let _e704 = phi_1037_;
+                if (_e700 > _e704) {
+                    phi_1042_ = _e700;
                 } else {
-                    phi_980_ = _e666;
+                    phi_1042_ = _e704;
                 }
-                let _e669 = phi_980_;
-                if (_e647 < 0f) {
-                    phi_989_ = -(_e647);
+                let _e707 = phi_1042_;
+                if (_e685 < 0f) {
+                    phi_1051_ = -(_e685);
                 } else {
-                    phi_989_ = _e647;
+                    phi_1051_ = _e685;
                 }
-                let _e673 = phi_989_;
-                if (_e649 < 0f) {
-                    phi_995_ = -(_e649);
+                let _e711 = phi_1051_;
+                if (_e687 < 0f) {
+                    phi_1057_ = -(_e687);
                 } else {
-                    phi_995_ = _e649;
+                    phi_1057_ = _e687;
                 }
-                let _e677 = phi_995_;
-                if (_e673 > _e677) {
-                    phi_1000_ = _e673;
+                let _e715 = phi_1057_;
+                if (_e711 > _e715) {
+                    phi_1062_ = _e711;
                 } else {
-                    phi_1000_ = _e677;
+                    phi_1062_ = _e715;
                 }
-                let _e680 = phi_1000_;
-                if (_e651 < 0f) {
-                    phi_1006_ = -(_e651);
+                let _e718 = phi_1062_;
+                if (_e689 < 0f) {
+                    phi_1068_ = -(_e689);
                 } else {
-                    phi_1006_ = _e651;
+                    phi_1068_ = _e689;
                 }
-                let _e684 = phi_1006_;
-                if (_e680 > _e684) {
-                    phi_1011_ = _e680;
+                let _e722 = phi_1068_;
+                if (_e718 > _e722) {
+                    phi_1073_ = _e718;
                 } else {
-                    phi_1011_ = _e684;
+                    phi_1073_ = _e722;
                 }
-                let _e687 = phi_1011_;
-                if (_e669 > _e687) {
-                    phi_1016_ = _e669;
+                let _e725 = phi_1073_;
+                if (_e707 > _e725) {
+                    phi_1078_ = _e707;
                 } else {
-                    phi_1016_ = _e687;
+                    phi_1078_ = _e725;
                 }
-                let _e690 = phi_1016_;
-                if (_e690 > 0.000000000000000000000000000000000000011754944f) {
-                    if ((bitcast<u32>(_e690) & 2139095040u) != 2139095040u) {
-                        let _e697 = (2130706432u - (bitcast<u32>(_e690) & 2139095040u));
-                        if (_e697 > 8388608u) {
-                            phi_1037_ = _e697;
+                let _e728 = phi_1078_;
+                if (_e728 > 0.000000000000000000000000000000000000011754944f) {
+                    if ((bitcast<u32>(_e728) & 2139095040u) != 2139095040u) {
+                        let _e735 = (2130706432u - (bitcast<u32>(_e728) & 2139095040u));
+                        if (_e735 > 8388608u) {
+                            phi_1099_ = _e735;
                         } else {
-                            phi_1037_ = 8388608u;
+                            phi_1099_ = 8388608u;
                         }
-                        let _e700 = phi_1037_;
-                        let _e701 = bitcast<f32>(_e700);
-                        let _e703 = (_e644 * _e701);
-                        let _e704 = (_e645 * _e701);
-                        let _e705 = (_e647 * _e701);
-                        let _e706 = (_e649 * _e701);
-                        let _e707 = (_e651 * _e701);
-                        let _e710 = ((_e703 * _e703) + (_e704 * _e704));
-                        if (_e710 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                            if (_e710 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e710 > 0f) {
-                                    phi_1075_ = (0.000000000000000000106433627f * 2f);
+                        let _e738 = phi_1099_;
+                        let _e739 = bitcast<f32>(_e738);
+                        let _e741 = (_e682 * _e739);
+                        let _e742 = (_e683 * _e739);
+                        let _e743 = (_e685 * _e739);
+                        let _e744 = (_e687 * _e739);
+                        let _e745 = (_e689 * _e739);
+                        let _e748 = ((_e741 * _e741) + (_e742 * _e742));
+                        if (_e748 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                            if (_e748 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e748 > 0f) {
+                                    phi_1137_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_1075_ = 0f;
+                                    phi_1137_ = 0f;
                                 }
-                                let _e767 = phi_1075_;
-                                phi_1139_ = _e767;
+                                let _e805 = phi_1137_;
+                                phi_1201_ = _e805;
                             } else {
-                                phi_1082_ = type_14(0i, 5i);
-                                phi_1085_ = bitcast<f32>(((bitcast<u32>(_e710) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_1144_ = type_14(0i, 5i);
+                                phi_1147_ = bitcast<f32>(((bitcast<u32>(_e748) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e722 = phi_1082_;
-                                    let _e724 = phi_1085_;
-                                    local = _e724;
-                                    if (_e722.member < _e722.member_1) {
-                                        let _e731 = (_e722.member + 1i);
-                                        if ((false == (_e731 > _e722.member)) != false) {
-                                            phi_1106_ = true;
+                                    let _e760 = phi_1144_;
+                                    let _e762 = phi_1147_;
+                                    local = _e762;
+                                    if (_e760.member < _e760.member_1) {
+                                        let _e769 = (_e760.member + 1i);
+                                        if ((false == (_e769 > _e760.member)) != false) {
+                                            phi_1168_ = true;
                                         } else {
-                                            phi_1106_ = false;
+                                            phi_1168_ = false;
                                         }
-                                        let _e736 = phi_1106_;
-                                        if _e736 {
-                                            phi_1112_ = type_15(0u, type_15().member_1);
+                                        let _e774 = phi_1168_;
+                                        if _e774 {
+                                            phi_1174_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_1112_ = type_15(1u, _e731);
+                                            phi_1174_ = type_15(1u, _e769);
                                         }
-                                        let _e741 = phi_1112_;
-                                        phi_1083_ = type_14(_e741.member_1, _e722.member_1);
-                                        phi_1126_ = type_15(1u, _e722.member);
+                                        let _e779 = phi_1174_;
+                                        phi_1145_ = type_14(_e779.member_1, _e760.member_1);
+                                        phi_1188_ = type_15(1u, _e760.member);
                                     } else {
-                                        phi_1083_ = _e722;
-                                        phi_1126_ = type_15(0u, type_15().member_1);
+                                        phi_1145_ = _e760;
+                                        phi_1188_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e747 = phi_1083_;
-                                    let _e749 = phi_1126_;
-                                    let _e752 = (bitcast<i32>(_e749.member) != 0i);
-                                    if _e752 {
-                                        phi_1086_ = (0.5f * (_e724 + (_e710 / _e724)));
+                                    let _e785 = phi_1145_;
+                                    let _e787 = phi_1188_;
+                                    let _e790 = (bitcast<i32>(_e787.member) != 0i);
+                                    if _e790 {
+                                        phi_1148_ = (0.5f * (_e762 + (_e748 / _e762)));
                                     } else {
-                                        phi_1086_ = f32();
+                                        phi_1148_ = f32();
                                     }
-                                    let _e757 = phi_1086_;
+                                    let _e795 = phi_1148_;
                                     continue;
                                     continuing {
-                                        phi_1082_ = _e747;
-                                        phi_1085_ = _e757;
-                                        break if !(_e752);
+                                        phi_1144_ = _e785;
+                                        phi_1147_ = _e795;
+                                        break if !(_e790);
                                     }
                                 }
-                                let _e762 = local;
-                                phi_1139_ = (_e762 * (1f + (8f * 0.000000059604645f)));
+                                let _e800 = local;
+                                phi_1201_ = (_e800 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e769 = phi_1139_;
-                            let _e770 = (_e703 / _e769);
-                            let _e771 = (_e704 / _e769);
-                            let _e776 = (1.5f - (((_e770 * _e770) + (_e771 * _e771)) * 0.5f));
-                            phi_1151_ = type_34((_e770 * _e776), (_e771 * _e776));
+                            let _e807 = phi_1201_;
+                            let _e808 = (_e741 / _e807);
+                            let _e809 = (_e742 / _e807);
+                            let _e814 = (1.5f - (((_e808 * _e808) + (_e809 * _e809)) * 0.5f));
+                            phi_1213_ = type_34((_e808 * _e814), (_e809 * _e814));
                         } else {
-                            phi_1151_ = type_34(1f, 0f);
+                            phi_1213_ = type_34(1f, 0f);
                         }
-                        let _e781 = phi_1151_;
-                        let _e786 = (((_e781.member * _e781.member_1) * _e706) * 2f);
-                        phi_1190_ = type_9(0u, 16u);
-                        phi_1193_ = type_36(array<f32, 2>(((_e781.member * _e703) + (_e781.member_1 * _e704)), (((_e781.member * _e781.member_1) * (_e705 - _e707)) + (((_e781.member_1 * _e781.member_1) - (_e781.member * _e781.member)) * _e706))), array<f32, 3>((_e643 * _e701), ((((_e781.member * _e781.member) * _e705) + _e786) + ((_e781.member_1 * _e781.member_1) * _e707)), ((((_e781.member_1 * _e781.member_1) * _e705) - _e786) + ((_e781.member * _e781.member) * _e707))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e781.member, _e781.member_1), array<f32, 3>(0f, _e781.member_1, -(_e781.member))));
+                        let _e819 = phi_1213_;
+                        let _e824 = (((_e819.member * _e819.member_1) * _e744) * 2f);
+                        phi_1252_ = type_12(0u, 16u);
+                        phi_1255_ = type_36(array<f32, 2>(((_e819.member * _e741) + (_e819.member_1 * _e742)), (((_e819.member * _e819.member_1) * (_e743 - _e745)) + (((_e819.member_1 * _e819.member_1) - (_e819.member * _e819.member)) * _e744))), array<f32, 3>((_e681 * _e739), ((((_e819.member * _e819.member) * _e743) + _e824) + ((_e819.member_1 * _e819.member_1) * _e745)), ((((_e819.member_1 * _e819.member_1) * _e743) - _e824) + ((_e819.member * _e819.member) * _e745))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e819.member, _e819.member_1), array<f32, 3>(0f, _e819.member_1, -(_e819.member))));
                         loop {
-                            let _e818 = phi_1190_;
-                            let _e820 = phi_1193_;
-                            local_14 = _e820;
-                            if (_e818.member < _e818.member_1) {
-                                phi_1191_ = type_9((_e818.member + 1u), _e818.member_1);
-                                phi_1216_ = type_9(1u, _e818.member);
+                            let _e856 = phi_1252_;
+                            let _e858 = phi_1255_;
+                            local_14 = _e858;
+                            if (_e856.member < _e856.member_1) {
+                                phi_1253_ = type_12((_e856.member + 1u), _e856.member_1);
+                                phi_1278_ = type_12(1u, _e856.member);
                             } else {
-                                phi_1191_ = _e818;
-                                phi_1216_ = type_9(0u, type_9().member_1);
+                                phi_1253_ = _e856;
+                                phi_1278_ = type_12(0u, type_12().member_1);
                             }
-                            let _e832 = phi_1191_;
-                            let _e834 = phi_1216_;
-                            if (bitcast<i32>(_e834.member) != 0i) {
-                                let _e838 = (0.000000059604645f * 0.5f);
-                                if (_e820.member[0] < 0f) {
-                                    phi_1236_ = -(_e820.member[0]);
+                            let _e870 = phi_1253_;
+                            let _e872 = phi_1278_;
+                            if (bitcast<i32>(_e872.member) != 0i) {
+                                let _e876 = (0.000000059604645f * 0.5f);
+                                if (_e858.member[0] < 0f) {
+                                    phi_1298_ = -(_e858.member[0]);
                                 } else {
-                                    phi_1236_ = _e820.member[0];
+                                    phi_1298_ = _e858.member[0];
                                 }
-                                let _e849 = phi_1236_;
-                                let _e850 = (_e849 > _e838);
-                                if (_e820.member[1] < 0f) {
-                                    phi_1243_ = -(_e820.member[1]);
+                                let _e887 = phi_1298_;
+                                let _e888 = (_e887 > _e876);
+                                if (_e858.member[1] < 0f) {
+                                    phi_1305_ = -(_e858.member[1]);
                                 } else {
-                                    phi_1243_ = _e820.member[1];
+                                    phi_1305_ = _e858.member[1];
                                 }
-                                let _e854 = phi_1243_;
-                                let _e855 = (_e854 > _e838);
-                                if _e850 {
-                                    if _e855 {
-                                        let _e858 = ((_e820.member_1[1] - _e820.member_1[0]) / (_e820.member[0] * 2f));
-                                        let _e860 = ((_e858 * _e858) + 1f);
-                                        if (_e860 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e860 > 0f) {
-                                                phi_1269_ = (0.000000000000000000106433627f * 2f);
+                                let _e892 = phi_1305_;
+                                let _e893 = (_e892 > _e876);
+                                if _e888 {
+                                    if _e893 {
+                                        let _e896 = ((_e858.member_1[1] - _e858.member_1[0]) / (_e858.member[0] * 2f));
+                                        let _e898 = ((_e896 * _e896) + 1f);
+                                        if (_e898 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e898 > 0f) {
+                                                phi_1331_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_1269_ = 0f;
+                                                phi_1331_ = 0f;
                                             }
-                                            let _e913 = phi_1269_;
-                                            phi_1333_ = _e913;
+                                            let _e951 = phi_1331_;
+                                            phi_1395_ = _e951;
                                         } else {
-                                            phi_1276_ = type_14(0i, 5i);
-                                            phi_1279_ = bitcast<f32>(((bitcast<u32>(_e860) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_1338_ = type_14(0i, 5i);
+                                            phi_1341_ = bitcast<f32>(((bitcast<u32>(_e898) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e868 = phi_1276_;
-                                                let _e870 = phi_1279_;
-                                                local_1 = _e870;
-                                                if (_e868.member < _e868.member_1) {
-                                                    let _e877 = (_e868.member + 1i);
-                                                    if ((false == (_e877 > _e868.member)) != false) {
-                                                        phi_1300_ = true;
+                                                let _e906 = phi_1338_;
+                                                let _e908 = phi_1341_;
+                                                local_1 = _e908;
+                                                if (_e906.member < _e906.member_1) {
+                                                    let _e915 = (_e906.member + 1i);
+                                                    if ((false == (_e915 > _e906.member)) != false) {
+                                                        phi_1362_ = true;
                                                     } else {
-                                                        phi_1300_ = false;
+                                                        phi_1362_ = false;
                                                     }
-                                                    let _e882 = phi_1300_;
-                                                    if _e882 {
-                                                        phi_1306_ = type_15(0u, type_15().member_1);
+                                                    let _e920 = phi_1362_;
+                                                    if _e920 {
+                                                        phi_1368_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_1306_ = type_15(1u, _e877);
+                                                        phi_1368_ = type_15(1u, _e915);
                                                     }
-                                                    let _e887 = phi_1306_;
-                                                    phi_1277_ = type_14(_e887.member_1, _e868.member_1);
-                                                    phi_1320_ = type_15(1u, _e868.member);
+                                                    let _e925 = phi_1368_;
+                                                    phi_1339_ = type_14(_e925.member_1, _e906.member_1);
+                                                    phi_1382_ = type_15(1u, _e906.member);
                                                 } else {
-                                                    phi_1277_ = _e868;
-                                                    phi_1320_ = type_15(0u, type_15().member_1);
+                                                    phi_1339_ = _e906;
+                                                    phi_1382_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e893 = phi_1277_;
-                                                let _e895 = phi_1320_;
-                                                let _e898 = (bitcast<i32>(_e895.member) != 0i);
-                                                if _e898 {
-                                                    phi_1280_ = (0.5f * (_e870 + (_e860 / _e870)));
+                                                let _e931 = phi_1339_;
+                                                let _e933 = phi_1382_;
+                                                let _e936 = (bitcast<i32>(_e933.member) != 0i);
+                                                if _e936 {
+                                                    phi_1342_ = (0.5f * (_e908 + (_e898 / _e908)));
                                                 } else {
-                                                    phi_1280_ = f32();
+                                                    phi_1342_ = f32();
                                                 }
-                                                let _e903 = phi_1280_;
+                                                let _e941 = phi_1342_;
                                                 continue;
                                                 continuing {
-                                                    phi_1276_ = _e893;
-                                                    phi_1279_ = _e903;
-                                                    break if !(_e898);
+                                                    phi_1338_ = _e931;
+                                                    phi_1341_ = _e941;
+                                                    break if !(_e936);
                                                 }
                                             }
-                                            let _e908 = local_1;
-                                            phi_1333_ = (_e908 * (1f + (8f * 0.000000059604645f)));
+                                            let _e946 = local_1;
+                                            phi_1395_ = (_e946 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e915 = phi_1333_;
-                                        if (_e858 > 0f) {
-                                            phi_1340_ = (_e858 + _e915);
+                                        let _e953 = phi_1395_;
+                                        if (_e896 > 0f) {
+                                            phi_1402_ = (_e896 + _e953);
                                         } else {
-                                            phi_1340_ = (_e858 - _e915);
+                                            phi_1402_ = (_e896 - _e953);
                                         }
-                                        let _e920 = phi_1340_;
-                                        let _e923 = (_e820.member_1[2] - (_e820.member_1[0] - (_e820.member[0] / _e920)));
-                                        let _e926 = ((_e923 * _e923) + (_e820.member[1] * _e820.member[1]));
-                                        if (_e926 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                            if (_e926 <= 0.000000000000000000000000000000000000011754944f) {
-                                                if (_e926 > 0f) {
-                                                    phi_1367_ = (0.000000000000000000106433627f * 2f);
+                                        let _e958 = phi_1402_;
+                                        let _e961 = (_e858.member_1[2] - (_e858.member_1[0] - (_e858.member[0] / _e958)));
+                                        let _e964 = ((_e961 * _e961) + (_e858.member[1] * _e858.member[1]));
+                                        if (_e964 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                            if (_e964 <= 0.000000000000000000000000000000000000011754944f) {
+                                                if (_e964 > 0f) {
+                                                    phi_1429_ = (0.000000000000000000106433627f * 2f);
                                                 } else {
-                                                    phi_1367_ = 0f;
+                                                    phi_1429_ = 0f;
                                                 }
-                                                let _e983 = phi_1367_;
-                                                phi_1431_ = _e983;
+                                                let _e1021 = phi_1429_;
+                                                phi_1493_ = _e1021;
                                             } else {
-                                                phi_1374_ = type_14(0i, 5i);
-                                                phi_1377_ = bitcast<f32>(((bitcast<u32>(_e926) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_1436_ = type_14(0i, 5i);
+                                                phi_1439_ = bitcast<f32>(((bitcast<u32>(_e964) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e938 = phi_1374_;
-                                                    let _e940 = phi_1377_;
-                                                    local_2 = _e940;
-                                                    if (_e938.member < _e938.member_1) {
-                                                        let _e947 = (_e938.member + 1i);
-                                                        if ((false == (_e947 > _e938.member)) != false) {
-                                                            phi_1398_ = true;
+                                                    let _e976 = phi_1436_;
+                                                    let _e978 = phi_1439_;
+                                                    local_2 = _e978;
+                                                    if (_e976.member < _e976.member_1) {
+                                                        let _e985 = (_e976.member + 1i);
+                                                        if ((false == (_e985 > _e976.member)) != false) {
+                                                            phi_1460_ = true;
                                                         } else {
-                                                            phi_1398_ = false;
+                                                            phi_1460_ = false;
                                                         }
-                                                        let _e952 = phi_1398_;
-                                                        if _e952 {
-                                                            phi_1404_ = type_15(0u, type_15().member_1);
+                                                        let _e990 = phi_1460_;
+                                                        if _e990 {
+                                                            phi_1466_ = type_15(0u, type_15().member_1);
                                                         } else {
-                                                            phi_1404_ = type_15(1u, _e947);
+                                                            phi_1466_ = type_15(1u, _e985);
                                                         }
-                                                        let _e957 = phi_1404_;
-                                                        phi_1375_ = type_14(_e957.member_1, _e938.member_1);
-                                                        phi_1418_ = type_15(1u, _e938.member);
+                                                        let _e995 = phi_1466_;
+                                                        phi_1437_ = type_14(_e995.member_1, _e976.member_1);
+                                                        phi_1480_ = type_15(1u, _e976.member);
                                                     } else {
-                                                        phi_1375_ = _e938;
-                                                        phi_1418_ = type_15(0u, type_15().member_1);
+                                                        phi_1437_ = _e976;
+                                                        phi_1480_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e963 = phi_1375_;
-                                                    let _e965 = phi_1418_;
-                                                    let _e968 = (bitcast<i32>(_e965.member) != 0i);
-                                                    if _e968 {
-                                                        phi_1378_ = (0.5f * (_e940 + (_e926 / _e940)));
+                                                    let _e1001 = phi_1437_;
+                                                    let _e1003 = phi_1480_;
+                                                    let _e1006 = (bitcast<i32>(_e1003.member) != 0i);
+                                                    if _e1006 {
+                                                        phi_1440_ = (0.5f * (_e978 + (_e964 / _e978)));
                                                     } else {
-                                                        phi_1378_ = f32();
+                                                        phi_1440_ = f32();
                                                     }
-                                                    let _e973 = phi_1378_;
+                                                    let _e1011 = phi_1440_;
                                                     continue;
                                                     continuing {
-                                                        phi_1374_ = _e963;
-                                                        phi_1377_ = _e973;
-                                                        break if !(_e968);
+                                                        phi_1436_ = _e1001;
+                                                        phi_1439_ = _e1011;
+                                                        break if !(_e1006);
                                                     }
                                                 }
-                                                let _e978 = local_2;
-                                                phi_1431_ = (_e978 * (1f + (8f * 0.000000059604645f)));
+                                                let _e1016 = local_2;
+                                                phi_1493_ = (_e1016 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e985 = phi_1431_;
-                                            let _e986 = (_e923 / _e985);
-                                            let _e987 = (_e820.member[1] / _e985);
-                                            let _e992 = (1.5f - (((_e986 * _e986) + (_e987 * _e987)) * 0.5f));
-                                            phi_1443_ = type_34((_e986 * _e992), (_e987 * _e992));
+                                            let _e1023 = phi_1493_;
+                                            let _e1024 = (_e961 / _e1023);
+                                            let _e1025 = (_e858.member[1] / _e1023);
+                                            let _e1030 = (1.5f - (((_e1024 * _e1024) + (_e1025 * _e1025)) * 0.5f));
+                                            phi_1505_ = type_34((_e1024 * _e1030), (_e1025 * _e1030));
                                         } else {
-                                            phi_1443_ = type_34(1f, 0f);
+                                            phi_1505_ = type_34(1f, 0f);
                                         }
-                                        let _e997 = phi_1443_;
-                                        let _e1014 = (((_e820.member_1[1] - _e820.member_1[2]) * _e997.member_1) + ((_e997.member * _e820.member[1]) * 2f));
-                                        let _e1016 = (_e820.member_1[1] - (_e997.member_1 * _e1014));
-                                        let _e1020 = ((_e997.member * _e1014) - _e820.member[1]);
-                                        let _e1033 = ((_e820.member_2[1][0] * _e997.member) - (_e820.member_2[2][0] * _e997.member_1));
-                                        let _e1034 = ((_e820.member_2[1][1] * _e997.member) - (_e820.member_2[2][1] * _e997.member_1));
-                                        let _e1035 = ((_e820.member_2[1][2] * _e997.member) - (_e820.member_2[2][2] * _e997.member_1));
-                                        let _e1052 = (_e997.member * _e820.member[0]);
-                                        let _e1053 = (_e997.member_1 * _e820.member[0]);
-                                        let _e1056 = ((_e1020 * _e1020) + (_e1053 * _e1053));
-                                        if (_e1056 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                            if (_e1056 <= 0.000000000000000000000000000000000000011754944f) {
-                                                if (_e1056 > 0f) {
-                                                    phi_1532_ = (0.000000000000000000106433627f * 2f);
+                                        let _e1035 = phi_1505_;
+                                        let _e1052 = (((_e858.member_1[1] - _e858.member_1[2]) * _e1035.member_1) + ((_e1035.member * _e858.member[1]) * 2f));
+                                        let _e1054 = (_e858.member_1[1] - (_e1035.member_1 * _e1052));
+                                        let _e1058 = ((_e1035.member * _e1052) - _e858.member[1]);
+                                        let _e1071 = ((_e858.member_2[1][0] * _e1035.member) - (_e858.member_2[2][0] * _e1035.member_1));
+                                        let _e1072 = ((_e858.member_2[1][1] * _e1035.member) - (_e858.member_2[2][1] * _e1035.member_1));
+                                        let _e1073 = ((_e858.member_2[1][2] * _e1035.member) - (_e858.member_2[2][2] * _e1035.member_1));
+                                        let _e1090 = (_e1035.member * _e858.member[0]);
+                                        let _e1091 = (_e1035.member_1 * _e858.member[0]);
+                                        let _e1094 = ((_e1058 * _e1058) + (_e1091 * _e1091));
+                                        if (_e1094 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                            if (_e1094 <= 0.000000000000000000000000000000000000011754944f) {
+                                                if (_e1094 > 0f) {
+                                                    phi_1594_ = (0.000000000000000000106433627f * 2f);
                                                 } else {
-                                                    phi_1532_ = 0f;
+                                                    phi_1594_ = 0f;
                                                 }
-                                                let _e1113 = phi_1532_;
-                                                phi_1596_ = _e1113;
+                                                let _e1151 = phi_1594_;
+                                                phi_1658_ = _e1151;
                                             } else {
-                                                phi_1539_ = type_14(0i, 5i);
-                                                phi_1542_ = bitcast<f32>(((bitcast<u32>(_e1056) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_1601_ = type_14(0i, 5i);
+                                                phi_1604_ = bitcast<f32>(((bitcast<u32>(_e1094) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e1068 = phi_1539_;
-                                                    let _e1070 = phi_1542_;
-                                                    local_3 = _e1070;
-                                                    if (_e1068.member < _e1068.member_1) {
-                                                        let _e1077 = (_e1068.member + 1i);
-                                                        if ((false == (_e1077 > _e1068.member)) != false) {
-                                                            phi_1563_ = true;
+                                                    let _e1106 = phi_1601_;
+                                                    let _e1108 = phi_1604_;
+                                                    local_3 = _e1108;
+                                                    if (_e1106.member < _e1106.member_1) {
+                                                        let _e1115 = (_e1106.member + 1i);
+                                                        if ((false == (_e1115 > _e1106.member)) != false) {
+                                                            phi_1625_ = true;
                                                         } else {
-                                                            phi_1563_ = false;
+                                                            phi_1625_ = false;
                                                         }
-                                                        let _e1082 = phi_1563_;
-                                                        if _e1082 {
-                                                            phi_1569_ = type_15(0u, type_15().member_1);
+                                                        let _e1120 = phi_1625_;
+                                                        if _e1120 {
+                                                            phi_1631_ = type_15(0u, type_15().member_1);
                                                         } else {
-                                                            phi_1569_ = type_15(1u, _e1077);
+                                                            phi_1631_ = type_15(1u, _e1115);
                                                         }
-                                                        let _e1087 = phi_1569_;
-                                                        phi_1540_ = type_14(_e1087.member_1, _e1068.member_1);
-                                                        phi_1583_ = type_15(1u, _e1068.member);
+                                                        let _e1125 = phi_1631_;
+                                                        phi_1602_ = type_14(_e1125.member_1, _e1106.member_1);
+                                                        phi_1645_ = type_15(1u, _e1106.member);
                                                     } else {
-                                                        phi_1540_ = _e1068;
-                                                        phi_1583_ = type_15(0u, type_15().member_1);
+                                                        phi_1602_ = _e1106;
+                                                        phi_1645_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e1093 = phi_1540_;
-                                                    let _e1095 = phi_1583_;
-                                                    let _e1098 = (bitcast<i32>(_e1095.member) != 0i);
-                                                    if _e1098 {
-                                                        phi_1543_ = (0.5f * (_e1070 + (_e1056 / _e1070)));
+                                                    let _e1131 = phi_1602_;
+                                                    let _e1133 = phi_1645_;
+                                                    let _e1136 = (bitcast<i32>(_e1133.member) != 0i);
+                                                    if _e1136 {
+                                                        phi_1605_ = (0.5f * (_e1108 + (_e1094 / _e1108)));
                                                     } else {
-                                                        phi_1543_ = f32();
+                                                        phi_1605_ = f32();
                                                     }
-                                                    let _e1103 = phi_1543_;
+                                                    let _e1141 = phi_1605_;
                                                     continue;
                                                     continuing {
-                                                        phi_1539_ = _e1093;
-                                                        phi_1542_ = _e1103;
-                                                        break if !(_e1098);
+                                                        phi_1601_ = _e1131;
+                                                        phi_1604_ = _e1141;
+                                                        break if !(_e1136);
                                                     }
                                                 }
-                                                let _e1108 = local_3;
-                                                phi_1596_ = (_e1108 * (1f + (8f * 0.000000059604645f)));
+                                                let _e1146 = local_3;
+                                                phi_1658_ = (_e1146 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e1115 = phi_1596_;
-                                            let _e1116 = (_e1020 / _e1115);
-                                            let _e1117 = (_e1053 / _e1115);
-                                            let _e1122 = (1.5f - (((_e1116 * _e1116) + (_e1117 * _e1117)) * 0.5f));
-                                            phi_1608_ = type_34((_e1116 * _e1122), (_e1117 * _e1122));
+                                            let _e1153 = phi_1658_;
+                                            let _e1154 = (_e1058 / _e1153);
+                                            let _e1155 = (_e1091 / _e1153);
+                                            let _e1160 = (1.5f - (((_e1154 * _e1154) + (_e1155 * _e1155)) * 0.5f));
+                                            phi_1670_ = type_34((_e1154 * _e1160), (_e1155 * _e1160));
                                         } else {
-                                            phi_1608_ = type_34(1f, 0f);
+                                            phi_1670_ = type_34(1f, 0f);
                                         }
-                                        let _e1127 = phi_1608_;
-                                        let _e1137 = (((_e820.member_1[0] - _e1016) * _e1127.member_1) + ((_e1127.member * _e1052) * 2f));
-                                        phi_1675_ = type_36(array<f32, 2>(((_e1127.member * _e1137) - _e1052), ((_e1127.member_1 * _e1053) + (_e1127.member * _e1020))), array<f32, 3>((_e820.member_1[0] - (_e1127.member_1 * _e1137)), (_e1016 + (_e1127.member_1 * _e1137)), (_e820.member_1[2] + (_e997.member_1 * _e1014))), array<array<f32, 3>, 3>(array<f32, 3>(((_e820.member_2[0][0] * _e1127.member) - (_e1033 * _e1127.member_1)), ((_e820.member_2[0][1] * _e1127.member) - (_e1034 * _e1127.member_1)), ((_e820.member_2[0][2] * _e1127.member) - (_e1035 * _e1127.member_1))), array<f32, 3>(((_e820.member_2[0][0] * _e1127.member_1) + (_e1033 * _e1127.member)), ((_e820.member_2[0][1] * _e1127.member_1) + (_e1034 * _e1127.member)), ((_e820.member_2[0][2] * _e1127.member_1) + (_e1035 * _e1127.member))), array<f32, 3>(((_e820.member_2[1][0] * _e997.member_1) + (_e820.member_2[2][0] * _e997.member)), ((_e820.member_2[1][1] * _e997.member_1) + (_e820.member_2[2][1] * _e997.member)), ((_e820.member_2[1][2] * _e997.member_1) + (_e820.member_2[2][2] * _e997.member)))));
-                                        phi_1676_ = false;
+                                        let _e1165 = phi_1670_;
+                                        let _e1175 = (((_e858.member_1[0] - _e1054) * _e1165.member_1) + ((_e1165.member * _e1090) * 2f));
+                                        phi_1737_ = type_36(array<f32, 2>(((_e1165.member * _e1175) - _e1090), ((_e1165.member_1 * _e1091) + (_e1165.member * _e1058))), array<f32, 3>((_e858.member_1[0] - (_e1165.member_1 * _e1175)), (_e1054 + (_e1165.member_1 * _e1175)), (_e858.member_1[2] + (_e1035.member_1 * _e1052))), array<array<f32, 3>, 3>(array<f32, 3>(((_e858.member_2[0][0] * _e1165.member) - (_e1071 * _e1165.member_1)), ((_e858.member_2[0][1] * _e1165.member) - (_e1072 * _e1165.member_1)), ((_e858.member_2[0][2] * _e1165.member) - (_e1073 * _e1165.member_1))), array<f32, 3>(((_e858.member_2[0][0] * _e1165.member_1) + (_e1071 * _e1165.member)), ((_e858.member_2[0][1] * _e1165.member_1) + (_e1072 * _e1165.member)), ((_e858.member_2[0][2] * _e1165.member_1) + (_e1073 * _e1165.member))), array<f32, 3>(((_e858.member_2[1][0] * _e1035.member_1) + (_e858.member_2[2][0] * _e1035.member)), ((_e858.member_2[1][1] * _e1035.member_1) + (_e858.member_2[2][1] * _e1035.member)), ((_e858.member_2[1][2] * _e1035.member_1) + (_e858.member_2[2][2] * _e1035.member)))));
+                                        phi_1738_ = false;
                                     } else {
-                                        phi_1675_ = type_36();
-                                        phi_1676_ = true;
+                                        phi_1737_ = type_36();
+                                        phi_1738_ = true;
                                     }
-                                    let _e1175 = phi_1675_;
-                                    let _e1177 = phi_1676_;
-                                    phi_1677_ = _e1175;
-                                    phi_1678_ = _e1177;
+                                    let _e1213 = phi_1737_;
+                                    let _e1215 = phi_1738_;
+                                    phi_1739_ = _e1213;
+                                    phi_1740_ = _e1215;
                                 } else {
-                                    phi_1677_ = type_36();
-                                    phi_1678_ = true;
+                                    phi_1739_ = type_36();
+                                    phi_1740_ = true;
                                 }
-                                let _e1179 = phi_1677_;
-                                let _e1181 = phi_1678_;
-                                if _e1181 {
-                                    if _e850 {
-                                        let _e1425 = ((_e820.member_1[1] - _e820.member_1[0]) / (_e820.member[0] * 2f));
-                                        let _e1427 = ((_e1425 * _e1425) + 1f);
-                                        if (_e1427 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e1427 > 0f) {
-                                                phi_1703_ = (0.000000000000000000106433627f * 2f);
+                                let _e1217 = phi_1739_;
+                                let _e1219 = phi_1740_;
+                                if _e1219 {
+                                    if _e888 {
+                                        let _e1463 = ((_e858.member_1[1] - _e858.member_1[0]) / (_e858.member[0] * 2f));
+                                        let _e1465 = ((_e1463 * _e1463) + 1f);
+                                        if (_e1465 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e1465 > 0f) {
+                                                phi_1765_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_1703_ = 0f;
+                                                phi_1765_ = 0f;
                                             }
-                                            let _e1480 = phi_1703_;
-                                            phi_1767_ = _e1480;
+                                            let _e1518 = phi_1765_;
+                                            phi_1829_ = _e1518;
                                         } else {
-                                            phi_1710_ = type_14(0i, 5i);
-                                            phi_1713_ = bitcast<f32>(((bitcast<u32>(_e1427) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_1772_ = type_14(0i, 5i);
+                                            phi_1775_ = bitcast<f32>(((bitcast<u32>(_e1465) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e1435 = phi_1710_;
-                                                let _e1437 = phi_1713_;
-                                                local_6 = _e1437;
-                                                if (_e1435.member < _e1435.member_1) {
-                                                    let _e1444 = (_e1435.member + 1i);
-                                                    if ((false == (_e1444 > _e1435.member)) != false) {
-                                                        phi_1734_ = true;
+                                                let _e1473 = phi_1772_;
+                                                let _e1475 = phi_1775_;
+                                                local_6 = _e1475;
+                                                if (_e1473.member < _e1473.member_1) {
+                                                    let _e1482 = (_e1473.member + 1i);
+                                                    if ((false == (_e1482 > _e1473.member)) != false) {
+                                                        phi_1796_ = true;
                                                     } else {
-                                                        phi_1734_ = false;
+                                                        phi_1796_ = false;
                                                     }
-                                                    let _e1449 = phi_1734_;
-                                                    if _e1449 {
-                                                        phi_1740_ = type_15(0u, type_15().member_1);
+                                                    let _e1487 = phi_1796_;
+                                                    if _e1487 {
+                                                        phi_1802_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_1740_ = type_15(1u, _e1444);
+                                                        phi_1802_ = type_15(1u, _e1482);
                                                     }
-                                                    let _e1454 = phi_1740_;
-                                                    phi_1711_ = type_14(_e1454.member_1, _e1435.member_1);
-                                                    phi_1754_ = type_15(1u, _e1435.member);
+                                                    let _e1492 = phi_1802_;
+                                                    phi_1773_ = type_14(_e1492.member_1, _e1473.member_1);
+                                                    phi_1816_ = type_15(1u, _e1473.member);
                                                 } else {
-                                                    phi_1711_ = _e1435;
-                                                    phi_1754_ = type_15(0u, type_15().member_1);
+                                                    phi_1773_ = _e1473;
+                                                    phi_1816_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e1460 = phi_1711_;
-                                                let _e1462 = phi_1754_;
-                                                let _e1465 = (bitcast<i32>(_e1462.member) != 0i);
-                                                if _e1465 {
-                                                    phi_1714_ = (0.5f * (_e1437 + (_e1427 / _e1437)));
+                                                let _e1498 = phi_1773_;
+                                                let _e1500 = phi_1816_;
+                                                let _e1503 = (bitcast<i32>(_e1500.member) != 0i);
+                                                if _e1503 {
+                                                    phi_1776_ = (0.5f * (_e1475 + (_e1465 / _e1475)));
                                                 } else {
-                                                    phi_1714_ = f32();
+                                                    phi_1776_ = f32();
                                                 }
-                                                let _e1470 = phi_1714_;
+                                                let _e1508 = phi_1776_;
                                                 continue;
                                                 continuing {
-                                                    phi_1710_ = _e1460;
-                                                    phi_1713_ = _e1470;
-                                                    break if !(_e1465);
+                                                    phi_1772_ = _e1498;
+                                                    phi_1775_ = _e1508;
+                                                    break if !(_e1503);
                                                 }
                                             }
-                                            let _e1475 = local_6;
-                                            phi_1767_ = (_e1475 * (1f + (8f * 0.000000059604645f)));
+                                            let _e1513 = local_6;
+                                            phi_1829_ = (_e1513 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e1482 = phi_1767_;
-                                        if (_e1425 > 0f) {
-                                            phi_1774_ = (_e1425 + _e1482);
+                                        let _e1520 = phi_1829_;
+                                        if (_e1463 > 0f) {
+                                            phi_1836_ = (_e1463 + _e1520);
                                         } else {
-                                            phi_1774_ = (_e1425 - _e1482);
+                                            phi_1836_ = (_e1463 - _e1520);
                                         }
-                                        let _e1487 = phi_1774_;
-                                        let _e1490 = (_e820.member_1[1] - (_e820.member_1[0] - (_e820.member[0] / _e1487)));
-                                        let _e1493 = ((_e1490 * _e1490) + (_e820.member[0] * _e820.member[0]));
-                                        if (_e1493 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                            if (_e1493 <= 0.000000000000000000000000000000000000011754944f) {
-                                                if (_e1493 > 0f) {
-                                                    phi_1801_ = (0.000000000000000000106433627f * 2f);
+                                        let _e1525 = phi_1836_;
+                                        let _e1528 = (_e858.member_1[1] - (_e858.member_1[0] - (_e858.member[0] / _e1525)));
+                                        let _e1531 = ((_e1528 * _e1528) + (_e858.member[0] * _e858.member[0]));
+                                        if (_e1531 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                            if (_e1531 <= 0.000000000000000000000000000000000000011754944f) {
+                                                if (_e1531 > 0f) {
+                                                    phi_1863_ = (0.000000000000000000106433627f * 2f);
                                                 } else {
-                                                    phi_1801_ = 0f;
+                                                    phi_1863_ = 0f;
                                                 }
-                                                let _e1550 = phi_1801_;
-                                                phi_1865_ = _e1550;
+                                                let _e1588 = phi_1863_;
+                                                phi_1927_ = _e1588;
                                             } else {
-                                                phi_1808_ = type_14(0i, 5i);
-                                                phi_1811_ = bitcast<f32>(((bitcast<u32>(_e1493) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_1870_ = type_14(0i, 5i);
+                                                phi_1873_ = bitcast<f32>(((bitcast<u32>(_e1531) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e1505 = phi_1808_;
-                                                    let _e1507 = phi_1811_;
-                                                    local_7 = _e1507;
-                                                    if (_e1505.member < _e1505.member_1) {
-                                                        let _e1514 = (_e1505.member + 1i);
-                                                        if ((false == (_e1514 > _e1505.member)) != false) {
-                                                            phi_1832_ = true;
+                                                    let _e1543 = phi_1870_;
+                                                    let _e1545 = phi_1873_;
+                                                    local_7 = _e1545;
+                                                    if (_e1543.member < _e1543.member_1) {
+                                                        let _e1552 = (_e1543.member + 1i);
+                                                        if ((false == (_e1552 > _e1543.member)) != false) {
+                                                            phi_1894_ = true;
                                                         } else {
-                                                            phi_1832_ = false;
+                                                            phi_1894_ = false;
                                                         }
-                                                        let _e1519 = phi_1832_;
-                                                        if _e1519 {
-                                                            phi_1838_ = type_15(0u, type_15().member_1);
+                                                        let _e1557 = phi_1894_;
+                                                        if _e1557 {
+                                                            phi_1900_ = type_15(0u, type_15().member_1);
                                                         } else {
-                                                            phi_1838_ = type_15(1u, _e1514);
+                                                            phi_1900_ = type_15(1u, _e1552);
                                                         }
-                                                        let _e1524 = phi_1838_;
-                                                        phi_1809_ = type_14(_e1524.member_1, _e1505.member_1);
-                                                        phi_1852_ = type_15(1u, _e1505.member);
+                                                        let _e1562 = phi_1900_;
+                                                        phi_1871_ = type_14(_e1562.member_1, _e1543.member_1);
+                                                        phi_1914_ = type_15(1u, _e1543.member);
                                                     } else {
-                                                        phi_1809_ = _e1505;
-                                                        phi_1852_ = type_15(0u, type_15().member_1);
+                                                        phi_1871_ = _e1543;
+                                                        phi_1914_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e1530 = phi_1809_;
-                                                    let _e1532 = phi_1852_;
-                                                    let _e1535 = (bitcast<i32>(_e1532.member) != 0i);
-                                                    if _e1535 {
-                                                        phi_1812_ = (0.5f * (_e1507 + (_e1493 / _e1507)));
+                                                    let _e1568 = phi_1871_;
+                                                    let _e1570 = phi_1914_;
+                                                    let _e1573 = (bitcast<i32>(_e1570.member) != 0i);
+                                                    if _e1573 {
+                                                        phi_1874_ = (0.5f * (_e1545 + (_e1531 / _e1545)));
                                                     } else {
-                                                        phi_1812_ = f32();
+                                                        phi_1874_ = f32();
                                                     }
-                                                    let _e1540 = phi_1812_;
+                                                    let _e1578 = phi_1874_;
                                                     continue;
                                                     continuing {
-                                                        phi_1808_ = _e1530;
-                                                        phi_1811_ = _e1540;
-                                                        break if !(_e1535);
+                                                        phi_1870_ = _e1568;
+                                                        phi_1873_ = _e1578;
+                                                        break if !(_e1573);
                                                     }
                                                 }
-                                                let _e1545 = local_7;
-                                                phi_1865_ = (_e1545 * (1f + (8f * 0.000000059604645f)));
+                                                let _e1583 = local_7;
+                                                phi_1927_ = (_e1583 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e1552 = phi_1865_;
-                                            let _e1553 = (_e1490 / _e1552);
-                                            let _e1554 = (_e820.member[0] / _e1552);
-                                            let _e1559 = (1.5f - (((_e1553 * _e1553) + (_e1554 * _e1554)) * 0.5f));
-                                            phi_1877_ = type_34((_e1553 * _e1559), (_e1554 * _e1559));
+                                            let _e1590 = phi_1927_;
+                                            let _e1591 = (_e1528 / _e1590);
+                                            let _e1592 = (_e858.member[0] / _e1590);
+                                            let _e1597 = (1.5f - (((_e1591 * _e1591) + (_e1592 * _e1592)) * 0.5f));
+                                            phi_1939_ = type_34((_e1591 * _e1597), (_e1592 * _e1597));
                                         } else {
-                                            phi_1877_ = type_34(1f, 0f);
+                                            phi_1939_ = type_34(1f, 0f);
                                         }
-                                        let _e1564 = phi_1877_;
-                                        let _e1581 = (((_e820.member_1[0] - _e820.member_1[1]) * _e1564.member_1) + ((_e1564.member * _e820.member[0]) * 2f));
-                                        let _e1583 = (_e820.member_1[0] - (_e1564.member_1 * _e1581));
-                                        let _e1585 = (_e820.member_1[1] + (_e1564.member_1 * _e1581));
-                                        let _e1594 = type_36(_e820.member, array<f32, 3>(_e1583, _e820.member_1[1], _e820.member_1[2]), _e820.member_2);
-                                        let _e1601 = type_36(_e1594.member, array<f32, 3>(_e1594.member_1[0], _e1585, _e1594.member_1[2]), _e1594.member_2);
-                                        let _e1605 = type_36(_e1601.member, array<f32, 3>(_e1583, _e1585, _e820.member_1[2]), _e1601.member_2);
-                                        let _e1611 = type_36(array<f32, 2>(((_e1564.member * _e1581) - _e820.member[0]), _e1605.member[1]), _e1605.member_1, _e1605.member_2);
-                                        let _e1627 = array<f32, 3>(((_e820.member_2[0][0] * _e1564.member) - (_e820.member_2[1][0] * _e1564.member_1)), ((_e820.member_2[0][1] * _e1564.member) - (_e820.member_2[1][1] * _e1564.member_1)), ((_e820.member_2[0][2] * _e1564.member) - (_e820.member_2[1][2] * _e1564.member_1)));
-                                        let _e1643 = array<f32, 3>(((_e820.member_2[0][0] * _e1564.member_1) + (_e820.member_2[1][0] * _e1564.member)), ((_e820.member_2[0][1] * _e1564.member_1) + (_e820.member_2[1][1] * _e1564.member)), ((_e820.member_2[0][2] * _e1564.member_1) + (_e820.member_2[1][2] * _e1564.member)));
-                                        let _e1650 = type_36(_e1611.member, _e1611.member_1, array<array<f32, 3>, 3>(_e1627, _e1611.member_2[1], _e1611.member_2[2]));
-                                        let _e1657 = type_36(_e1650.member, _e1650.member_1, array<array<f32, 3>, 3>(_e1650.member_2[0], _e1643, _e1650.member_2[2]));
-                                        phi_2197_ = type_36(_e1657.member, _e1657.member_1, array<array<f32, 3>, 3>(_e1627, _e1643, _e820.member_2[2]));
+                                        let _e1602 = phi_1939_;
+                                        let _e1619 = (((_e858.member_1[0] - _e858.member_1[1]) * _e1602.member_1) + ((_e1602.member * _e858.member[0]) * 2f));
+                                        let _e1621 = (_e858.member_1[0] - (_e1602.member_1 * _e1619));
+                                        let _e1623 = (_e858.member_1[1] + (_e1602.member_1 * _e1619));
+                                        let _e1632 = type_36(_e858.member, array<f32, 3>(_e1621, _e858.member_1[1], _e858.member_1[2]), _e858.member_2);
+                                        let _e1639 = type_36(_e1632.member, array<f32, 3>(_e1632.member_1[0], _e1623, _e1632.member_1[2]), _e1632.member_2);
+                                        let _e1643 = type_36(_e1639.member, array<f32, 3>(_e1621, _e1623, _e858.member_1[2]), _e1639.member_2);
+                                        let _e1649 = type_36(array<f32, 2>(((_e1602.member * _e1619) - _e858.member[0]), _e1643.member[1]), _e1643.member_1, _e1643.member_2);
+                                        let _e1665 = array<f32, 3>(((_e858.member_2[0][0] * _e1602.member) - (_e858.member_2[1][0] * _e1602.member_1)), ((_e858.member_2[0][1] * _e1602.member) - (_e858.member_2[1][1] * _e1602.member_1)), ((_e858.member_2[0][2] * _e1602.member) - (_e858.member_2[1][2] * _e1602.member_1)));
+                                        let _e1681 = array<f32, 3>(((_e858.member_2[0][0] * _e1602.member_1) + (_e858.member_2[1][0] * _e1602.member)), ((_e858.member_2[0][1] * _e1602.member_1) + (_e858.member_2[1][1] * _e1602.member)), ((_e858.member_2[0][2] * _e1602.member_1) + (_e858.member_2[1][2] * _e1602.member)));
+                                        let _e1688 = type_36(_e1649.member, _e1649.member_1, array<array<f32, 3>, 3>(_e1665, _e1649.member_2[1], _e1649.member_2[2]));
+                                        let _e1695 = type_36(_e1688.member, _e1688.member_1, array<array<f32, 3>, 3>(_e1688.member_2[0], _e1681, _e1688.member_2[2]));
+                                        phi_2259_ = type_36(_e1695.member, _e1695.member_1, array<array<f32, 3>, 3>(_e1665, _e1681, _e858.member_2[2]));
                                     } else {
-                                        if _e855 {
-                                            let _e1184 = ((_e820.member_1[2] - _e820.member_1[1]) / (_e820.member[1] * 2f));
-                                            let _e1186 = ((_e1184 * _e1184) + 1f);
-                                            if (_e1186 <= 0.000000000000000000000000000000000000011754944f) {
-                                                if (_e1186 > 0f) {
-                                                    phi_1960_ = (0.000000000000000000106433627f * 2f);
+                                        if _e893 {
+                                            let _e1222 = ((_e858.member_1[2] - _e858.member_1[1]) / (_e858.member[1] * 2f));
+                                            let _e1224 = ((_e1222 * _e1222) + 1f);
+                                            if (_e1224 <= 0.000000000000000000000000000000000000011754944f) {
+                                                if (_e1224 > 0f) {
+                                                    phi_2022_ = (0.000000000000000000106433627f * 2f);
                                                 } else {
-                                                    phi_1960_ = 0f;
+                                                    phi_2022_ = 0f;
                                                 }
-                                                let _e1239 = phi_1960_;
-                                                phi_2024_ = _e1239;
+                                                let _e1277 = phi_2022_;
+                                                phi_2086_ = _e1277;
                                             } else {
-                                                phi_1967_ = type_14(0i, 5i);
-                                                phi_1970_ = bitcast<f32>(((bitcast<u32>(_e1186) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_2029_ = type_14(0i, 5i);
+                                                phi_2032_ = bitcast<f32>(((bitcast<u32>(_e1224) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e1194 = phi_1967_;
-                                                    let _e1196 = phi_1970_;
-                                                    local_4 = _e1196;
-                                                    if (_e1194.member < _e1194.member_1) {
-                                                        let _e1203 = (_e1194.member + 1i);
-                                                        if ((false == (_e1203 > _e1194.member)) != false) {
-                                                            phi_1991_ = true;
+                                                    let _e1232 = phi_2029_;
+                                                    let _e1234 = phi_2032_;
+                                                    local_4 = _e1234;
+                                                    if (_e1232.member < _e1232.member_1) {
+                                                        let _e1241 = (_e1232.member + 1i);
+                                                        if ((false == (_e1241 > _e1232.member)) != false) {
+                                                            phi_2053_ = true;
                                                         } else {
-                                                            phi_1991_ = false;
+                                                            phi_2053_ = false;
                                                         }
-                                                        let _e1208 = phi_1991_;
-                                                        if _e1208 {
-                                                            phi_1997_ = type_15(0u, type_15().member_1);
+                                                        let _e1246 = phi_2053_;
+                                                        if _e1246 {
+                                                            phi_2059_ = type_15(0u, type_15().member_1);
                                                         } else {
-                                                            phi_1997_ = type_15(1u, _e1203);
+                                                            phi_2059_ = type_15(1u, _e1241);
                                                         }
-                                                        let _e1213 = phi_1997_;
-                                                        phi_1968_ = type_14(_e1213.member_1, _e1194.member_1);
-                                                        phi_2011_ = type_15(1u, _e1194.member);
+                                                        let _e1251 = phi_2059_;
+                                                        phi_2030_ = type_14(_e1251.member_1, _e1232.member_1);
+                                                        phi_2073_ = type_15(1u, _e1232.member);
                                                     } else {
-                                                        phi_1968_ = _e1194;
-                                                        phi_2011_ = type_15(0u, type_15().member_1);
+                                                        phi_2030_ = _e1232;
+                                                        phi_2073_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e1219 = phi_1968_;
-                                                    let _e1221 = phi_2011_;
-                                                    let _e1224 = (bitcast<i32>(_e1221.member) != 0i);
-                                                    if _e1224 {
-                                                        phi_1971_ = (0.5f * (_e1196 + (_e1186 / _e1196)));
+                                                    let _e1257 = phi_2030_;
+                                                    let _e1259 = phi_2073_;
+                                                    let _e1262 = (bitcast<i32>(_e1259.member) != 0i);
+                                                    if _e1262 {
+                                                        phi_2033_ = (0.5f * (_e1234 + (_e1224 / _e1234)));
                                                     } else {
-                                                        phi_1971_ = f32();
+                                                        phi_2033_ = f32();
                                                     }
-                                                    let _e1229 = phi_1971_;
+                                                    let _e1267 = phi_2033_;
                                                     continue;
                                                     continuing {
-                                                        phi_1967_ = _e1219;
-                                                        phi_1970_ = _e1229;
-                                                        break if !(_e1224);
+                                                        phi_2029_ = _e1257;
+                                                        phi_2032_ = _e1267;
+                                                        break if !(_e1262);
                                                     }
                                                 }
-                                                let _e1234 = local_4;
-                                                phi_2024_ = (_e1234 * (1f + (8f * 0.000000059604645f)));
+                                                let _e1272 = local_4;
+                                                phi_2086_ = (_e1272 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e1241 = phi_2024_;
-                                            if (_e1184 > 0f) {
-                                                phi_2031_ = (_e1184 + _e1241);
+                                            let _e1279 = phi_2086_;
+                                            if (_e1222 > 0f) {
+                                                phi_2093_ = (_e1222 + _e1279);
                                             } else {
-                                                phi_2031_ = (_e1184 - _e1241);
+                                                phi_2093_ = (_e1222 - _e1279);
                                             }
-                                            let _e1246 = phi_2031_;
-                                            let _e1249 = (_e820.member_1[2] - (_e820.member_1[1] - (_e820.member[1] / _e1246)));
-                                            let _e1252 = ((_e1249 * _e1249) + (_e820.member[1] * _e820.member[1]));
-                                            if (_e1252 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                if (_e1252 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    if (_e1252 > 0f) {
-                                                        phi_2058_ = (0.000000000000000000106433627f * 2f);
+                                            let _e1284 = phi_2093_;
+                                            let _e1287 = (_e858.member_1[2] - (_e858.member_1[1] - (_e858.member[1] / _e1284)));
+                                            let _e1290 = ((_e1287 * _e1287) + (_e858.member[1] * _e858.member[1]));
+                                            if (_e1290 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                if (_e1290 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    if (_e1290 > 0f) {
+                                                        phi_2120_ = (0.000000000000000000106433627f * 2f);
                                                     } else {
-                                                        phi_2058_ = 0f;
+                                                        phi_2120_ = 0f;
                                                     }
-                                                    let _e1309 = phi_2058_;
-                                                    phi_2122_ = _e1309;
+                                                    let _e1347 = phi_2120_;
+                                                    phi_2184_ = _e1347;
                                                 } else {
-                                                    phi_2065_ = type_14(0i, 5i);
-                                                    phi_2068_ = bitcast<f32>(((bitcast<u32>(_e1252) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_2127_ = type_14(0i, 5i);
+                                                    phi_2130_ = bitcast<f32>(((bitcast<u32>(_e1290) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e1264 = phi_2065_;
-                                                        let _e1266 = phi_2068_;
-                                                        local_5 = _e1266;
-                                                        if (_e1264.member < _e1264.member_1) {
-                                                            let _e1273 = (_e1264.member + 1i);
-                                                            if ((false == (_e1273 > _e1264.member)) != false) {
-                                                                phi_2089_ = true;
+                                                        let _e1302 = phi_2127_;
+                                                        let _e1304 = phi_2130_;
+                                                        local_5 = _e1304;
+                                                        if (_e1302.member < _e1302.member_1) {
+                                                            let _e1311 = (_e1302.member + 1i);
+                                                            if ((false == (_e1311 > _e1302.member)) != false) {
+                                                                phi_2151_ = true;
                                                             } else {
-                                                                phi_2089_ = false;
+                                                                phi_2151_ = false;
                                                             }
-                                                            let _e1278 = phi_2089_;
-                                                            if _e1278 {
-                                                                phi_2095_ = type_15(0u, type_15().member_1);
+                                                            let _e1316 = phi_2151_;
+                                                            if _e1316 {
+                                                                phi_2157_ = type_15(0u, type_15().member_1);
                                                             } else {
-                                                                phi_2095_ = type_15(1u, _e1273);
+                                                                phi_2157_ = type_15(1u, _e1311);
                                                             }
-                                                            let _e1283 = phi_2095_;
-                                                            phi_2066_ = type_14(_e1283.member_1, _e1264.member_1);
-                                                            phi_2109_ = type_15(1u, _e1264.member);
+                                                            let _e1321 = phi_2157_;
+                                                            phi_2128_ = type_14(_e1321.member_1, _e1302.member_1);
+                                                            phi_2171_ = type_15(1u, _e1302.member);
                                                         } else {
-                                                            phi_2066_ = _e1264;
-                                                            phi_2109_ = type_15(0u, type_15().member_1);
+                                                            phi_2128_ = _e1302;
+                                                            phi_2171_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e1289 = phi_2066_;
-                                                        let _e1291 = phi_2109_;
-                                                        let _e1294 = (bitcast<i32>(_e1291.member) != 0i);
-                                                        if _e1294 {
-                                                            phi_2069_ = (0.5f * (_e1266 + (_e1252 / _e1266)));
+                                                        let _e1327 = phi_2128_;
+                                                        let _e1329 = phi_2171_;
+                                                        let _e1332 = (bitcast<i32>(_e1329.member) != 0i);
+                                                        if _e1332 {
+                                                            phi_2131_ = (0.5f * (_e1304 + (_e1290 / _e1304)));
                                                         } else {
-                                                            phi_2069_ = f32();
+                                                            phi_2131_ = f32();
                                                         }
-                                                        let _e1299 = phi_2069_;
+                                                        let _e1337 = phi_2131_;
                                                         continue;
                                                         continuing {
-                                                            phi_2065_ = _e1289;
-                                                            phi_2068_ = _e1299;
-                                                            break if !(_e1294);
+                                                            phi_2127_ = _e1327;
+                                                            phi_2130_ = _e1337;
+                                                            break if !(_e1332);
                                                         }
                                                     }
-                                                    let _e1304 = local_5;
-                                                    phi_2122_ = (_e1304 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e1342 = local_5;
+                                                    phi_2184_ = (_e1342 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e1311 = phi_2122_;
-                                                let _e1312 = (_e1249 / _e1311);
-                                                let _e1313 = (_e820.member[1] / _e1311);
-                                                let _e1318 = (1.5f - (((_e1312 * _e1312) + (_e1313 * _e1313)) * 0.5f));
-                                                phi_2134_ = type_34((_e1312 * _e1318), (_e1313 * _e1318));
+                                                let _e1349 = phi_2184_;
+                                                let _e1350 = (_e1287 / _e1349);
+                                                let _e1351 = (_e858.member[1] / _e1349);
+                                                let _e1356 = (1.5f - (((_e1350 * _e1350) + (_e1351 * _e1351)) * 0.5f));
+                                                phi_2196_ = type_34((_e1350 * _e1356), (_e1351 * _e1356));
                                             } else {
-                                                phi_2134_ = type_34(1f, 0f);
+                                                phi_2196_ = type_34(1f, 0f);
                                             }
-                                            let _e1323 = phi_2134_;
-                                            let _e1340 = (((_e820.member_1[1] - _e820.member_1[2]) * _e1323.member_1) + ((_e1323.member * _e820.member[1]) * 2f));
-                                            let _e1342 = (_e820.member_1[1] - (_e1323.member_1 * _e1340));
-                                            let _e1353 = type_36(_e820.member, array<f32, 3>(_e820.member_1[0], _e820.member_1[1], _e820.member_1[2]), _e820.member_2);
-                                            let _e1360 = type_36(_e1353.member, array<f32, 3>(_e1353.member_1[0], _e1342, _e1353.member_1[2]), _e1353.member_2);
-                                            let _e1364 = type_36(_e1360.member, array<f32, 3>(_e820.member_1[0], _e1342, (_e820.member_1[2] + (_e1323.member_1 * _e1340))), _e1360.member_2);
-                                            let _e1370 = type_36(array<f32, 2>(_e1364.member[0], ((_e1323.member * _e1340) - _e820.member[1])), _e1364.member_1, _e1364.member_2);
-                                            let _e1386 = array<f32, 3>(((_e820.member_2[1][0] * _e1323.member) - (_e820.member_2[2][0] * _e1323.member_1)), ((_e820.member_2[1][1] * _e1323.member) - (_e820.member_2[2][1] * _e1323.member_1)), ((_e820.member_2[1][2] * _e1323.member) - (_e820.member_2[2][2] * _e1323.member_1)));
-                                            let _e1409 = type_36(_e1370.member, _e1370.member_1, array<array<f32, 3>, 3>(_e820.member_2[0], _e1370.member_2[1], _e1370.member_2[2]));
-                                            let _e1416 = type_36(_e1409.member, _e1409.member_1, array<array<f32, 3>, 3>(_e1409.member_2[0], _e1386, _e1409.member_2[2]));
-                                            phi_2196_ = type_36(_e1416.member, _e1416.member_1, array<array<f32, 3>, 3>(_e820.member_2[0], _e1386, array<f32, 3>(((_e820.member_2[1][0] * _e1323.member_1) + (_e820.member_2[2][0] * _e1323.member)), ((_e820.member_2[1][1] * _e1323.member_1) + (_e820.member_2[2][1] * _e1323.member)), ((_e820.member_2[1][2] * _e1323.member_1) + (_e820.member_2[2][2] * _e1323.member)))));
+                                            let _e1361 = phi_2196_;
+                                            let _e1378 = (((_e858.member_1[1] - _e858.member_1[2]) * _e1361.member_1) + ((_e1361.member * _e858.member[1]) * 2f));
+                                            let _e1380 = (_e858.member_1[1] - (_e1361.member_1 * _e1378));
+                                            let _e1391 = type_36(_e858.member, array<f32, 3>(_e858.member_1[0], _e858.member_1[1], _e858.member_1[2]), _e858.member_2);
+                                            let _e1398 = type_36(_e1391.member, array<f32, 3>(_e1391.member_1[0], _e1380, _e1391.member_1[2]), _e1391.member_2);
+                                            let _e1402 = type_36(_e1398.member, array<f32, 3>(_e858.member_1[0], _e1380, (_e858.member_1[2] + (_e1361.member_1 * _e1378))), _e1398.member_2);
+                                            let _e1408 = type_36(array<f32, 2>(_e1402.member[0], ((_e1361.member * _e1378) - _e858.member[1])), _e1402.member_1, _e1402.member_2);
+                                            let _e1424 = array<f32, 3>(((_e858.member_2[1][0] * _e1361.member) - (_e858.member_2[2][0] * _e1361.member_1)), ((_e858.member_2[1][1] * _e1361.member) - (_e858.member_2[2][1] * _e1361.member_1)), ((_e858.member_2[1][2] * _e1361.member) - (_e858.member_2[2][2] * _e1361.member_1)));
+                                            let _e1447 = type_36(_e1408.member, _e1408.member_1, array<array<f32, 3>, 3>(_e858.member_2[0], _e1408.member_2[1], _e1408.member_2[2]));
+                                            let _e1454 = type_36(_e1447.member, _e1447.member_1, array<array<f32, 3>, 3>(_e1447.member_2[0], _e1424, _e1447.member_2[2]));
+                                            phi_2258_ = type_36(_e1454.member, _e1454.member_1, array<array<f32, 3>, 3>(_e858.member_2[0], _e1424, array<f32, 3>(((_e858.member_2[1][0] * _e1361.member_1) + (_e858.member_2[2][0] * _e1361.member)), ((_e858.member_2[1][1] * _e1361.member_1) + (_e858.member_2[2][1] * _e1361.member)), ((_e858.member_2[1][2] * _e1361.member_1) + (_e858.member_2[2][2] * _e1361.member)))));
                                         } else {
-                                            phi_2196_ = _e820;
+                                            phi_2258_ = _e858;
                                         }
-                                        let _e1422 = phi_2196_;
-                                        phi_2197_ = _e1422;
+                                        let _e1460 = phi_2258_;
+                                        phi_2259_ = _e1460;
                                     }
-                                    let _e1663 = phi_2197_;
-                                    phi_2198_ = _e1663;
+                                    let _e1701 = phi_2259_;
+                                    phi_2260_ = _e1701;
                                 } else {
-                                    phi_2198_ = _e1179;
+                                    phi_2260_ = _e1217;
                                 }
-                                let _e1665 = phi_2198_;
-                                if _e850 {
-                                    phi_2202_ = true;
+                                let _e1703 = phi_2260_;
+                                if _e888 {
+                                    phi_2264_ = true;
                                 } else {
-                                    phi_2202_ = _e855;
+                                    phi_2264_ = _e893;
                                 }
-                                let _e1667 = phi_2202_;
-                                if _e1667 {
-                                    phi_2206_ = false;
+                                let _e1705 = phi_2264_;
+                                if _e1705 {
+                                    phi_2268_ = false;
                                 } else {
-                                    phi_2206_ = true;
+                                    phi_2268_ = true;
                                 }
-                                let _e1669 = phi_2206_;
-                                phi_1194_ = _e1665;
-                                phi_2207_ = _e1665;
-                                phi_2208_ = _e1667;
-                                phi_2209_ = _e1669;
+                                let _e1707 = phi_2268_;
+                                phi_1256_ = _e1703;
+                                phi_2269_ = _e1703;
+                                phi_2270_ = _e1705;
+                                phi_2271_ = _e1707;
                             } else {
-                                phi_1194_ = type_36();
-                                phi_2207_ = type_36();
-                                phi_2208_ = false;
-                                phi_2209_ = false;
+                                phi_1256_ = type_36();
+                                phi_2269_ = type_36();
+                                phi_2270_ = false;
+                                phi_2271_ = false;
                             }
-                            let _e1671 = phi_1194_;
-                            let _e1673 = phi_2207_;
-                            let _e1675 = phi_2208_;
-                            let _e1677 = phi_2209_;
-                            local_8 = _e1677;
-                            local_13 = _e1673;
+                            let _e1709 = phi_1256_;
+                            let _e1711 = phi_2269_;
+                            let _e1713 = phi_2270_;
+                            let _e1715 = phi_2271_;
+                            local_8 = _e1715;
+                            local_13 = _e1711;
                             continue;
                             continuing {
-                                phi_1190_ = _e832;
-                                phi_1193_ = _e1671;
-                                break if !(_e1675);
+                                phi_1252_ = _e870;
+                                phi_1255_ = _e1709;
+                                break if !(_e1713);
                             }
                         }
-                        let _e1680 = local_8;
-                        if _e1680 {
-                            let _e3540 = local_13;
-                            phi_2213_ = _e3540;
+                        let _e1718 = local_8;
+                        if _e1718 {
+                            let _e3730 = local_13;
+                            phi_2275_ = _e3730;
                         } else {
-                            let _e3542 = local_14;
-                            phi_2213_ = _e3542;
+                            let _e3732 = local_14;
+                            phi_2275_ = _e3732;
                         }
-                        let _e1682 = phi_2213_;
-                        let _e1686 = (2130706432u - (bitcast<u32>(_e701) & 2139095040u));
-                        if (_e1686 > 8388608u) {
-                            phi_2225_ = _e1686;
+                        let _e1720 = phi_2275_;
+                        let _e1724 = (2130706432u - (bitcast<u32>(_e739) & 2139095040u));
+                        if (_e1724 > 8388608u) {
+                            phi_2287_ = _e1724;
                         } else {
-                            phi_2225_ = 8388608u;
+                            phi_2287_ = 8388608u;
                         }
-                        let _e1689 = phi_2225_;
-                        let _e1690 = bitcast<f32>(_e1689);
-                        let _e1712 = ((((_e1682.member_2[0][0] * _e1682.member_2[0][0]) + (_e1682.member_2[0][1] * _e1682.member_2[0][1])) + (_e1682.member_2[0][2] * _e1682.member_2[0][2])) - 1f);
-                        let _e1726 = ((((_e1682.member_2[1][0] * _e1682.member_2[1][0]) + (_e1682.member_2[1][1] * _e1682.member_2[1][1])) + (_e1682.member_2[1][2] * _e1682.member_2[1][2])) - 1f);
-                        let _e1740 = ((((_e1682.member_2[2][0] * _e1682.member_2[2][0]) + (_e1682.member_2[2][1] * _e1682.member_2[2][1])) + (_e1682.member_2[2][2] * _e1682.member_2[2][2])) - 1f);
-                        let _e1753 = (((_e1682.member_2[0][0] * _e1682.member_2[1][0]) + (_e1682.member_2[0][1] * _e1682.member_2[1][1])) + (_e1682.member_2[0][2] * _e1682.member_2[1][2]));
-                        let _e1766 = (((_e1682.member_2[0][0] * _e1682.member_2[2][0]) + (_e1682.member_2[0][1] * _e1682.member_2[2][1])) + (_e1682.member_2[0][2] * _e1682.member_2[2][2]));
-                        let _e1779 = (((_e1682.member_2[1][0] * _e1682.member_2[2][0]) + (_e1682.member_2[1][1] * _e1682.member_2[2][1])) + (_e1682.member_2[1][2] * _e1682.member_2[2][2]));
-                        let _e1812 = (_e1682.member_2[0][0] - ((((_e1682.member_2[0][0] * _e1712) + (_e1682.member_2[1][0] * _e1753)) + (_e1682.member_2[2][0] * _e1766)) * 0.5f));
-                        let _e1814 = (_e1682.member_2[0][1] - ((((_e1682.member_2[0][1] * _e1712) + (_e1682.member_2[1][1] * _e1753)) + (_e1682.member_2[2][1] * _e1766)) * 0.5f));
-                        let _e1816 = (_e1682.member_2[0][2] - ((((_e1682.member_2[0][2] * _e1712) + (_e1682.member_2[1][2] * _e1753)) + (_e1682.member_2[2][2] * _e1766)) * 0.5f));
-                        if (_e1812 < 0f) {
-                            phi_2358_ = -(_e1812);
+                        let _e1727 = phi_2287_;
+                        let _e1728 = bitcast<f32>(_e1727);
+                        let _e1750 = ((((_e1720.member_2[0][0] * _e1720.member_2[0][0]) + (_e1720.member_2[0][1] * _e1720.member_2[0][1])) + (_e1720.member_2[0][2] * _e1720.member_2[0][2])) - 1f);
+                        let _e1764 = ((((_e1720.member_2[1][0] * _e1720.member_2[1][0]) + (_e1720.member_2[1][1] * _e1720.member_2[1][1])) + (_e1720.member_2[1][2] * _e1720.member_2[1][2])) - 1f);
+                        let _e1778 = ((((_e1720.member_2[2][0] * _e1720.member_2[2][0]) + (_e1720.member_2[2][1] * _e1720.member_2[2][1])) + (_e1720.member_2[2][2] * _e1720.member_2[2][2])) - 1f);
+                        let _e1791 = (((_e1720.member_2[0][0] * _e1720.member_2[1][0]) + (_e1720.member_2[0][1] * _e1720.member_2[1][1])) + (_e1720.member_2[0][2] * _e1720.member_2[1][2]));
+                        let _e1804 = (((_e1720.member_2[0][0] * _e1720.member_2[2][0]) + (_e1720.member_2[0][1] * _e1720.member_2[2][1])) + (_e1720.member_2[0][2] * _e1720.member_2[2][2]));
+                        let _e1817 = (((_e1720.member_2[1][0] * _e1720.member_2[2][0]) + (_e1720.member_2[1][1] * _e1720.member_2[2][1])) + (_e1720.member_2[1][2] * _e1720.member_2[2][2]));
+                        let _e1850 = (_e1720.member_2[0][0] - ((((_e1720.member_2[0][0] * _e1750) + (_e1720.member_2[1][0] * _e1791)) + (_e1720.member_2[2][0] * _e1804)) * 0.5f));
+                        let _e1852 = (_e1720.member_2[0][1] - ((((_e1720.member_2[0][1] * _e1750) + (_e1720.member_2[1][1] * _e1791)) + (_e1720.member_2[2][1] * _e1804)) * 0.5f));
+                        let _e1854 = (_e1720.member_2[0][2] - ((((_e1720.member_2[0][2] * _e1750) + (_e1720.member_2[1][2] * _e1791)) + (_e1720.member_2[2][2] * _e1804)) * 0.5f));
+                        if (_e1850 < 0f) {
+                            phi_2420_ = -(_e1850);
                         } else {
-                            phi_2358_ = _e1812;
+                            phi_2420_ = _e1850;
                         }
-                        let _e1820 = phi_2358_;
-                        if (_e1820 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2364_ = _e1812;
+                        let _e1858 = phi_2420_;
+                        if (_e1858 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2426_ = _e1850;
                         } else {
-                            phi_2364_ = 0f;
+                            phi_2426_ = 0f;
                         }
-                        let _e1824 = phi_2364_;
-                        if (_e1814 < 0f) {
-                            phi_2370_ = -(_e1814);
+                        let _e1862 = phi_2426_;
+                        if (_e1852 < 0f) {
+                            phi_2432_ = -(_e1852);
                         } else {
-                            phi_2370_ = _e1814;
+                            phi_2432_ = _e1852;
                         }
-                        let _e1828 = phi_2370_;
-                        if (_e1828 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2376_ = _e1814;
-                        } else {
-                            phi_2376_ = 0f;
-                        }
-                        let _e1832 = phi_2376_;
-                        if (_e1816 < 0f) {
-                            phi_2382_ = -(_e1816);
-                        } else {
-                            phi_2382_ = _e1816;
-                        }
-                        let _e1836 = phi_2382_;
-                        if (_e1836 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2388_ = _e1816;
-                        } else {
-                            phi_2388_ = 0f;
-                        }
-                        let _e1840 = phi_2388_;
-                        let _e1874 = (_e1682.member_2[1][0] - ((((_e1682.member_2[0][0] * _e1753) + (_e1682.member_2[1][0] * _e1726)) + (_e1682.member_2[2][0] * _e1779)) * 0.5f));
-                        let _e1876 = (_e1682.member_2[1][1] - ((((_e1682.member_2[0][1] * _e1753) + (_e1682.member_2[1][1] * _e1726)) + (_e1682.member_2[2][1] * _e1779)) * 0.5f));
-                        let _e1878 = (_e1682.member_2[1][2] - ((((_e1682.member_2[0][2] * _e1753) + (_e1682.member_2[1][2] * _e1726)) + (_e1682.member_2[2][2] * _e1779)) * 0.5f));
-                        if (_e1874 < 0f) {
-                            phi_2432_ = -(_e1874);
-                        } else {
-                            phi_2432_ = _e1874;
-                        }
-                        let _e1882 = phi_2432_;
-                        if (_e1882 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2438_ = _e1874;
+                        let _e1866 = phi_2432_;
+                        if (_e1866 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2438_ = _e1852;
                         } else {
                             phi_2438_ = 0f;
                         }
-                        let _e1886 = phi_2438_;
-                        if (_e1876 < 0f) {
-                            phi_2444_ = -(_e1876);
+                        let _e1870 = phi_2438_;
+                        if (_e1854 < 0f) {
+                            phi_2444_ = -(_e1854);
                         } else {
-                            phi_2444_ = _e1876;
+                            phi_2444_ = _e1854;
                         }
-                        let _e1890 = phi_2444_;
-                        if (_e1890 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2450_ = _e1876;
+                        let _e1874 = phi_2444_;
+                        if (_e1874 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2450_ = _e1854;
                         } else {
                             phi_2450_ = 0f;
                         }
-                        let _e1894 = phi_2450_;
-                        if (_e1878 < 0f) {
-                            phi_2456_ = -(_e1878);
+                        let _e1878 = phi_2450_;
+                        let _e1912 = (_e1720.member_2[1][0] - ((((_e1720.member_2[0][0] * _e1791) + (_e1720.member_2[1][0] * _e1764)) + (_e1720.member_2[2][0] * _e1817)) * 0.5f));
+                        let _e1914 = (_e1720.member_2[1][1] - ((((_e1720.member_2[0][1] * _e1791) + (_e1720.member_2[1][1] * _e1764)) + (_e1720.member_2[2][1] * _e1817)) * 0.5f));
+                        let _e1916 = (_e1720.member_2[1][2] - ((((_e1720.member_2[0][2] * _e1791) + (_e1720.member_2[1][2] * _e1764)) + (_e1720.member_2[2][2] * _e1817)) * 0.5f));
+                        if (_e1912 < 0f) {
+                            phi_2494_ = -(_e1912);
                         } else {
-                            phi_2456_ = _e1878;
+                            phi_2494_ = _e1912;
                         }
-                        let _e1898 = phi_2456_;
-                        if (_e1898 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2462_ = _e1878;
+                        let _e1920 = phi_2494_;
+                        if (_e1920 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2500_ = _e1912;
                         } else {
-                            phi_2462_ = 0f;
+                            phi_2500_ = 0f;
                         }
-                        let _e1902 = phi_2462_;
-                        let _e1936 = (_e1682.member_2[2][0] - ((((_e1682.member_2[0][0] * _e1766) + (_e1682.member_2[1][0] * _e1779)) + (_e1682.member_2[2][0] * _e1740)) * 0.5f));
-                        let _e1938 = (_e1682.member_2[2][1] - ((((_e1682.member_2[0][1] * _e1766) + (_e1682.member_2[1][1] * _e1779)) + (_e1682.member_2[2][1] * _e1740)) * 0.5f));
-                        let _e1940 = (_e1682.member_2[2][2] - ((((_e1682.member_2[0][2] * _e1766) + (_e1682.member_2[1][2] * _e1779)) + (_e1682.member_2[2][2] * _e1740)) * 0.5f));
-                        if (_e1936 < 0f) {
-                            phi_2506_ = -(_e1936);
+                        let _e1924 = phi_2500_;
+                        if (_e1914 < 0f) {
+                            phi_2506_ = -(_e1914);
                         } else {
-                            phi_2506_ = _e1936;
+                            phi_2506_ = _e1914;
                         }
-                        let _e1944 = phi_2506_;
-                        if (_e1944 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2512_ = _e1936;
+                        let _e1928 = phi_2506_;
+                        if (_e1928 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2512_ = _e1914;
                         } else {
                             phi_2512_ = 0f;
                         }
-                        let _e1948 = phi_2512_;
-                        if (_e1938 < 0f) {
-                            phi_2518_ = -(_e1938);
+                        let _e1932 = phi_2512_;
+                        if (_e1916 < 0f) {
+                            phi_2518_ = -(_e1916);
                         } else {
-                            phi_2518_ = _e1938;
+                            phi_2518_ = _e1916;
                         }
-                        let _e1952 = phi_2518_;
-                        if (_e1952 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2524_ = _e1938;
+                        let _e1936 = phi_2518_;
+                        if (_e1936 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2524_ = _e1916;
                         } else {
                             phi_2524_ = 0f;
                         }
-                        let _e1956 = phi_2524_;
-                        if (_e1940 < 0f) {
-                            phi_2530_ = -(_e1940);
+                        let _e1940 = phi_2524_;
+                        let _e1974 = (_e1720.member_2[2][0] - ((((_e1720.member_2[0][0] * _e1804) + (_e1720.member_2[1][0] * _e1817)) + (_e1720.member_2[2][0] * _e1778)) * 0.5f));
+                        let _e1976 = (_e1720.member_2[2][1] - ((((_e1720.member_2[0][1] * _e1804) + (_e1720.member_2[1][1] * _e1817)) + (_e1720.member_2[2][1] * _e1778)) * 0.5f));
+                        let _e1978 = (_e1720.member_2[2][2] - ((((_e1720.member_2[0][2] * _e1804) + (_e1720.member_2[1][2] * _e1817)) + (_e1720.member_2[2][2] * _e1778)) * 0.5f));
+                        if (_e1974 < 0f) {
+                            phi_2568_ = -(_e1974);
                         } else {
-                            phi_2530_ = _e1940;
+                            phi_2568_ = _e1974;
                         }
-                        let _e1960 = phi_2530_;
-                        if (_e1960 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2536_ = _e1940;
+                        let _e1982 = phi_2568_;
+                        if (_e1982 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2574_ = _e1974;
                         } else {
-                            phi_2536_ = 0f;
+                            phi_2574_ = 0f;
                         }
-                        let _e1964 = phi_2536_;
-                        let _e1972 = ((((_e1824 * _e1824) + (_e1832 * _e1832)) + (_e1840 * _e1840)) - 1f);
-                        let _e1978 = ((((_e1886 * _e1886) + (_e1894 * _e1894)) + (_e1902 * _e1902)) - 1f);
-                        let _e1984 = ((((_e1948 * _e1948) + (_e1956 * _e1956)) + (_e1964 * _e1964)) - 1f);
-                        let _e1989 = (((_e1824 * _e1886) + (_e1832 * _e1894)) + (_e1840 * _e1902));
-                        let _e1994 = (((_e1824 * _e1948) + (_e1832 * _e1956)) + (_e1840 * _e1964));
-                        let _e1999 = (((_e1886 * _e1948) + (_e1894 * _e1956)) + (_e1902 * _e1964));
-                        if (_e1972 < 0f) {
-                            phi_2577_ = -(_e1972);
+                        let _e1986 = phi_2574_;
+                        if (_e1976 < 0f) {
+                            phi_2580_ = -(_e1976);
                         } else {
-                            phi_2577_ = _e1972;
+                            phi_2580_ = _e1976;
                         }
-                        let _e2003 = phi_2577_;
+                        let _e1990 = phi_2580_;
+                        if (_e1990 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2586_ = _e1976;
+                        } else {
+                            phi_2586_ = 0f;
+                        }
+                        let _e1994 = phi_2586_;
                         if (_e1978 < 0f) {
-                            phi_2583_ = -(_e1978);
+                            phi_2592_ = -(_e1978);
                         } else {
-                            phi_2583_ = _e1978;
+                            phi_2592_ = _e1978;
                         }
-                        let _e2007 = phi_2583_;
-                        if (_e2003 > _e2007) {
-                            phi_2588_ = _e2003;
+                        let _e1998 = phi_2592_;
+                        if (_e1998 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2598_ = _e1978;
                         } else {
-                            phi_2588_ = _e2007;
+                            phi_2598_ = 0f;
                         }
-                        let _e2010 = phi_2588_;
-                        if (_e1984 < 0f) {
-                            phi_2594_ = -(_e1984);
+                        let _e2002 = phi_2598_;
+                        let _e2010 = ((((_e1862 * _e1862) + (_e1870 * _e1870)) + (_e1878 * _e1878)) - 1f);
+                        let _e2016 = ((((_e1924 * _e1924) + (_e1932 * _e1932)) + (_e1940 * _e1940)) - 1f);
+                        let _e2022 = ((((_e1986 * _e1986) + (_e1994 * _e1994)) + (_e2002 * _e2002)) - 1f);
+                        let _e2027 = (((_e1862 * _e1924) + (_e1870 * _e1932)) + (_e1878 * _e1940));
+                        let _e2032 = (((_e1862 * _e1986) + (_e1870 * _e1994)) + (_e1878 * _e2002));
+                        let _e2037 = (((_e1924 * _e1986) + (_e1932 * _e1994)) + (_e1940 * _e2002));
+                        if (_e2010 < 0f) {
+                            phi_2639_ = -(_e2010);
                         } else {
-                            phi_2594_ = _e1984;
+                            phi_2639_ = _e2010;
                         }
-                        let _e2014 = phi_2594_;
-                        if (_e2010 > _e2014) {
-                            phi_2599_ = _e2010;
+                        let _e2041 = phi_2639_;
+                        if (_e2016 < 0f) {
+                            phi_2645_ = -(_e2016);
                         } else {
-                            phi_2599_ = _e2014;
+                            phi_2645_ = _e2016;
                         }
-                        let _e2017 = phi_2599_;
-                        if (_e1989 < 0f) {
-                            phi_2605_ = -(_e1989);
+                        let _e2045 = phi_2645_;
+                        if (_e2041 > _e2045) {
+                            phi_2650_ = _e2041;
                         } else {
-                            phi_2605_ = _e1989;
+                            phi_2650_ = _e2045;
                         }
-                        let _e2021 = phi_2605_;
-                        if (_e1994 < 0f) {
-                            phi_2611_ = -(_e1994);
+                        let _e2048 = phi_2650_;
+                        if (_e2022 < 0f) {
+                            phi_2656_ = -(_e2022);
                         } else {
-                            phi_2611_ = _e1994;
+                            phi_2656_ = _e2022;
                         }
-                        let _e2025 = phi_2611_;
-                        if (_e2021 > _e2025) {
-                            phi_2616_ = _e2021;
+                        let _e2052 = phi_2656_;
+                        if (_e2048 > _e2052) {
+                            phi_2661_ = _e2048;
                         } else {
-                            phi_2616_ = _e2025;
+                            phi_2661_ = _e2052;
                         }
-                        let _e2028 = phi_2616_;
-                        if (_e1999 < 0f) {
-                            phi_2622_ = -(_e1999);
+                        let _e2055 = phi_2661_;
+                        if (_e2027 < 0f) {
+                            phi_2667_ = -(_e2027);
                         } else {
-                            phi_2622_ = _e1999;
+                            phi_2667_ = _e2027;
                         }
-                        let _e2032 = phi_2622_;
-                        if (_e2028 > _e2032) {
-                            phi_2627_ = _e2028;
+                        let _e2059 = phi_2667_;
+                        if (_e2032 < 0f) {
+                            phi_2673_ = -(_e2032);
                         } else {
-                            phi_2627_ = _e2032;
+                            phi_2673_ = _e2032;
                         }
-                        let _e2035 = phi_2627_;
-                        if (_e2017 > _e2035) {
-                            phi_2632_ = _e2017;
+                        let _e2063 = phi_2673_;
+                        if (_e2059 > _e2063) {
+                            phi_2678_ = _e2059;
                         } else {
-                            phi_2632_ = _e2035;
+                            phi_2678_ = _e2063;
                         }
-                        let _e2038 = phi_2632_;
-                        if (_e2038 <= (0.000000059604645f * (16f - 4f))) {
-                            phi_2643_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1824, _e1832, _e1840), array<f32, 3>(_e1886, _e1894, _e1902), array<f32, 3>(_e1948, _e1956, _e1964));
+                        let _e2066 = phi_2678_;
+                        if (_e2037 < 0f) {
+                            phi_2684_ = -(_e2037);
                         } else {
-                            phi_2643_ = array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f));
+                            phi_2684_ = _e2037;
                         }
-                        let _e2043 = phi_2643_;
-                        phi_2645_ = type_37(array<f32, 3>((_e1682.member_1[0] * _e1690), (_e1682.member_1[1] * _e1690), (_e1682.member_1[2] * _e1690)), _e2043);
-                        phi_2646_ = false;
+                        let _e2070 = phi_2684_;
+                        if (_e2066 > _e2070) {
+                            phi_2689_ = _e2066;
+                        } else {
+                            phi_2689_ = _e2070;
+                        }
+                        let _e2073 = phi_2689_;
+                        if (_e2055 > _e2073) {
+                            phi_2694_ = _e2055;
+                        } else {
+                            phi_2694_ = _e2073;
+                        }
+                        let _e2076 = phi_2694_;
+                        if (_e2076 <= (0.000000059604645f * (16f - 6f))) {
+                            phi_2705_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1862, _e1870, _e1878), array<f32, 3>(_e1924, _e1932, _e1940), array<f32, 3>(_e1986, _e1994, _e2002));
+                        } else {
+                            phi_2705_ = array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f));
+                        }
+                        let _e2081 = phi_2705_;
+                        phi_2707_ = type_37(array<f32, 3>((_e1720.member_1[0] * _e1728), (_e1720.member_1[1] * _e1728), (_e1720.member_1[2] * _e1728)), _e2081);
+                        phi_2708_ = false;
                     } else {
-                        phi_2645_ = type_37();
-                        phi_2646_ = true;
+                        phi_2707_ = type_37();
+                        phi_2708_ = true;
                     }
-                    let _e2046 = phi_2645_;
-                    let _e2048 = phi_2646_;
-                    phi_2647_ = _e2046;
-                    phi_2648_ = _e2048;
+                    let _e2084 = phi_2707_;
+                    let _e2086 = phi_2708_;
+                    phi_2709_ = _e2084;
+                    phi_2710_ = _e2086;
                 } else {
-                    phi_2647_ = type_37();
-                    phi_2648_ = true;
+                    phi_2709_ = type_37();
+                    phi_2710_ = true;
                 }
-                let _e2050 = phi_2647_;
-                let _e2052 = phi_2648_;
-                if _e2052 {
-                    phi_2661_ = type_37(array<f32, 3>(_e643, _e647, _e651), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
+                let _e2088 = phi_2709_;
+                let _e2090 = phi_2710_;
+                if _e2090 {
+                    phi_2723_ = type_37(array<f32, 3>(_e681, _e685, _e689), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
                 } else {
-                    phi_2661_ = _e2050;
+                    phi_2723_ = _e2088;
                 }
-                let _e2056 = phi_2661_;
-                let _e2071 = (((_e269.member_1[0][0] * _e2056.member_1[0][0]) + (_e269.member_1[0][1] * _e2056.member_1[0][1])) + (_e269.member_1[0][2] * _e2056.member_1[0][2]));
-                let _e2084 = (((_e269.member_1[1][0] * _e2056.member_1[0][0]) + (_e269.member_1[1][1] * _e2056.member_1[0][1])) + (_e269.member_1[1][2] * _e2056.member_1[0][2]));
-                let _e2097 = (((_e269.member_1[2][0] * _e2056.member_1[0][0]) + (_e269.member_1[2][1] * _e2056.member_1[0][1])) + (_e269.member_1[2][2] * _e2056.member_1[0][2]));
-                if (_e2071 < 0f) {
-                    phi_2706_ = -(_e2071);
+                let _e2094 = phi_2723_;
+                let _e2109 = (((_e289.member_1[0][0] * _e2094.member_1[0][0]) + (_e289.member_1[0][1] * _e2094.member_1[0][1])) + (_e289.member_1[0][2] * _e2094.member_1[0][2]));
+                let _e2122 = (((_e289.member_1[1][0] * _e2094.member_1[0][0]) + (_e289.member_1[1][1] * _e2094.member_1[0][1])) + (_e289.member_1[1][2] * _e2094.member_1[0][2]));
+                let _e2135 = (((_e289.member_1[2][0] * _e2094.member_1[0][0]) + (_e289.member_1[2][1] * _e2094.member_1[0][1])) + (_e289.member_1[2][2] * _e2094.member_1[0][2]));
+                if (_e2109 < 0f) {
+                    phi_2768_ = -(_e2109);
                 } else {
-                    phi_2706_ = _e2071;
+                    phi_2768_ = _e2109;
                 }
-                let _e2102 = phi_2706_;
-                if (_e2084 < 0f) {
-                    phi_2712_ = -(_e2084);
+                let _e2140 = phi_2768_;
+                if (_e2122 < 0f) {
+                    phi_2774_ = -(_e2122);
                 } else {
-                    phi_2712_ = _e2084;
+                    phi_2774_ = _e2122;
                 }
-                let _e2106 = phi_2712_;
-                if (_e2097 < 0f) {
-                    phi_2718_ = -(_e2097);
+                let _e2144 = phi_2774_;
+                if (_e2135 < 0f) {
+                    phi_2780_ = -(_e2135);
                 } else {
-                    phi_2718_ = _e2097;
+                    phi_2780_ = _e2135;
                 }
-                let _e2110 = phi_2718_;
-                let _e2118 = (((_e2102 * _e269.member_2[0]) + (_e2106 * _e269.member_2[1])) + (_e2110 * _e269.member_2[2]));
-                let _e2132 = (((_e269.member_1[0][0] * _e2056.member_1[1][0]) + (_e269.member_1[0][1] * _e2056.member_1[1][1])) + (_e269.member_1[0][2] * _e2056.member_1[1][2]));
-                let _e2145 = (((_e269.member_1[1][0] * _e2056.member_1[1][0]) + (_e269.member_1[1][1] * _e2056.member_1[1][1])) + (_e269.member_1[1][2] * _e2056.member_1[1][2]));
-                let _e2158 = (((_e269.member_1[2][0] * _e2056.member_1[1][0]) + (_e269.member_1[2][1] * _e2056.member_1[1][1])) + (_e269.member_1[2][2] * _e2056.member_1[1][2]));
-                if (_e2132 < 0f) {
-                    phi_2770_ = -(_e2132);
+                let _e2148 = phi_2780_;
+                let _e2156 = (((_e2140 * _e289.member_2[0]) + (_e2144 * _e289.member_2[1])) + (_e2148 * _e289.member_2[2]));
+                let _e2170 = (((_e289.member_1[0][0] * _e2094.member_1[1][0]) + (_e289.member_1[0][1] * _e2094.member_1[1][1])) + (_e289.member_1[0][2] * _e2094.member_1[1][2]));
+                let _e2183 = (((_e289.member_1[1][0] * _e2094.member_1[1][0]) + (_e289.member_1[1][1] * _e2094.member_1[1][1])) + (_e289.member_1[1][2] * _e2094.member_1[1][2]));
+                let _e2196 = (((_e289.member_1[2][0] * _e2094.member_1[1][0]) + (_e289.member_1[2][1] * _e2094.member_1[1][1])) + (_e289.member_1[2][2] * _e2094.member_1[1][2]));
+                if (_e2170 < 0f) {
+                    phi_2832_ = -(_e2170);
                 } else {
-                    phi_2770_ = _e2132;
+                    phi_2832_ = _e2170;
                 }
-                let _e2163 = phi_2770_;
-                if (_e2145 < 0f) {
-                    phi_2776_ = -(_e2145);
+                let _e2201 = phi_2832_;
+                if (_e2183 < 0f) {
+                    phi_2838_ = -(_e2183);
                 } else {
-                    phi_2776_ = _e2145;
+                    phi_2838_ = _e2183;
                 }
-                let _e2167 = phi_2776_;
-                if (_e2158 < 0f) {
-                    phi_2782_ = -(_e2158);
+                let _e2205 = phi_2838_;
+                if (_e2196 < 0f) {
+                    phi_2844_ = -(_e2196);
                 } else {
-                    phi_2782_ = _e2158;
+                    phi_2844_ = _e2196;
                 }
-                let _e2171 = phi_2782_;
-                let _e2179 = (((_e2163 * _e269.member_2[0]) + (_e2167 * _e269.member_2[1])) + (_e2171 * _e269.member_2[2]));
-                let _e2193 = (((_e269.member_1[0][0] * _e2056.member_1[2][0]) + (_e269.member_1[0][1] * _e2056.member_1[2][1])) + (_e269.member_1[0][2] * _e2056.member_1[2][2]));
-                let _e2206 = (((_e269.member_1[1][0] * _e2056.member_1[2][0]) + (_e269.member_1[1][1] * _e2056.member_1[2][1])) + (_e269.member_1[1][2] * _e2056.member_1[2][2]));
-                let _e2219 = (((_e269.member_1[2][0] * _e2056.member_1[2][0]) + (_e269.member_1[2][1] * _e2056.member_1[2][1])) + (_e269.member_1[2][2] * _e2056.member_1[2][2]));
-                if (_e2193 < 0f) {
-                    phi_2834_ = -(_e2193);
+                let _e2209 = phi_2844_;
+                let _e2217 = (((_e2201 * _e289.member_2[0]) + (_e2205 * _e289.member_2[1])) + (_e2209 * _e289.member_2[2]));
+                let _e2231 = (((_e289.member_1[0][0] * _e2094.member_1[2][0]) + (_e289.member_1[0][1] * _e2094.member_1[2][1])) + (_e289.member_1[0][2] * _e2094.member_1[2][2]));
+                let _e2244 = (((_e289.member_1[1][0] * _e2094.member_1[2][0]) + (_e289.member_1[1][1] * _e2094.member_1[2][1])) + (_e289.member_1[1][2] * _e2094.member_1[2][2]));
+                let _e2257 = (((_e289.member_1[2][0] * _e2094.member_1[2][0]) + (_e289.member_1[2][1] * _e2094.member_1[2][1])) + (_e289.member_1[2][2] * _e2094.member_1[2][2]));
+                if (_e2231 < 0f) {
+                    phi_2896_ = -(_e2231);
                 } else {
-                    phi_2834_ = _e2193;
+                    phi_2896_ = _e2231;
                 }
-                let _e2224 = phi_2834_;
-                if (_e2206 < 0f) {
-                    phi_2840_ = -(_e2206);
+                let _e2262 = phi_2896_;
+                if (_e2244 < 0f) {
+                    phi_2902_ = -(_e2244);
                 } else {
-                    phi_2840_ = _e2206;
+                    phi_2902_ = _e2244;
                 }
-                let _e2228 = phi_2840_;
-                if (_e2219 < 0f) {
-                    phi_2846_ = -(_e2219);
+                let _e2266 = phi_2902_;
+                if (_e2257 < 0f) {
+                    phi_2908_ = -(_e2257);
                 } else {
-                    phi_2846_ = _e2219;
+                    phi_2908_ = _e2257;
                 }
-                let _e2232 = phi_2846_;
-                let _e2240 = (((_e2224 * _e269.member_2[0]) + (_e2228 * _e269.member_2[1])) + (_e2232 * _e269.member_2[2]));
-                let _e2254 = (((_e377.member_1[0][0] * _e2056.member_1[0][0]) + (_e377.member_1[0][1] * _e2056.member_1[0][1])) + (_e377.member_1[0][2] * _e2056.member_1[0][2]));
-                let _e2267 = (((_e377.member_1[1][0] * _e2056.member_1[0][0]) + (_e377.member_1[1][1] * _e2056.member_1[0][1])) + (_e377.member_1[1][2] * _e2056.member_1[0][2]));
-                let _e2280 = (((_e377.member_1[2][0] * _e2056.member_1[0][0]) + (_e377.member_1[2][1] * _e2056.member_1[0][1])) + (_e377.member_1[2][2] * _e2056.member_1[0][2]));
-                if (_e2254 < 0f) {
-                    phi_2898_ = -(_e2254);
+                let _e2270 = phi_2908_;
+                let _e2278 = (((_e2262 * _e289.member_2[0]) + (_e2266 * _e289.member_2[1])) + (_e2270 * _e289.member_2[2]));
+                let _e2292 = (((_e415.member_1[0][0] * _e2094.member_1[0][0]) + (_e415.member_1[0][1] * _e2094.member_1[0][1])) + (_e415.member_1[0][2] * _e2094.member_1[0][2]));
+                let _e2305 = (((_e415.member_1[1][0] * _e2094.member_1[0][0]) + (_e415.member_1[1][1] * _e2094.member_1[0][1])) + (_e415.member_1[1][2] * _e2094.member_1[0][2]));
+                let _e2318 = (((_e415.member_1[2][0] * _e2094.member_1[0][0]) + (_e415.member_1[2][1] * _e2094.member_1[0][1])) + (_e415.member_1[2][2] * _e2094.member_1[0][2]));
+                if (_e2292 < 0f) {
+                    phi_2960_ = -(_e2292);
                 } else {
-                    phi_2898_ = _e2254;
+                    phi_2960_ = _e2292;
                 }
-                let _e2285 = phi_2898_;
-                if (_e2267 < 0f) {
-                    phi_2904_ = -(_e2267);
+                let _e2323 = phi_2960_;
+                if (_e2305 < 0f) {
+                    phi_2966_ = -(_e2305);
                 } else {
-                    phi_2904_ = _e2267;
+                    phi_2966_ = _e2305;
                 }
-                let _e2289 = phi_2904_;
-                if (_e2280 < 0f) {
-                    phi_2910_ = -(_e2280);
+                let _e2327 = phi_2966_;
+                if (_e2318 < 0f) {
+                    phi_2972_ = -(_e2318);
                 } else {
-                    phi_2910_ = _e2280;
+                    phi_2972_ = _e2318;
                 }
-                let _e2293 = phi_2910_;
-                let _e2301 = (((_e2285 * _e377.member_2[0]) + (_e2289 * _e377.member_2[1])) + (_e2293 * _e377.member_2[2]));
-                let _e2315 = (((_e377.member_1[0][0] * _e2056.member_1[1][0]) + (_e377.member_1[0][1] * _e2056.member_1[1][1])) + (_e377.member_1[0][2] * _e2056.member_1[1][2]));
-                let _e2328 = (((_e377.member_1[1][0] * _e2056.member_1[1][0]) + (_e377.member_1[1][1] * _e2056.member_1[1][1])) + (_e377.member_1[1][2] * _e2056.member_1[1][2]));
-                let _e2341 = (((_e377.member_1[2][0] * _e2056.member_1[1][0]) + (_e377.member_1[2][1] * _e2056.member_1[1][1])) + (_e377.member_1[2][2] * _e2056.member_1[1][2]));
-                if (_e2315 < 0f) {
-                    phi_2962_ = -(_e2315);
+                let _e2331 = phi_2972_;
+                let _e2339 = (((_e2323 * _e415.member_2[0]) + (_e2327 * _e415.member_2[1])) + (_e2331 * _e415.member_2[2]));
+                let _e2353 = (((_e415.member_1[0][0] * _e2094.member_1[1][0]) + (_e415.member_1[0][1] * _e2094.member_1[1][1])) + (_e415.member_1[0][2] * _e2094.member_1[1][2]));
+                let _e2366 = (((_e415.member_1[1][0] * _e2094.member_1[1][0]) + (_e415.member_1[1][1] * _e2094.member_1[1][1])) + (_e415.member_1[1][2] * _e2094.member_1[1][2]));
+                let _e2379 = (((_e415.member_1[2][0] * _e2094.member_1[1][0]) + (_e415.member_1[2][1] * _e2094.member_1[1][1])) + (_e415.member_1[2][2] * _e2094.member_1[1][2]));
+                if (_e2353 < 0f) {
+                    phi_3024_ = -(_e2353);
                 } else {
-                    phi_2962_ = _e2315;
+                    phi_3024_ = _e2353;
                 }
-                let _e2346 = phi_2962_;
-                if (_e2328 < 0f) {
-                    phi_2968_ = -(_e2328);
+                let _e2384 = phi_3024_;
+                if (_e2366 < 0f) {
+                    phi_3030_ = -(_e2366);
                 } else {
-                    phi_2968_ = _e2328;
+                    phi_3030_ = _e2366;
                 }
-                let _e2350 = phi_2968_;
-                if (_e2341 < 0f) {
-                    phi_2974_ = -(_e2341);
+                let _e2388 = phi_3030_;
+                if (_e2379 < 0f) {
+                    phi_3036_ = -(_e2379);
                 } else {
-                    phi_2974_ = _e2341;
+                    phi_3036_ = _e2379;
                 }
-                let _e2354 = phi_2974_;
-                let _e2362 = (((_e2346 * _e377.member_2[0]) + (_e2350 * _e377.member_2[1])) + (_e2354 * _e377.member_2[2]));
-                let _e2376 = (((_e377.member_1[0][0] * _e2056.member_1[2][0]) + (_e377.member_1[0][1] * _e2056.member_1[2][1])) + (_e377.member_1[0][2] * _e2056.member_1[2][2]));
-                let _e2389 = (((_e377.member_1[1][0] * _e2056.member_1[2][0]) + (_e377.member_1[1][1] * _e2056.member_1[2][1])) + (_e377.member_1[1][2] * _e2056.member_1[2][2]));
-                let _e2402 = (((_e377.member_1[2][0] * _e2056.member_1[2][0]) + (_e377.member_1[2][1] * _e2056.member_1[2][1])) + (_e377.member_1[2][2] * _e2056.member_1[2][2]));
-                if (_e2376 < 0f) {
-                    phi_3026_ = -(_e2376);
+                let _e2392 = phi_3036_;
+                let _e2400 = (((_e2384 * _e415.member_2[0]) + (_e2388 * _e415.member_2[1])) + (_e2392 * _e415.member_2[2]));
+                let _e2414 = (((_e415.member_1[0][0] * _e2094.member_1[2][0]) + (_e415.member_1[0][1] * _e2094.member_1[2][1])) + (_e415.member_1[0][2] * _e2094.member_1[2][2]));
+                let _e2427 = (((_e415.member_1[1][0] * _e2094.member_1[2][0]) + (_e415.member_1[1][1] * _e2094.member_1[2][1])) + (_e415.member_1[1][2] * _e2094.member_1[2][2]));
+                let _e2440 = (((_e415.member_1[2][0] * _e2094.member_1[2][0]) + (_e415.member_1[2][1] * _e2094.member_1[2][1])) + (_e415.member_1[2][2] * _e2094.member_1[2][2]));
+                if (_e2414 < 0f) {
+                    phi_3088_ = -(_e2414);
                 } else {
-                    phi_3026_ = _e2376;
+                    phi_3088_ = _e2414;
                 }
-                let _e2407 = phi_3026_;
-                if (_e2389 < 0f) {
-                    phi_3032_ = -(_e2389);
+                let _e2445 = phi_3088_;
+                if (_e2427 < 0f) {
+                    phi_3094_ = -(_e2427);
                 } else {
-                    phi_3032_ = _e2389;
+                    phi_3094_ = _e2427;
                 }
-                let _e2411 = phi_3032_;
-                if (_e2402 < 0f) {
-                    phi_3038_ = -(_e2402);
+                let _e2449 = phi_3094_;
+                if (_e2440 < 0f) {
+                    phi_3100_ = -(_e2440);
                 } else {
-                    phi_3038_ = _e2402;
+                    phi_3100_ = _e2440;
                 }
-                let _e2415 = phi_3038_;
-                let _e2423 = (((_e2407 * _e377.member_2[0]) + (_e2411 * _e377.member_2[1])) + (_e2415 * _e377.member_2[2]));
-                let _e2432 = (((_e2056.member_1[0][0] * _e382) + (_e2056.member_1[0][1] * _e385)) + (_e2056.member_1[0][2] * _e388));
-                let _e2441 = (((_e2056.member_1[1][0] * _e382) + (_e2056.member_1[1][1] * _e385)) + (_e2056.member_1[1][2] * _e388));
-                let _e2450 = (((_e2056.member_1[2][0] * _e382) + (_e2056.member_1[2][1] * _e385)) + (_e2056.member_1[2][2] * _e388));
-                let _e2451 = (_e2118 * -1f);
-                let _e2452 = (_e2179 * -1f);
-                let _e2453 = (_e2240 * -1f);
-                let _e2454 = (_e2432 - _e2301);
-                let _e2455 = (_e2441 - _e2362);
-                let _e2456 = (_e2450 - _e2423);
-                if (_e2451 < _e2454) {
-                    phi_3084_ = _e2451;
+                let _e2453 = phi_3100_;
+                let _e2461 = (((_e2445 * _e415.member_2[0]) + (_e2449 * _e415.member_2[1])) + (_e2453 * _e415.member_2[2]));
+                let _e2470 = (((_e2094.member_1[0][0] * _e420) + (_e2094.member_1[0][1] * _e423)) + (_e2094.member_1[0][2] * _e426));
+                let _e2479 = (((_e2094.member_1[1][0] * _e420) + (_e2094.member_1[1][1] * _e423)) + (_e2094.member_1[1][2] * _e426));
+                let _e2488 = (((_e2094.member_1[2][0] * _e420) + (_e2094.member_1[2][1] * _e423)) + (_e2094.member_1[2][2] * _e426));
+                let _e2489 = (_e2156 * -1f);
+                let _e2490 = (_e2217 * -1f);
+                let _e2491 = (_e2278 * -1f);
+                let _e2492 = (_e2470 - _e2339);
+                let _e2493 = (_e2479 - _e2400);
+                let _e2494 = (_e2488 - _e2461);
+                if (_e2489 < _e2492) {
+                    phi_3146_ = _e2489;
                 } else {
-                    phi_3084_ = _e2454;
+                    phi_3146_ = _e2492;
                 }
-                let _e2459 = phi_3084_;
-                if (_e2452 < _e2455) {
-                    phi_3089_ = _e2452;
+                let _e2497 = phi_3146_;
+                if (_e2490 < _e2493) {
+                    phi_3151_ = _e2490;
                 } else {
-                    phi_3089_ = _e2455;
+                    phi_3151_ = _e2493;
                 }
-                let _e2462 = phi_3089_;
-                if (_e2453 < _e2456) {
-                    phi_3094_ = _e2453;
+                let _e2500 = phi_3151_;
+                if (_e2491 < _e2494) {
+                    phi_3156_ = _e2491;
                 } else {
-                    phi_3094_ = _e2456;
+                    phi_3156_ = _e2494;
                 }
-                let _e2465 = phi_3094_;
-                let _e2466 = (_e2432 + _e2301);
-                let _e2467 = (_e2441 + _e2362);
-                let _e2468 = (_e2450 + _e2423);
-                if (_e2118 > _e2466) {
-                    phi_3102_ = _e2118;
+                let _e2503 = phi_3156_;
+                let _e2504 = (_e2470 + _e2339);
+                let _e2505 = (_e2479 + _e2400);
+                let _e2506 = (_e2488 + _e2461);
+                if (_e2156 > _e2504) {
+                    phi_3164_ = _e2156;
                 } else {
-                    phi_3102_ = _e2466;
+                    phi_3164_ = _e2504;
                 }
-                let _e2471 = phi_3102_;
-                if (_e2179 > _e2467) {
-                    phi_3107_ = _e2179;
+                let _e2509 = phi_3164_;
+                if (_e2217 > _e2505) {
+                    phi_3169_ = _e2217;
                 } else {
-                    phi_3107_ = _e2467;
+                    phi_3169_ = _e2505;
                 }
-                let _e2474 = phi_3107_;
-                if (_e2240 > _e2468) {
-                    phi_3112_ = _e2240;
+                let _e2512 = phi_3169_;
+                if (_e2278 > _e2506) {
+                    phi_3174_ = _e2278;
                 } else {
-                    phi_3112_ = _e2468;
+                    phi_3174_ = _e2506;
                 }
-                let _e2477 = phi_3112_;
-                let _e2482 = ((_e2459 + _e2471) * 0.5f);
-                let _e2483 = ((_e2462 + _e2474) * 0.5f);
-                let _e2484 = ((_e2465 + _e2477) * 0.5f);
-                let _e2513 = (_e269.member[0] + (((_e2056.member_1[0][0] * _e2482) + (_e2056.member_1[1][0] * _e2483)) + (_e2056.member_1[2][0] * _e2484)));
-                let _e2515 = (_e269.member[1] + (((_e2056.member_1[0][1] * _e2482) + (_e2056.member_1[1][1] * _e2483)) + (_e2056.member_1[2][1] * _e2484)));
-                let _e2517 = (_e269.member[2] + (((_e2056.member_1[0][2] * _e2482) + (_e2056.member_1[1][2] * _e2483)) + (_e2056.member_1[2][2] * _e2484)));
-                let _e2521 = (_e269.member[0] - _e2513);
-                let _e2523 = (_e269.member[1] - _e2515);
-                let _e2525 = (_e269.member[2] - _e2517);
-                if (_e269.member_2[0] < 0f) {
-                    phi_3168_ = -(_e269.member_2[0]);
+                let _e2515 = phi_3174_;
+                let _e2520 = ((_e2497 + _e2509) * 0.5f);
+                let _e2521 = ((_e2500 + _e2512) * 0.5f);
+                let _e2522 = ((_e2503 + _e2515) * 0.5f);
+                let _e2551 = (_e289.member[0] + (((_e2094.member_1[0][0] * _e2520) + (_e2094.member_1[1][0] * _e2521)) + (_e2094.member_1[2][0] * _e2522)));
+                let _e2553 = (_e289.member[1] + (((_e2094.member_1[0][1] * _e2520) + (_e2094.member_1[1][1] * _e2521)) + (_e2094.member_1[2][1] * _e2522)));
+                let _e2555 = (_e289.member[2] + (((_e2094.member_1[0][2] * _e2520) + (_e2094.member_1[1][2] * _e2521)) + (_e2094.member_1[2][2] * _e2522)));
+                if (_e289.member[0] < 0f) {
+                    phi_3223_ = -(_e289.member[0]);
                 } else {
-                    phi_3168_ = _e269.member_2[0];
+                    phi_3223_ = _e289.member[0];
                 }
-                let _e2531 = phi_3168_;
-                if (_e269.member_2[1] < 0f) {
-                    phi_3175_ = -(_e269.member_2[1]);
+                let _e2562 = phi_3223_;
+                if (_e289.member[1] < 0f) {
+                    phi_3230_ = -(_e289.member[1]);
                 } else {
-                    phi_3175_ = _e269.member_2[1];
+                    phi_3230_ = _e289.member[1];
                 }
-                let _e2536 = phi_3175_;
-                if (_e269.member_2[2] < 0f) {
-                    phi_3183_ = -(_e269.member_2[2]);
+                let _e2567 = phi_3230_;
+                if (_e289.member[2] < 0f) {
+                    phi_3237_ = -(_e289.member[2]);
                 } else {
-                    phi_3183_ = _e269.member_2[2];
+                    phi_3237_ = _e289.member[2];
                 }
-                let _e2542 = phi_3183_;
-                if (_e2521 < 0f) {
-                    phi_3192_ = -(_e2521);
+                let _e2572 = phi_3237_;
+                if (_e415.member[0] < 0f) {
+                    phi_3245_ = -(_e415.member[0]);
                 } else {
-                    phi_3192_ = _e2521;
+                    phi_3245_ = _e415.member[0];
                 }
-                let _e2549 = phi_3192_;
-                if (_e2523 < 0f) {
-                    phi_3198_ = -(_e2523);
+                let _e2578 = phi_3245_;
+                if (_e415.member[1] < 0f) {
+                    phi_3252_ = -(_e415.member[1]);
                 } else {
-                    phi_3198_ = _e2523;
+                    phi_3252_ = _e415.member[1];
                 }
-                let _e2553 = phi_3198_;
-                if (_e2525 < 0f) {
-                    phi_3204_ = -(_e2525);
+                let _e2583 = phi_3252_;
+                if (_e415.member[2] < 0f) {
+                    phi_3259_ = -(_e415.member[2]);
                 } else {
-                    phi_3204_ = _e2525;
+                    phi_3259_ = _e415.member[2];
                 }
-                let _e2557 = phi_3204_;
-                if (_e2056.member_1[0][0] < 0f) {
-                    phi_3212_ = -(_e2056.member_1[0][0]);
+                let _e2588 = phi_3259_;
+                if (_e2562 > _e2578) {
+                    phi_3264_ = _e2562;
                 } else {
-                    phi_3212_ = _e2056.member_1[0][0];
+                    phi_3264_ = _e2578;
                 }
-                let _e2563 = phi_3212_;
-                if (_e2056.member_1[0][1] < 0f) {
-                    phi_3219_ = -(_e2056.member_1[0][1]);
+                let _e2591 = phi_3264_;
+                if (_e2567 > _e2583) {
+                    phi_3269_ = _e2567;
                 } else {
-                    phi_3219_ = _e2056.member_1[0][1];
+                    phi_3269_ = _e2583;
                 }
-                let _e2568 = phi_3219_;
-                if (_e2056.member_1[0][2] < 0f) {
-                    phi_3226_ = -(_e2056.member_1[0][2]);
+                let _e2594 = phi_3269_;
+                if (_e2572 > _e2588) {
+                    phi_3274_ = _e2572;
                 } else {
-                    phi_3226_ = _e2056.member_1[0][2];
+                    phi_3274_ = _e2588;
                 }
-                let _e2573 = phi_3226_;
-                if (_e2056.member_1[1][0] < 0f) {
-                    phi_3239_ = -(_e2056.member_1[1][0]);
+                let _e2597 = phi_3274_;
+                let _e2600 = (_e289.member[0] - _e2551);
+                let _e2602 = (_e289.member[1] - _e2553);
+                let _e2604 = (_e289.member[2] - _e2555);
+                if (_e2600 < 0f) {
+                    phi_3287_ = -(_e2600);
                 } else {
-                    phi_3239_ = _e2056.member_1[1][0];
+                    phi_3287_ = _e2600;
                 }
-                let _e2584 = phi_3239_;
-                if (_e2056.member_1[1][1] < 0f) {
-                    phi_3246_ = -(_e2056.member_1[1][1]);
+                let _e2608 = phi_3287_;
+                if (_e2602 < 0f) {
+                    phi_3293_ = -(_e2602);
                 } else {
-                    phi_3246_ = _e2056.member_1[1][1];
+                    phi_3293_ = _e2602;
                 }
-                let _e2589 = phi_3246_;
-                if (_e2056.member_1[1][2] < 0f) {
-                    phi_3253_ = -(_e2056.member_1[1][2]);
+                let _e2612 = phi_3293_;
+                if (_e2604 < 0f) {
+                    phi_3300_ = -(_e2604);
                 } else {
-                    phi_3253_ = _e2056.member_1[1][2];
+                    phi_3300_ = _e2604;
                 }
-                let _e2594 = phi_3253_;
-                if (_e2056.member_1[2][0] < 0f) {
-                    phi_3266_ = -(_e2056.member_1[2][0]);
+                let _e2617 = phi_3300_;
+                let _e2620 = (((_e2608 + _e2612) + _e2617) * (0.000000059604645f * 16f));
+                if (_e2094.member_1[0][0] < 0f) {
+                    phi_3311_ = -(_e2094.member_1[0][0]);
                 } else {
-                    phi_3266_ = _e2056.member_1[2][0];
+                    phi_3311_ = _e2094.member_1[0][0];
                 }
-                let _e2605 = phi_3266_;
-                if (_e2056.member_1[2][1] < 0f) {
-                    phi_3273_ = -(_e2056.member_1[2][1]);
+                let _e2626 = phi_3311_;
+                if (_e2094.member_1[0][1] < 0f) {
+                    phi_3318_ = -(_e2094.member_1[0][1]);
                 } else {
-                    phi_3273_ = _e2056.member_1[2][1];
+                    phi_3318_ = _e2094.member_1[0][1];
                 }
-                let _e2610 = phi_3273_;
-                if (_e2056.member_1[2][2] < 0f) {
-                    phi_3280_ = -(_e2056.member_1[2][2]);
+                let _e2631 = phi_3318_;
+                if (_e2094.member_1[0][2] < 0f) {
+                    phi_3325_ = -(_e2094.member_1[0][2]);
                 } else {
-                    phi_3280_ = _e2056.member_1[2][2];
+                    phi_3325_ = _e2094.member_1[0][2];
                 }
-                let _e2615 = phi_3280_;
-                let _e2621 = (0.000000059604645f * 8f);
-                let _e2626 = ((((_e2531 + _e2536) + _e2542) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                let _e2638 = (((_e2056.member_1[0][0] * _e2521) + (_e2056.member_1[0][1] * _e2523)) + (_e2056.member_1[0][2] * _e2525));
-                let _e2647 = (((_e2056.member_1[1][0] * _e2521) + (_e2056.member_1[1][1] * _e2523)) + (_e2056.member_1[1][2] * _e2525));
-                let _e2656 = (((_e2056.member_1[2][0] * _e2521) + (_e2056.member_1[2][1] * _e2523)) + (_e2056.member_1[2][2] * _e2525));
-                if (_e2638 < 0f) {
-                    phi_3327_ = -(_e2638);
+                let _e2636 = phi_3325_;
+                if (_e2094.member_1[1][0] < 0f) {
+                    phi_3338_ = -(_e2094.member_1[1][0]);
                 } else {
-                    phi_3327_ = _e2638;
+                    phi_3338_ = _e2094.member_1[1][0];
                 }
-                let _e2660 = phi_3327_;
-                if (_e2647 < 0f) {
-                    phi_3333_ = -(_e2647);
+                let _e2647 = phi_3338_;
+                if (_e2094.member_1[1][1] < 0f) {
+                    phi_3345_ = -(_e2094.member_1[1][1]);
                 } else {
-                    phi_3333_ = _e2647;
+                    phi_3345_ = _e2094.member_1[1][1];
                 }
-                let _e2664 = phi_3333_;
-                if (_e2656 < 0f) {
-                    phi_3339_ = -(_e2656);
+                let _e2652 = phi_3345_;
+                if (_e2094.member_1[1][2] < 0f) {
+                    phi_3352_ = -(_e2094.member_1[1][2]);
                 } else {
-                    phi_3339_ = _e2656;
+                    phi_3352_ = _e2094.member_1[1][2];
                 }
-                let _e2668 = phi_3339_;
-                let _e2682 = (((_e269.member_1[0][0] * _e2056.member_1[0][0]) + (_e269.member_1[0][1] * _e2056.member_1[0][1])) + (_e269.member_1[0][2] * _e2056.member_1[0][2]));
-                let _e2695 = (((_e269.member_1[1][0] * _e2056.member_1[0][0]) + (_e269.member_1[1][1] * _e2056.member_1[0][1])) + (_e269.member_1[1][2] * _e2056.member_1[0][2]));
-                let _e2708 = (((_e269.member_1[2][0] * _e2056.member_1[0][0]) + (_e269.member_1[2][1] * _e2056.member_1[0][1])) + (_e269.member_1[2][2] * _e2056.member_1[0][2]));
-                if (_e2682 < 0f) {
-                    phi_3383_ = -(_e2682);
+                let _e2657 = phi_3352_;
+                if (_e2094.member_1[2][0] < 0f) {
+                    phi_3365_ = -(_e2094.member_1[2][0]);
                 } else {
-                    phi_3383_ = _e2682;
+                    phi_3365_ = _e2094.member_1[2][0];
                 }
-                let _e2713 = phi_3383_;
+                let _e2668 = phi_3365_;
+                if (_e2094.member_1[2][1] < 0f) {
+                    phi_3372_ = -(_e2094.member_1[2][1]);
+                } else {
+                    phi_3372_ = _e2094.member_1[2][1];
+                }
+                let _e2673 = phi_3372_;
+                if (_e2094.member_1[2][2] < 0f) {
+                    phi_3379_ = -(_e2094.member_1[2][2]);
+                } else {
+                    phi_3379_ = _e2094.member_1[2][2];
+                }
+                let _e2678 = phi_3379_;
+                let _e2684 = (0.000000059604645f * 12f);
+                let _e2688 = (((((_e2626 * _e2591) + (_e2631 * _e2594)) + (_e2636 * _e2597)) * _e2684) + _e2620);
+                let _e2689 = (((((_e2647 * _e2591) + (_e2652 * _e2594)) + (_e2657 * _e2597)) * _e2684) + _e2620);
+                let _e2690 = (((((_e2668 * _e2591) + (_e2673 * _e2594)) + (_e2678 * _e2597)) * _e2684) + _e2620);
+                let _e2693 = (_e289.member[0] - _e2551);
+                let _e2695 = (_e289.member[1] - _e2553);
+                let _e2697 = (_e289.member[2] - _e2555);
+                if (_e289.member_2[0] < 0f) {
+                    phi_3406_ = -(_e289.member_2[0]);
+                } else {
+                    phi_3406_ = _e289.member_2[0];
+                }
+                let _e2703 = phi_3406_;
+                if (_e289.member_2[1] < 0f) {
+                    phi_3413_ = -(_e289.member_2[1]);
+                } else {
+                    phi_3413_ = _e289.member_2[1];
+                }
+                let _e2708 = phi_3413_;
+                if (_e289.member_2[2] < 0f) {
+                    phi_3421_ = -(_e289.member_2[2]);
+                } else {
+                    phi_3421_ = _e289.member_2[2];
+                }
+                let _e2714 = phi_3421_;
+                if (_e2693 < 0f) {
+                    phi_3430_ = -(_e2693);
+                } else {
+                    phi_3430_ = _e2693;
+                }
+                let _e2721 = phi_3430_;
                 if (_e2695 < 0f) {
-                    phi_3389_ = -(_e2695);
+                    phi_3436_ = -(_e2695);
                 } else {
-                    phi_3389_ = _e2695;
+                    phi_3436_ = _e2695;
                 }
-                let _e2717 = phi_3389_;
-                if (_e2708 < 0f) {
-                    phi_3395_ = -(_e2708);
+                let _e2725 = phi_3436_;
+                if (_e2697 < 0f) {
+                    phi_3442_ = -(_e2697);
                 } else {
-                    phi_3395_ = _e2708;
+                    phi_3442_ = _e2697;
                 }
-                let _e2721 = phi_3395_;
-                let _e2743 = (((_e269.member_1[0][0] * _e2056.member_1[1][0]) + (_e269.member_1[0][1] * _e2056.member_1[1][1])) + (_e269.member_1[0][2] * _e2056.member_1[1][2]));
-                let _e2756 = (((_e269.member_1[1][0] * _e2056.member_1[1][0]) + (_e269.member_1[1][1] * _e2056.member_1[1][1])) + (_e269.member_1[1][2] * _e2056.member_1[1][2]));
-                let _e2769 = (((_e269.member_1[2][0] * _e2056.member_1[1][0]) + (_e269.member_1[2][1] * _e2056.member_1[1][1])) + (_e269.member_1[2][2] * _e2056.member_1[1][2]));
-                if (_e2743 < 0f) {
-                    phi_3447_ = -(_e2743);
+                let _e2729 = phi_3442_;
+                if (_e2094.member_1[0][0] < 0f) {
+                    phi_3450_ = -(_e2094.member_1[0][0]);
                 } else {
-                    phi_3447_ = _e2743;
+                    phi_3450_ = _e2094.member_1[0][0];
                 }
-                let _e2774 = phi_3447_;
-                if (_e2756 < 0f) {
-                    phi_3453_ = -(_e2756);
+                let _e2735 = phi_3450_;
+                if (_e2094.member_1[0][1] < 0f) {
+                    phi_3457_ = -(_e2094.member_1[0][1]);
                 } else {
-                    phi_3453_ = _e2756;
+                    phi_3457_ = _e2094.member_1[0][1];
                 }
-                let _e2778 = phi_3453_;
-                if (_e2769 < 0f) {
-                    phi_3459_ = -(_e2769);
+                let _e2740 = phi_3457_;
+                if (_e2094.member_1[0][2] < 0f) {
+                    phi_3464_ = -(_e2094.member_1[0][2]);
                 } else {
-                    phi_3459_ = _e2769;
+                    phi_3464_ = _e2094.member_1[0][2];
                 }
-                let _e2782 = phi_3459_;
-                let _e2804 = (((_e269.member_1[0][0] * _e2056.member_1[2][0]) + (_e269.member_1[0][1] * _e2056.member_1[2][1])) + (_e269.member_1[0][2] * _e2056.member_1[2][2]));
-                let _e2817 = (((_e269.member_1[1][0] * _e2056.member_1[2][0]) + (_e269.member_1[1][1] * _e2056.member_1[2][1])) + (_e269.member_1[1][2] * _e2056.member_1[2][2]));
-                let _e2830 = (((_e269.member_1[2][0] * _e2056.member_1[2][0]) + (_e269.member_1[2][1] * _e2056.member_1[2][1])) + (_e269.member_1[2][2] * _e2056.member_1[2][2]));
-                if (_e2804 < 0f) {
-                    phi_3511_ = -(_e2804);
+                let _e2745 = phi_3464_;
+                if (_e2094.member_1[1][0] < 0f) {
+                    phi_3477_ = -(_e2094.member_1[1][0]);
                 } else {
-                    phi_3511_ = _e2804;
+                    phi_3477_ = _e2094.member_1[1][0];
                 }
-                let _e2835 = phi_3511_;
-                if (_e2817 < 0f) {
-                    phi_3517_ = -(_e2817);
+                let _e2756 = phi_3477_;
+                if (_e2094.member_1[1][1] < 0f) {
+                    phi_3484_ = -(_e2094.member_1[1][1]);
                 } else {
-                    phi_3517_ = _e2817;
+                    phi_3484_ = _e2094.member_1[1][1];
                 }
-                let _e2839 = phi_3517_;
-                if (_e2830 < 0f) {
-                    phi_3523_ = -(_e2830);
+                let _e2761 = phi_3484_;
+                if (_e2094.member_1[1][2] < 0f) {
+                    phi_3491_ = -(_e2094.member_1[1][2]);
                 } else {
-                    phi_3523_ = _e2830;
+                    phi_3491_ = _e2094.member_1[1][2];
                 }
-                let _e2843 = phi_3523_;
-                let _e2855 = ((_e2660 + (((_e2713 * _e269.member_2[0]) + (_e2717 * _e269.member_2[1])) + (_e2721 * _e269.member_2[2]))) + (((((_e2563 * _e2549) + (_e2568 * _e2553)) + (_e2573 * _e2557)) * _e2621) + _e2626));
-                let _e2856 = ((_e2664 + (((_e2774 * _e269.member_2[0]) + (_e2778 * _e269.member_2[1])) + (_e2782 * _e269.member_2[2]))) + (((((_e2584 * _e2549) + (_e2589 * _e2553)) + (_e2594 * _e2557)) * _e2621) + _e2626));
-                let _e2857 = ((_e2668 + (((_e2835 * _e269.member_2[0]) + (_e2839 * _e269.member_2[1])) + (_e2843 * _e269.member_2[2]))) + (((((_e2605 * _e2549) + (_e2610 * _e2553)) + (_e2615 * _e2557)) * _e2621) + _e2626));
-                let _e2860 = (_e377.member[0] - _e2513);
-                let _e2862 = (_e377.member[1] - _e2515);
-                let _e2864 = (_e377.member[2] - _e2517);
-                if (_e377.member_2[0] < 0f) {
-                    phi_3552_ = -(_e377.member_2[0]);
+                let _e2766 = phi_3491_;
+                if (_e2094.member_1[2][0] < 0f) {
+                    phi_3504_ = -(_e2094.member_1[2][0]);
                 } else {
-                    phi_3552_ = _e377.member_2[0];
+                    phi_3504_ = _e2094.member_1[2][0];
                 }
-                let _e2870 = phi_3552_;
-                if (_e377.member_2[1] < 0f) {
-                    phi_3559_ = -(_e377.member_2[1]);
+                let _e2777 = phi_3504_;
+                if (_e2094.member_1[2][1] < 0f) {
+                    phi_3511_ = -(_e2094.member_1[2][1]);
                 } else {
-                    phi_3559_ = _e377.member_2[1];
+                    phi_3511_ = _e2094.member_1[2][1];
                 }
-                let _e2875 = phi_3559_;
-                if (_e377.member_2[2] < 0f) {
-                    phi_3567_ = -(_e377.member_2[2]);
+                let _e2782 = phi_3511_;
+                if (_e2094.member_1[2][2] < 0f) {
+                    phi_3518_ = -(_e2094.member_1[2][2]);
                 } else {
-                    phi_3567_ = _e377.member_2[2];
+                    phi_3518_ = _e2094.member_1[2][2];
                 }
-                let _e2881 = phi_3567_;
-                if (_e2860 < 0f) {
-                    phi_3576_ = -(_e2860);
+                let _e2787 = phi_3518_;
+                let _e2793 = (0.000000059604645f * 8f);
+                let _e2798 = ((((_e2703 + _e2708) + _e2714) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                let _e2810 = (((_e2094.member_1[0][0] * _e2693) + (_e2094.member_1[0][1] * _e2695)) + (_e2094.member_1[0][2] * _e2697));
+                let _e2819 = (((_e2094.member_1[1][0] * _e2693) + (_e2094.member_1[1][1] * _e2695)) + (_e2094.member_1[1][2] * _e2697));
+                let _e2828 = (((_e2094.member_1[2][0] * _e2693) + (_e2094.member_1[2][1] * _e2695)) + (_e2094.member_1[2][2] * _e2697));
+                if (_e2810 < 0f) {
+                    phi_3565_ = -(_e2810);
                 } else {
-                    phi_3576_ = _e2860;
+                    phi_3565_ = _e2810;
                 }
-                let _e2888 = phi_3576_;
-                if (_e2862 < 0f) {
-                    phi_3582_ = -(_e2862);
+                let _e2832 = phi_3565_;
+                if (_e2819 < 0f) {
+                    phi_3571_ = -(_e2819);
                 } else {
-                    phi_3582_ = _e2862;
+                    phi_3571_ = _e2819;
                 }
-                let _e2892 = phi_3582_;
-                if (_e2864 < 0f) {
-                    phi_3588_ = -(_e2864);
+                let _e2836 = phi_3571_;
+                if (_e2828 < 0f) {
+                    phi_3577_ = -(_e2828);
                 } else {
-                    phi_3588_ = _e2864;
+                    phi_3577_ = _e2828;
                 }
-                let _e2896 = phi_3588_;
-                if (_e2056.member_1[0][0] < 0f) {
-                    phi_3596_ = -(_e2056.member_1[0][0]);
+                let _e2840 = phi_3577_;
+                let _e2854 = (((_e289.member_1[0][0] * _e2094.member_1[0][0]) + (_e289.member_1[0][1] * _e2094.member_1[0][1])) + (_e289.member_1[0][2] * _e2094.member_1[0][2]));
+                let _e2867 = (((_e289.member_1[1][0] * _e2094.member_1[0][0]) + (_e289.member_1[1][1] * _e2094.member_1[0][1])) + (_e289.member_1[1][2] * _e2094.member_1[0][2]));
+                let _e2880 = (((_e289.member_1[2][0] * _e2094.member_1[0][0]) + (_e289.member_1[2][1] * _e2094.member_1[0][1])) + (_e289.member_1[2][2] * _e2094.member_1[0][2]));
+                if (_e2854 < 0f) {
+                    phi_3621_ = -(_e2854);
                 } else {
-                    phi_3596_ = _e2056.member_1[0][0];
+                    phi_3621_ = _e2854;
                 }
-                let _e2902 = phi_3596_;
-                if (_e2056.member_1[0][1] < 0f) {
-                    phi_3603_ = -(_e2056.member_1[0][1]);
+                let _e2885 = phi_3621_;
+                if (_e2867 < 0f) {
+                    phi_3627_ = -(_e2867);
                 } else {
-                    phi_3603_ = _e2056.member_1[0][1];
+                    phi_3627_ = _e2867;
                 }
-                let _e2907 = phi_3603_;
-                if (_e2056.member_1[0][2] < 0f) {
-                    phi_3610_ = -(_e2056.member_1[0][2]);
+                let _e2889 = phi_3627_;
+                if (_e2880 < 0f) {
+                    phi_3633_ = -(_e2880);
                 } else {
-                    phi_3610_ = _e2056.member_1[0][2];
+                    phi_3633_ = _e2880;
                 }
-                let _e2912 = phi_3610_;
-                if (_e2056.member_1[1][0] < 0f) {
-                    phi_3623_ = -(_e2056.member_1[1][0]);
+                let _e2893 = phi_3633_;
+                let _e2915 = (((_e289.member_1[0][0] * _e2094.member_1[1][0]) + (_e289.member_1[0][1] * _e2094.member_1[1][1])) + (_e289.member_1[0][2] * _e2094.member_1[1][2]));
+                let _e2928 = (((_e289.member_1[1][0] * _e2094.member_1[1][0]) + (_e289.member_1[1][1] * _e2094.member_1[1][1])) + (_e289.member_1[1][2] * _e2094.member_1[1][2]));
+                let _e2941 = (((_e289.member_1[2][0] * _e2094.member_1[1][0]) + (_e289.member_1[2][1] * _e2094.member_1[1][1])) + (_e289.member_1[2][2] * _e2094.member_1[1][2]));
+                if (_e2915 < 0f) {
+                    phi_3685_ = -(_e2915);
                 } else {
-                    phi_3623_ = _e2056.member_1[1][0];
+                    phi_3685_ = _e2915;
                 }
-                let _e2923 = phi_3623_;
-                if (_e2056.member_1[1][1] < 0f) {
-                    phi_3630_ = -(_e2056.member_1[1][1]);
+                let _e2946 = phi_3685_;
+                if (_e2928 < 0f) {
+                    phi_3691_ = -(_e2928);
                 } else {
-                    phi_3630_ = _e2056.member_1[1][1];
+                    phi_3691_ = _e2928;
                 }
-                let _e2928 = phi_3630_;
-                if (_e2056.member_1[1][2] < 0f) {
-                    phi_3637_ = -(_e2056.member_1[1][2]);
+                let _e2950 = phi_3691_;
+                if (_e2941 < 0f) {
+                    phi_3697_ = -(_e2941);
                 } else {
-                    phi_3637_ = _e2056.member_1[1][2];
+                    phi_3697_ = _e2941;
                 }
-                let _e2933 = phi_3637_;
-                if (_e2056.member_1[2][0] < 0f) {
-                    phi_3650_ = -(_e2056.member_1[2][0]);
+                let _e2954 = phi_3697_;
+                let _e2976 = (((_e289.member_1[0][0] * _e2094.member_1[2][0]) + (_e289.member_1[0][1] * _e2094.member_1[2][1])) + (_e289.member_1[0][2] * _e2094.member_1[2][2]));
+                let _e2989 = (((_e289.member_1[1][0] * _e2094.member_1[2][0]) + (_e289.member_1[1][1] * _e2094.member_1[2][1])) + (_e289.member_1[1][2] * _e2094.member_1[2][2]));
+                let _e3002 = (((_e289.member_1[2][0] * _e2094.member_1[2][0]) + (_e289.member_1[2][1] * _e2094.member_1[2][1])) + (_e289.member_1[2][2] * _e2094.member_1[2][2]));
+                if (_e2976 < 0f) {
+                    phi_3749_ = -(_e2976);
                 } else {
-                    phi_3650_ = _e2056.member_1[2][0];
+                    phi_3749_ = _e2976;
                 }
-                let _e2944 = phi_3650_;
-                if (_e2056.member_1[2][1] < 0f) {
-                    phi_3657_ = -(_e2056.member_1[2][1]);
+                let _e3007 = phi_3749_;
+                if (_e2989 < 0f) {
+                    phi_3755_ = -(_e2989);
                 } else {
-                    phi_3657_ = _e2056.member_1[2][1];
+                    phi_3755_ = _e2989;
                 }
-                let _e2949 = phi_3657_;
-                if (_e2056.member_1[2][2] < 0f) {
-                    phi_3664_ = -(_e2056.member_1[2][2]);
+                let _e3011 = phi_3755_;
+                if (_e3002 < 0f) {
+                    phi_3761_ = -(_e3002);
                 } else {
-                    phi_3664_ = _e2056.member_1[2][2];
+                    phi_3761_ = _e3002;
                 }
-                let _e2954 = phi_3664_;
-                let _e2960 = (0.000000059604645f * 8f);
-                let _e2965 = ((((_e2870 + _e2875) + _e2881) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                let _e2977 = (((_e2056.member_1[0][0] * _e2860) + (_e2056.member_1[0][1] * _e2862)) + (_e2056.member_1[0][2] * _e2864));
-                let _e2986 = (((_e2056.member_1[1][0] * _e2860) + (_e2056.member_1[1][1] * _e2862)) + (_e2056.member_1[1][2] * _e2864));
-                let _e2995 = (((_e2056.member_1[2][0] * _e2860) + (_e2056.member_1[2][1] * _e2862)) + (_e2056.member_1[2][2] * _e2864));
-                if (_e2977 < 0f) {
-                    phi_3711_ = -(_e2977);
+                let _e3015 = phi_3761_;
+                let _e3032 = (_e415.member[0] - _e2551);
+                let _e3034 = (_e415.member[1] - _e2553);
+                let _e3036 = (_e415.member[2] - _e2555);
+                if (_e415.member_2[0] < 0f) {
+                    phi_3790_ = -(_e415.member_2[0]);
                 } else {
-                    phi_3711_ = _e2977;
+                    phi_3790_ = _e415.member_2[0];
                 }
-                let _e2999 = phi_3711_;
-                if (_e2986 < 0f) {
-                    phi_3717_ = -(_e2986);
+                let _e3042 = phi_3790_;
+                if (_e415.member_2[1] < 0f) {
+                    phi_3797_ = -(_e415.member_2[1]);
                 } else {
-                    phi_3717_ = _e2986;
+                    phi_3797_ = _e415.member_2[1];
                 }
-                let _e3003 = phi_3717_;
-                if (_e2995 < 0f) {
-                    phi_3723_ = -(_e2995);
+                let _e3047 = phi_3797_;
+                if (_e415.member_2[2] < 0f) {
+                    phi_3805_ = -(_e415.member_2[2]);
                 } else {
-                    phi_3723_ = _e2995;
+                    phi_3805_ = _e415.member_2[2];
                 }
-                let _e3007 = phi_3723_;
-                let _e3021 = (((_e377.member_1[0][0] * _e2056.member_1[0][0]) + (_e377.member_1[0][1] * _e2056.member_1[0][1])) + (_e377.member_1[0][2] * _e2056.member_1[0][2]));
-                let _e3034 = (((_e377.member_1[1][0] * _e2056.member_1[0][0]) + (_e377.member_1[1][1] * _e2056.member_1[0][1])) + (_e377.member_1[1][2] * _e2056.member_1[0][2]));
-                let _e3047 = (((_e377.member_1[2][0] * _e2056.member_1[0][0]) + (_e377.member_1[2][1] * _e2056.member_1[0][1])) + (_e377.member_1[2][2] * _e2056.member_1[0][2]));
-                if (_e3021 < 0f) {
-                    phi_3767_ = -(_e3021);
+                let _e3053 = phi_3805_;
+                if (_e3032 < 0f) {
+                    phi_3814_ = -(_e3032);
                 } else {
-                    phi_3767_ = _e3021;
+                    phi_3814_ = _e3032;
                 }
-                let _e3052 = phi_3767_;
+                let _e3060 = phi_3814_;
                 if (_e3034 < 0f) {
-                    phi_3773_ = -(_e3034);
+                    phi_3820_ = -(_e3034);
                 } else {
-                    phi_3773_ = _e3034;
+                    phi_3820_ = _e3034;
                 }
-                let _e3056 = phi_3773_;
-                if (_e3047 < 0f) {
-                    phi_3779_ = -(_e3047);
+                let _e3064 = phi_3820_;
+                if (_e3036 < 0f) {
+                    phi_3826_ = -(_e3036);
                 } else {
-                    phi_3779_ = _e3047;
+                    phi_3826_ = _e3036;
                 }
-                let _e3060 = phi_3779_;
-                let _e3082 = (((_e377.member_1[0][0] * _e2056.member_1[1][0]) + (_e377.member_1[0][1] * _e2056.member_1[1][1])) + (_e377.member_1[0][2] * _e2056.member_1[1][2]));
-                let _e3095 = (((_e377.member_1[1][0] * _e2056.member_1[1][0]) + (_e377.member_1[1][1] * _e2056.member_1[1][1])) + (_e377.member_1[1][2] * _e2056.member_1[1][2]));
-                let _e3108 = (((_e377.member_1[2][0] * _e2056.member_1[1][0]) + (_e377.member_1[2][1] * _e2056.member_1[1][1])) + (_e377.member_1[2][2] * _e2056.member_1[1][2]));
-                if (_e3082 < 0f) {
-                    phi_3831_ = -(_e3082);
+                let _e3068 = phi_3826_;
+                if (_e2094.member_1[0][0] < 0f) {
+                    phi_3834_ = -(_e2094.member_1[0][0]);
                 } else {
-                    phi_3831_ = _e3082;
+                    phi_3834_ = _e2094.member_1[0][0];
                 }
-                let _e3113 = phi_3831_;
-                if (_e3095 < 0f) {
-                    phi_3837_ = -(_e3095);
+                let _e3074 = phi_3834_;
+                if (_e2094.member_1[0][1] < 0f) {
+                    phi_3841_ = -(_e2094.member_1[0][1]);
                 } else {
-                    phi_3837_ = _e3095;
+                    phi_3841_ = _e2094.member_1[0][1];
                 }
-                let _e3117 = phi_3837_;
-                if (_e3108 < 0f) {
-                    phi_3843_ = -(_e3108);
+                let _e3079 = phi_3841_;
+                if (_e2094.member_1[0][2] < 0f) {
+                    phi_3848_ = -(_e2094.member_1[0][2]);
                 } else {
-                    phi_3843_ = _e3108;
+                    phi_3848_ = _e2094.member_1[0][2];
                 }
-                let _e3121 = phi_3843_;
-                let _e3143 = (((_e377.member_1[0][0] * _e2056.member_1[2][0]) + (_e377.member_1[0][1] * _e2056.member_1[2][1])) + (_e377.member_1[0][2] * _e2056.member_1[2][2]));
-                let _e3156 = (((_e377.member_1[1][0] * _e2056.member_1[2][0]) + (_e377.member_1[1][1] * _e2056.member_1[2][1])) + (_e377.member_1[1][2] * _e2056.member_1[2][2]));
-                let _e3169 = (((_e377.member_1[2][0] * _e2056.member_1[2][0]) + (_e377.member_1[2][1] * _e2056.member_1[2][1])) + (_e377.member_1[2][2] * _e2056.member_1[2][2]));
-                if (_e3143 < 0f) {
-                    phi_3895_ = -(_e3143);
+                let _e3084 = phi_3848_;
+                if (_e2094.member_1[1][0] < 0f) {
+                    phi_3861_ = -(_e2094.member_1[1][0]);
                 } else {
-                    phi_3895_ = _e3143;
+                    phi_3861_ = _e2094.member_1[1][0];
                 }
-                let _e3174 = phi_3895_;
-                if (_e3156 < 0f) {
-                    phi_3901_ = -(_e3156);
+                let _e3095 = phi_3861_;
+                if (_e2094.member_1[1][1] < 0f) {
+                    phi_3868_ = -(_e2094.member_1[1][1]);
                 } else {
-                    phi_3901_ = _e3156;
+                    phi_3868_ = _e2094.member_1[1][1];
                 }
-                let _e3178 = phi_3901_;
-                if (_e3169 < 0f) {
-                    phi_3907_ = -(_e3169);
+                let _e3100 = phi_3868_;
+                if (_e2094.member_1[1][2] < 0f) {
+                    phi_3875_ = -(_e2094.member_1[1][2]);
                 } else {
-                    phi_3907_ = _e3169;
+                    phi_3875_ = _e2094.member_1[1][2];
                 }
-                let _e3182 = phi_3907_;
-                let _e3194 = ((_e2999 + (((_e3052 * _e377.member_2[0]) + (_e3056 * _e377.member_2[1])) + (_e3060 * _e377.member_2[2]))) + (((((_e2902 * _e2888) + (_e2907 * _e2892)) + (_e2912 * _e2896)) * _e2960) + _e2965));
-                let _e3195 = ((_e3003 + (((_e3113 * _e377.member_2[0]) + (_e3117 * _e377.member_2[1])) + (_e3121 * _e377.member_2[2]))) + (((((_e2923 * _e2888) + (_e2928 * _e2892)) + (_e2933 * _e2896)) * _e2960) + _e2965));
-                let _e3196 = ((_e3007 + (((_e3174 * _e377.member_2[0]) + (_e3178 * _e377.member_2[1])) + (_e3182 * _e377.member_2[2]))) + (((((_e2944 * _e2888) + (_e2949 * _e2892)) + (_e2954 * _e2896)) * _e2960) + _e2965));
-                if ((bitcast<u32>(_e2855) & 2139095040u) != 2139095040u) {
-                    if ((bitcast<u32>(_e2856) & 2139095040u) != 2139095040u) {
-                        phi_3937_ = ((bitcast<u32>(_e2857) & 2139095040u) != 2139095040u);
-                        phi_3938_ = false;
+                let _e3105 = phi_3875_;
+                if (_e2094.member_1[2][0] < 0f) {
+                    phi_3888_ = -(_e2094.member_1[2][0]);
+                } else {
+                    phi_3888_ = _e2094.member_1[2][0];
+                }
+                let _e3116 = phi_3888_;
+                if (_e2094.member_1[2][1] < 0f) {
+                    phi_3895_ = -(_e2094.member_1[2][1]);
+                } else {
+                    phi_3895_ = _e2094.member_1[2][1];
+                }
+                let _e3121 = phi_3895_;
+                if (_e2094.member_1[2][2] < 0f) {
+                    phi_3902_ = -(_e2094.member_1[2][2]);
+                } else {
+                    phi_3902_ = _e2094.member_1[2][2];
+                }
+                let _e3126 = phi_3902_;
+                let _e3132 = (0.000000059604645f * 8f);
+                let _e3137 = ((((_e3042 + _e3047) + _e3053) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                let _e3149 = (((_e2094.member_1[0][0] * _e3032) + (_e2094.member_1[0][1] * _e3034)) + (_e2094.member_1[0][2] * _e3036));
+                let _e3158 = (((_e2094.member_1[1][0] * _e3032) + (_e2094.member_1[1][1] * _e3034)) + (_e2094.member_1[1][2] * _e3036));
+                let _e3167 = (((_e2094.member_1[2][0] * _e3032) + (_e2094.member_1[2][1] * _e3034)) + (_e2094.member_1[2][2] * _e3036));
+                if (_e3149 < 0f) {
+                    phi_3949_ = -(_e3149);
+                } else {
+                    phi_3949_ = _e3149;
+                }
+                let _e3171 = phi_3949_;
+                if (_e3158 < 0f) {
+                    phi_3955_ = -(_e3158);
+                } else {
+                    phi_3955_ = _e3158;
+                }
+                let _e3175 = phi_3955_;
+                if (_e3167 < 0f) {
+                    phi_3961_ = -(_e3167);
+                } else {
+                    phi_3961_ = _e3167;
+                }
+                let _e3179 = phi_3961_;
+                let _e3193 = (((_e415.member_1[0][0] * _e2094.member_1[0][0]) + (_e415.member_1[0][1] * _e2094.member_1[0][1])) + (_e415.member_1[0][2] * _e2094.member_1[0][2]));
+                let _e3206 = (((_e415.member_1[1][0] * _e2094.member_1[0][0]) + (_e415.member_1[1][1] * _e2094.member_1[0][1])) + (_e415.member_1[1][2] * _e2094.member_1[0][2]));
+                let _e3219 = (((_e415.member_1[2][0] * _e2094.member_1[0][0]) + (_e415.member_1[2][1] * _e2094.member_1[0][1])) + (_e415.member_1[2][2] * _e2094.member_1[0][2]));
+                if (_e3193 < 0f) {
+                    phi_4005_ = -(_e3193);
+                } else {
+                    phi_4005_ = _e3193;
+                }
+                let _e3224 = phi_4005_;
+                if (_e3206 < 0f) {
+                    phi_4011_ = -(_e3206);
+                } else {
+                    phi_4011_ = _e3206;
+                }
+                let _e3228 = phi_4011_;
+                if (_e3219 < 0f) {
+                    phi_4017_ = -(_e3219);
+                } else {
+                    phi_4017_ = _e3219;
+                }
+                let _e3232 = phi_4017_;
+                let _e3254 = (((_e415.member_1[0][0] * _e2094.member_1[1][0]) + (_e415.member_1[0][1] * _e2094.member_1[1][1])) + (_e415.member_1[0][2] * _e2094.member_1[1][2]));
+                let _e3267 = (((_e415.member_1[1][0] * _e2094.member_1[1][0]) + (_e415.member_1[1][1] * _e2094.member_1[1][1])) + (_e415.member_1[1][2] * _e2094.member_1[1][2]));
+                let _e3280 = (((_e415.member_1[2][0] * _e2094.member_1[1][0]) + (_e415.member_1[2][1] * _e2094.member_1[1][1])) + (_e415.member_1[2][2] * _e2094.member_1[1][2]));
+                if (_e3254 < 0f) {
+                    phi_4069_ = -(_e3254);
+                } else {
+                    phi_4069_ = _e3254;
+                }
+                let _e3285 = phi_4069_;
+                if (_e3267 < 0f) {
+                    phi_4075_ = -(_e3267);
+                } else {
+                    phi_4075_ = _e3267;
+                }
+                let _e3289 = phi_4075_;
+                if (_e3280 < 0f) {
+                    phi_4081_ = -(_e3280);
+                } else {
+                    phi_4081_ = _e3280;
+                }
+                let _e3293 = phi_4081_;
+                let _e3315 = (((_e415.member_1[0][0] * _e2094.member_1[2][0]) + (_e415.member_1[0][1] * _e2094.member_1[2][1])) + (_e415.member_1[0][2] * _e2094.member_1[2][2]));
+                let _e3328 = (((_e415.member_1[1][0] * _e2094.member_1[2][0]) + (_e415.member_1[1][1] * _e2094.member_1[2][1])) + (_e415.member_1[1][2] * _e2094.member_1[2][2]));
+                let _e3341 = (((_e415.member_1[2][0] * _e2094.member_1[2][0]) + (_e415.member_1[2][1] * _e2094.member_1[2][1])) + (_e415.member_1[2][2] * _e2094.member_1[2][2]));
+                if (_e3315 < 0f) {
+                    phi_4133_ = -(_e3315);
+                } else {
+                    phi_4133_ = _e3315;
+                }
+                let _e3346 = phi_4133_;
+                if (_e3328 < 0f) {
+                    phi_4139_ = -(_e3328);
+                } else {
+                    phi_4139_ = _e3328;
+                }
+                let _e3350 = phi_4139_;
+                if (_e3341 < 0f) {
+                    phi_4145_ = -(_e3341);
+                } else {
+                    phi_4145_ = _e3341;
+                }
+                let _e3354 = phi_4145_;
+                let _e3369 = (((_e2832 + (((_e2885 * _e289.member_2[0]) + (_e2889 * _e289.member_2[1])) + (_e2893 * _e289.member_2[2]))) + (((((_e2735 * _e2721) + (_e2740 * _e2725)) + (_e2745 * _e2729)) * _e2793) + _e2798)) + _e2688);
+                let _e3370 = (((_e2836 + (((_e2946 * _e289.member_2[0]) + (_e2950 * _e289.member_2[1])) + (_e2954 * _e289.member_2[2]))) + (((((_e2756 * _e2721) + (_e2761 * _e2725)) + (_e2766 * _e2729)) * _e2793) + _e2798)) + _e2689);
+                let _e3371 = (((_e2840 + (((_e3007 * _e289.member_2[0]) + (_e3011 * _e289.member_2[1])) + (_e3015 * _e289.member_2[2]))) + (((((_e2777 * _e2721) + (_e2782 * _e2725)) + (_e2787 * _e2729)) * _e2793) + _e2798)) + _e2690);
+                let _e3372 = (((_e3171 + (((_e3224 * _e415.member_2[0]) + (_e3228 * _e415.member_2[1])) + (_e3232 * _e415.member_2[2]))) + (((((_e3074 * _e3060) + (_e3079 * _e3064)) + (_e3084 * _e3068)) * _e3132) + _e3137)) + _e2688);
+                let _e3373 = (((_e3175 + (((_e3285 * _e415.member_2[0]) + (_e3289 * _e415.member_2[1])) + (_e3293 * _e415.member_2[2]))) + (((((_e3095 * _e3060) + (_e3100 * _e3064)) + (_e3105 * _e3068)) * _e3132) + _e3137)) + _e2689);
+                let _e3374 = (((_e3179 + (((_e3346 * _e415.member_2[0]) + (_e3350 * _e415.member_2[1])) + (_e3354 * _e415.member_2[2]))) + (((((_e3116 * _e3060) + (_e3121 * _e3064)) + (_e3126 * _e3068)) * _e3132) + _e3137)) + _e2690);
+                if ((bitcast<u32>(_e3369) & 2139095040u) != 2139095040u) {
+                    if ((bitcast<u32>(_e3370) & 2139095040u) != 2139095040u) {
+                        phi_4181_ = ((bitcast<u32>(_e3371) & 2139095040u) != 2139095040u);
+                        phi_4182_ = false;
                     } else {
-                        phi_3937_ = bool();
-                        phi_3938_ = true;
+                        phi_4181_ = bool();
+                        phi_4182_ = true;
                     }
-                    let _e3207 = phi_3937_;
-                    let _e3209 = phi_3938_;
-                    phi_3939_ = _e3207;
-                    phi_3940_ = _e3209;
+                    let _e3385 = phi_4181_;
+                    let _e3387 = phi_4182_;
+                    phi_4183_ = _e3385;
+                    phi_4184_ = _e3387;
                 } else {
-                    phi_3939_ = bool();
-                    phi_3940_ = true;
+                    phi_4183_ = bool();
+                    phi_4184_ = true;
                 }
-                let _e3211 = phi_3939_;
-                let _e3213 = phi_3940_;
-                if _e3213 {
-                    phi_3944_ = false;
+                let _e3389 = phi_4183_;
+                let _e3391 = phi_4184_;
+                if _e3391 {
+                    phi_4188_ = false;
                 } else {
-                    phi_3944_ = _e3211;
+                    phi_4188_ = _e3389;
                 }
-                let _e3215 = phi_3944_;
-                if _e3215 {
-                    if ((bitcast<u32>(_e3194) & 2139095040u) != 2139095040u) {
-                        if ((bitcast<u32>(_e3195) & 2139095040u) != 2139095040u) {
-                            phi_3963_ = ((bitcast<u32>(_e3196) & 2139095040u) != 2139095040u);
-                            phi_3964_ = false;
+                let _e3393 = phi_4188_;
+                if _e3393 {
+                    if ((bitcast<u32>(_e3372) & 2139095040u) != 2139095040u) {
+                        if ((bitcast<u32>(_e3373) & 2139095040u) != 2139095040u) {
+                            phi_4207_ = ((bitcast<u32>(_e3374) & 2139095040u) != 2139095040u);
+                            phi_4208_ = false;
                         } else {
-                            phi_3963_ = bool();
-                            phi_3964_ = true;
+                            phi_4207_ = bool();
+                            phi_4208_ = true;
                         }
-                        let _e3226 = phi_3963_;
-                        let _e3228 = phi_3964_;
-                        phi_3965_ = _e3226;
-                        phi_3966_ = _e3228;
+                        let _e3404 = phi_4207_;
+                        let _e3406 = phi_4208_;
+                        phi_4209_ = _e3404;
+                        phi_4210_ = _e3406;
                     } else {
-                        phi_3965_ = bool();
-                        phi_3966_ = true;
+                        phi_4209_ = bool();
+                        phi_4210_ = true;
                     }
-                    let _e3230 = phi_3965_;
-                    let _e3232 = phi_3966_;
-                    if _e3232 {
-                        phi_3970_ = false;
+                    let _e3408 = phi_4209_;
+                    let _e3410 = phi_4210_;
+                    if _e3410 {
+                        phi_4214_ = false;
                     } else {
-                        phi_3970_ = _e3230;
+                        phi_4214_ = _e3408;
                     }
-                    let _e3234 = phi_3970_;
-                    if _e3234 {
-                        if (_e2855 > _e3194) {
-                            phi_3978_ = _e2855;
+                    let _e3412 = phi_4214_;
+                    if _e3412 {
+                        if (_e3369 > _e3372) {
+                            phi_4222_ = _e3369;
                         } else {
-                            phi_3978_ = _e3194;
+                            phi_4222_ = _e3372;
                         }
-                        let _e3237 = phi_3978_;
-                        if (_e2856 > _e3195) {
-                            phi_3983_ = _e2856;
+                        let _e3415 = phi_4222_;
+                        if (_e3370 > _e3373) {
+                            phi_4227_ = _e3370;
                         } else {
-                            phi_3983_ = _e3195;
+                            phi_4227_ = _e3373;
                         }
-                        let _e3240 = phi_3983_;
-                        if (_e2857 > _e3196) {
-                            phi_3988_ = _e2857;
+                        let _e3418 = phi_4227_;
+                        if (_e3371 > _e3374) {
+                            phi_4232_ = _e3371;
                         } else {
-                            phi_3988_ = _e3196;
+                            phi_4232_ = _e3374;
                         }
-                        let _e3243 = phi_3988_;
-                        phi_3991_ = type_33(array<f32, 3>(_e2513, _e2515, _e2517), _e2056.member_1, array<f32, 3>(_e3237, _e3240, _e3243));
-                        phi_3992_ = false;
+                        let _e3421 = phi_4232_;
+                        phi_4235_ = type_33(array<f32, 3>(_e2551, _e2553, _e2555), _e2094.member_1, array<f32, 3>(_e3415, _e3418, _e3421));
+                        phi_4236_ = false;
                     } else {
-                        phi_3991_ = type_33();
-                        phi_3992_ = true;
+                        phi_4235_ = type_33();
+                        phi_4236_ = true;
                     }
-                    let _e3247 = phi_3991_;
-                    let _e3249 = phi_3992_;
-                    phi_3993_ = _e3247;
-                    phi_3994_ = _e3249;
+                    let _e3425 = phi_4235_;
+                    let _e3427 = phi_4236_;
+                    phi_4237_ = _e3425;
+                    phi_4238_ = _e3427;
                 } else {
-                    phi_3993_ = type_33();
-                    phi_3994_ = true;
+                    phi_4237_ = type_33();
+                    phi_4238_ = true;
                 }
-                let _e3251 = phi_3993_;
-                let _e3253 = phi_3994_;
-                if _e3253 {
+                let _e3429 = phi_4237_;
+                let _e3431 = phi_4238_;
+                if _e3431 {
                     if true {
-                        phi_4008_ = 2122317824u;
+                        phi_4252_ = 2122317824u;
                     } else {
-                        phi_4008_ = 8388608u;
+                        phi_4252_ = 8388608u;
                     }
-                    let _e3255 = phi_4008_;
-                    let _e3257 = (bitcast<f32>(_e3255) * 3.9999998f);
-                    phi_4018_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3257, _e3257, _e3257));
+                    let _e3433 = phi_4252_;
+                    let _e3435 = (bitcast<f32>(_e3433) * 3.9999998f);
+                    phi_4262_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3435, _e3435, _e3435));
                 } else {
-                    phi_4018_ = _e3251;
+                    phi_4262_ = _e3429;
                 }
-                let _e3261 = phi_4018_;
-                boxes[_e62] = type_33(array<f32, 3>(_e3261.member[0], _e3261.member[1], _e3261.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3261.member_1[0][0], _e3261.member_1[0][1], _e3261.member_1[0][2]), array<f32, 3>(_e3261.member_1[1][0], _e3261.member_1[1][1], _e3261.member_1[1][2]), array<f32, 3>(_e3261.member_1[2][0], _e3261.member_1[2][1], _e3261.member_1[2][2])), array<f32, 3>(_e3261.member_2[0], _e3261.member_2[1], _e3261.member_2[2]));
-                let _e3297 = atomicOr((&done[(_e62 / 32u)]), (1u << bitcast<u32>(((_e62 % 32u) & 31u))));
-                phi_4054_ = 2u;
+                let _e3439 = phi_4262_;
+                boxes[_e64] = type_33(array<f32, 3>(_e3439.member[0], _e3439.member[1], _e3439.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3439.member_1[0][0], _e3439.member_1[0][1], _e3439.member_1[0][2]), array<f32, 3>(_e3439.member_1[1][0], _e3439.member_1[1][1], _e3439.member_1[1][2]), array<f32, 3>(_e3439.member_1[2][0], _e3439.member_1[2][1], _e3439.member_1[2][2])), array<f32, 3>(_e3439.member_2[0], _e3439.member_2[1], _e3439.member_2[2]));
+                let _e3475 = atomicOr((&done[(_e64 / 32u)]), (1u << bitcast<u32>(((_e64 % 32u) & 31u))));
+                phi_4298_ = 2u;
             }
-            let _e3299 = phi_4054_;
+            let _e3477 = phi_4298_;
             workgroupBarrier();
-            phi_204_ = _e3299;
+            phi_206_ = _e3477;
         } else {
-            phi_204_ = u32();
+            phi_206_ = u32();
         }
-        let _e3301 = phi_204_;
+        let _e3479 = phi_206_;
         continue;
         continuing {
-            phi_200_ = _e123;
-            phi_203_ = _e3301;
-            break if !(_e128);
+            phi_202_ = _e125;
+            phi_205_ = _e3479;
+            break if !(_e130);
         }
     }
-    let _e3304 = local_9;
-    if (_e3304 == 1u) {
-        phi_4063_ = true;
+    let _e3482 = local_9;
+    if (_e3482 == 1u) {
+        phi_4307_ = true;
     } else {
-        let _e3307 = local_10;
-        phi_4063_ = (_e3307 == 3u);
+        let _e3485 = local_10;
+        phi_4307_ = (_e3485 == 3u);
     }
-    let _e3310 = phi_4063_;
-    if _e3310 {
-        let _e3312 = atomicAdd((&counters[0u]), 1u);
-        phi_4069_ = _e3312;
+    let _e3488 = phi_4307_;
+    if _e3488 {
+        let _e3490 = atomicAdd((&counters[0u]), 1u);
+        phi_4313_ = _e3490;
     } else {
-        phi_4069_ = 0u;
+        phi_4313_ = 0u;
     }
-    let _e3314 = phi_4069_;
+    let _e3492 = phi_4313_;
     workgroupBarrier();
-    if (_e62 == 0u) {
-        let _e3317 = atomicLoad((&counters[0u]));
-        if (_e3317 > 0u) {
-            let _e3320 = atomicAdd((&far.member[0u]), _e3317);
-            atomicStore((&counters[1u]), _e3320);
+    if (_e64 == 0u) {
+        let _e3495 = atomicLoad((&counters[0u]));
+        if (_e3495 > 0u) {
+            let _e3498 = atomicAdd((&far.member[0u]), _e3495);
+            atomicStore((&counters[1u]), _e3498);
         }
     }
     workgroupBarrier();
-    let _e3325 = params.member.member.member_2[_e78];
-    let _e3326 = (_e3325 + _e75);
-    let _e3328 = local_11;
-    if (_e3328 == 2u) {
-        let _e3347 = boxes[_e62];
-        oriented.member[_e3326] = type_30(vec4<f32>(_e3347.member[0], _e3347.member[1], _e3347.member[2], _e3347.member_1[0][0]), vec4<f32>(_e3347.member_1[0][1], _e3347.member_1[0][2], _e3347.member_1[1][0], _e3347.member_1[1][1]), vec4<f32>(_e3347.member_1[1][2], _e3347.member_1[2][0], _e3347.member_1[2][1], _e3347.member_1[2][2]), vec4<f32>(_e3347.member_2[0], _e3347.member_2[1], _e3347.member_2[2], 0f));
-        stamps.member[_e3326] = 1u;
+    let _e3503 = params.member.member.member_2[_e80];
+    let _e3504 = (_e3503 + _e77);
+    let _e3506 = local_11;
+    if (_e3506 == 2u) {
+        let _e3525 = boxes[_e64];
+        oriented.member[_e3504] = type_30(vec4<f32>(_e3525.member[0], _e3525.member[1], _e3525.member[2], _e3525.member_1[0][0]), vec4<f32>(_e3525.member_1[0][1], _e3525.member_1[0][2], _e3525.member_1[1][0], _e3525.member_1[1][1]), vec4<f32>(_e3525.member_1[1][2], _e3525.member_1[2][0], _e3525.member_1[2][1], _e3525.member_1[2][2]), vec4<f32>(_e3525.member_2[0], _e3525.member_2[1], _e3525.member_2[2], 0f));
+        stamps.member[_e3504] = 1u;
     } else {
-        let _e3331 = local_12;
-        if (_e3331 != 0u) {
+        let _e3509 = local_12;
+        if (_e3509 != 0u) {
             if true {
-                phi_4171_ = 2122317824u;
+                phi_4415_ = 2122317824u;
             } else {
-                phi_4171_ = 8388608u;
+                phi_4415_ = 8388608u;
             }
-            let _e3334 = phi_4171_;
-            let _e3336 = (bitcast<f32>(_e3334) * 3.9999998f);
-            oriented.member[_e3326] = type_30(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3336, _e3336, _e3336, 0f));
-            stamps.member[_e3326] = 0u;
-            let _e3342 = atomicLoad((&counters[1u]));
-            atomicStore((&far.member[(4u + (_e3342 + _e3314))]), _e75);
+            let _e3512 = phi_4415_;
+            let _e3514 = (bitcast<f32>(_e3512) * 3.9999998f);
+            oriented.member[_e3504] = type_30(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3514, _e3514, _e3514, 0f));
+            stamps.member[_e3504] = 0u;
+            let _e3520 = atomicLoad((&counters[1u]));
+            atomicStore((&far.member[(4u + (_e3520 + _e3492))]), _e77);
         }
     }
     return;

@@ -20,7 +20,7 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_8 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -60,14 +60,14 @@ var<workgroup> shared_: array<vec4<u32>, 4>;
 var<workgroup> found: array<atomic<u32>, 2>;
 
 fn function_(lane_1: u32) {
-    var phi_69_: type_8;
-    var phi_70_: type_8;
-    var phi_93_: type_8;
+    var phi_69_: type_9;
+    var phi_70_: type_9;
+    var phi_93_: type_9;
     var phi_164_: u32;
-    var phi_167_: type_8;
+    var phi_167_: type_9;
     var phi_170_: type_17;
-    var phi_168_: type_8;
-    var phi_193_: type_8;
+    var phi_168_: type_9;
+    var phi_193_: type_9;
     var phi_241_: bool;
     var phi_242_: bool;
     var phi_247_: type_17;
@@ -84,15 +84,15 @@ fn function_(lane_1: u32) {
     let _e17 = lane_2;
     let _e22 = params.member.member_1.member;
     let _e25 = params.member.member_2.member_2;
-    phi_69_ = type_8(0u, _e25);
+    phi_69_ = type_9(0u, _e25);
     loop {
         let _e28 = phi_69_;
         if (_e28.member < _e28.member_1) {
-            phi_70_ = type_8((_e28.member + 1u), _e28.member_1);
-            phi_93_ = type_8(1u, _e28.member);
+            phi_70_ = type_9((_e28.member + 1u), _e28.member_1);
+            phi_93_ = type_9(1u, _e28.member);
         } else {
             phi_70_ = _e28;
-            phi_93_ = type_8(0u, type_8().member_1);
+            phi_93_ = type_9(0u, type_9().member_1);
         }
         let _e40 = phi_70_;
         let _e42 = phi_93_;
@@ -122,18 +122,18 @@ fn function_(lane_1: u32) {
                     phi_164_ = _e77;
                 }
                 let _e82 = phi_164_;
-                phi_167_ = type_8(0u, _e82);
+                phi_167_ = type_9(0u, _e82);
                 phi_170_ = _e69;
                 loop {
                     let _e85 = phi_167_;
                     let _e87 = phi_170_;
                     local = _e87;
                     if (_e85.member < _e85.member_1) {
-                        phi_168_ = type_8((_e85.member + 1u), _e85.member_1);
-                        phi_193_ = type_8(1u, _e85.member);
+                        phi_168_ = type_9((_e85.member + 1u), _e85.member_1);
+                        phi_193_ = type_9(1u, _e85.member);
                     } else {
                         phi_168_ = _e85;
-                        phi_193_ = type_8(0u, type_8().member_1);
+                        phi_193_ = type_9(0u, type_9().member_1);
                     }
                     let _e99 = phi_168_;
                     let _e101 = phi_193_;

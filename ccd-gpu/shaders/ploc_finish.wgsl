@@ -20,13 +20,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_11 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -76,17 +76,17 @@ struct type_25 {
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> counts: type_10;
+var<storage> counts: type_9;
 @group(0) @binding(2) 
 var<storage> even_clusters: type_23;
 @group(0) @binding(3) 
-var<storage> even_names: type_10;
+var<storage> even_names: type_9;
 @group(0) @binding(4) 
 var<storage> odd_clusters: type_23;
 @group(0) @binding(5) 
-var<storage> odd_names: type_10;
+var<storage> odd_names: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> joins: type_10;
+var<storage, read_write> joins: type_9;
 var<workgroup> boxes: array<type_16, 256>;
 var<workgroup> nodes: array<u32, 256>;
 var<workgroup> leaves: array<u32, 256>;
@@ -95,10 +95,10 @@ var<workgroup> neighbours: array<u32, 256>;
 var<workgroup> masks: array<atomic<u32>, 8>;
 
 fn function_(lane_1: u32) {
-    var phi_117_: type_8;
+    var phi_117_: type_11;
     var phi_120_: u32;
-    var phi_118_: type_8;
-    var phi_143_: type_8;
+    var phi_118_: type_11;
+    var phi_143_: type_11;
     var phi_167_: u32;
     var phi_121_: u32;
     var local: u32;
@@ -106,20 +106,20 @@ fn function_(lane_1: u32) {
     var local_1: u32;
     var phi_250_: type_17;
     var phi_274_: u32;
-    var phi_300_: type_8;
+    var phi_300_: type_11;
     var phi_303_: u32;
-    var phi_301_: type_8;
-    var phi_326_: type_8;
+    var phi_301_: type_11;
+    var phi_326_: type_11;
     var phi_344_: u32;
     var local_2: u32;
     var phi_356_: u32;
     var phi_367_: u32;
     var phi_395_: u32;
     var phi_403_: u32;
-    var phi_407_: type_8;
+    var phi_407_: type_11;
     var phi_410_: type_25;
-    var phi_408_: type_8;
-    var phi_433_: type_8;
+    var phi_408_: type_11;
+    var phi_433_: type_11;
     var phi_460_: f32;
     var phi_467_: f32;
     var phi_475_: f32;
@@ -154,11 +154,11 @@ fn function_(lane_1: u32) {
     var phi_688_: u32;
     var phi_689_: u32;
     var phi_690_: bool;
-    var phi_711_: type_8;
+    var phi_711_: type_11;
     var phi_714_: u32;
     var phi_716_: u32;
-    var phi_712_: type_8;
-    var phi_739_: type_8;
+    var phi_712_: type_11;
+    var phi_739_: type_11;
     var phi_757_: u32;
     var phi_715_: u32;
     var phi_717_: u32;
@@ -175,7 +175,7 @@ fn function_(lane_1: u32) {
     let _e45 = params.member.member_2.member;
     let _e49 = params.member.member.member[_e45];
     let _e52 = params.member.member_2.member_2;
-    phi_117_ = type_8(0u, _e52);
+    phi_117_ = type_11(0u, _e52);
     phi_120_ = 0u;
     loop {
         let _e55 = phi_117_;
@@ -184,11 +184,11 @@ fn function_(lane_1: u32) {
         local_1 = _e57;
         local_2 = _e57;
         if (_e55.member < _e55.member_1) {
-            phi_118_ = type_8((_e55.member + 1u), _e55.member_1);
-            phi_143_ = type_8(1u, _e55.member);
+            phi_118_ = type_11((_e55.member + 1u), _e55.member_1);
+            phi_143_ = type_11(1u, _e55.member);
         } else {
             phi_118_ = _e55;
-            phi_143_ = type_8(0u, type_8().member_1);
+            phi_143_ = type_11(0u, type_11().member_1);
         }
         let _e69 = phi_118_;
         let _e71 = phi_143_;
@@ -247,17 +247,17 @@ fn function_(lane_1: u32) {
     }
     workgroupBarrier();
     let _e171 = params.member.member_1.member;
-    phi_300_ = type_8(0u, _e171);
+    phi_300_ = type_11(0u, _e171);
     phi_303_ = _e92;
     loop {
         let _e174 = phi_300_;
         let _e176 = phi_303_;
         if (_e174.member < _e174.member_1) {
-            phi_301_ = type_8((_e174.member + 1u), _e174.member_1);
-            phi_326_ = type_8(1u, _e174.member);
+            phi_301_ = type_11((_e174.member + 1u), _e174.member_1);
+            phi_326_ = type_11(1u, _e174.member);
         } else {
             phi_301_ = _e174;
-            phi_326_ = type_8(0u, type_8().member_1);
+            phi_326_ = type_11(0u, type_11().member_1);
         }
         let _e188 = phi_301_;
         let _e190 = phi_326_;
@@ -304,18 +304,18 @@ fn function_(lane_1: u32) {
                         phi_403_ = _e246;
                     }
                     let _e249 = phi_403_;
-                    phi_407_ = type_8((_e35 - _e243), _e249);
+                    phi_407_ = type_11((_e35 - _e243), _e249);
                     phi_410_ = type_25(_e35, 300000000000000000000000000000000000000f);
                     loop {
                         let _e253 = phi_407_;
                         let _e255 = phi_410_;
                         local_3 = _e255;
                         if (_e253.member < _e253.member_1) {
-                            phi_408_ = type_8((_e253.member + 1u), _e253.member_1);
-                            phi_433_ = type_8(1u, _e253.member);
+                            phi_408_ = type_11((_e253.member + 1u), _e253.member_1);
+                            phi_433_ = type_11(1u, _e253.member);
                         } else {
                             phi_408_ = _e253;
-                            phi_433_ = type_8(0u, type_8().member_1);
+                            phi_433_ = type_11(0u, type_11().member_1);
                         }
                         let _e267 = phi_408_;
                         let _e269 = phi_433_;
@@ -536,7 +536,7 @@ fn function_(lane_1: u32) {
             }
             workgroupBarrier();
             let _e459 = atomicLoad((&masks[(_e35 / 32u)]));
-            phi_711_ = type_8(0u, 8u);
+            phi_711_ = type_11(0u, 8u);
             phi_714_ = countOneBits((_e459 & ((1u << bitcast<u32>(((_e35 % 32u) & 31u))) - 1u)));
             phi_716_ = 0u;
             loop {
@@ -549,11 +549,11 @@ fn function_(lane_1: u32) {
                 local_7 = _e470;
                 local_8 = _e472;
                 if (_e468.member < _e468.member_1) {
-                    phi_712_ = type_8((_e468.member + 1u), _e468.member_1);
-                    phi_739_ = type_8(1u, _e468.member);
+                    phi_712_ = type_11((_e468.member + 1u), _e468.member_1);
+                    phi_739_ = type_11(1u, _e468.member);
                 } else {
                     phi_712_ = _e468;
-                    phi_739_ = type_8(0u, type_8().member_1);
+                    phi_739_ = type_11(0u, type_11().member_1);
                 }
                 let _e484 = phi_712_;
                 let _e486 = phi_739_;

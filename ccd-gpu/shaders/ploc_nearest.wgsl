@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -66,21 +66,21 @@ struct type_24 {
     member_1: f32,
 }
 
+@group(0) @binding(3) 
+var<storage, read_write> counts: type_10;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(1) 
 var<storage> clusters: type_23;
 @group(0) @binding(2) 
-var<storage, read_write> neighbours: type_11;
-@group(0) @binding(3) 
-var<storage, read_write> counts: type_11;
+var<storage, read_write> neighbours: type_10;
 var<workgroup> near: array<type_16, 512>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: u32;
-    var phi_116_: type_9;
-    var phi_117_: type_9;
-    var phi_140_: type_9;
+    var phi_116_: type_12;
+    var phi_117_: type_12;
+    var phi_140_: type_12;
     var phi_195_: type_16;
     var phi_196_: type_16;
     var phi_197_: type_16;
@@ -89,10 +89,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_255_: u32;
     var phi_281_: u32;
     var phi_289_: u32;
-    var phi_293_: type_9;
+    var phi_293_: type_12;
     var phi_296_: type_24;
-    var phi_294_: type_9;
-    var phi_319_: type_9;
+    var phi_294_: type_12;
+    var phi_319_: type_12;
     var phi_349_: f32;
     var phi_356_: f32;
     var phi_364_: f32;
@@ -128,15 +128,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e43 = phi_108_;
     let _e46 = params.member.member_2.member_1;
     let _e48 = ((_e35 * 256u) + _e26);
-    phi_116_ = type_9(0u, 2u);
+    phi_116_ = type_12(0u, 2u);
     loop {
         let _e50 = phi_116_;
         if (_e50.member < _e50.member_1) {
-            phi_117_ = type_9((_e50.member + 1u), _e50.member_1);
-            phi_140_ = type_9(1u, _e50.member);
+            phi_117_ = type_12((_e50.member + 1u), _e50.member_1);
+            phi_140_ = type_12(1u, _e50.member);
         } else {
             phi_117_ = _e50;
-            phi_140_ = type_9(0u, type_9().member_1);
+            phi_140_ = type_12(0u, type_12().member_1);
         }
         let _e62 = phi_117_;
         let _e64 = phi_140_;
@@ -213,18 +213,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_289_ = _e174;
             }
             let _e177 = phi_289_;
-            phi_293_ = type_9((_e48 - _e171), _e177);
+            phi_293_ = type_12((_e48 - _e171), _e177);
             phi_296_ = type_24(_e48, 300000000000000000000000000000000000000f);
             loop {
                 let _e181 = phi_293_;
                 let _e183 = phi_296_;
                 local = _e183;
                 if (_e181.member < _e181.member_1) {
-                    phi_294_ = type_9((_e181.member + 1u), _e181.member_1);
-                    phi_319_ = type_9(1u, _e181.member);
+                    phi_294_ = type_12((_e181.member + 1u), _e181.member_1);
+                    phi_319_ = type_12(1u, _e181.member);
                 } else {
                     phi_294_ = _e181;
-                    phi_319_ = type_9(0u, type_9().member_1);
+                    phi_319_ = type_12(0u, type_12().member_1);
                 }
                 let _e195 = phi_294_;
                 let _e197 = phi_319_;

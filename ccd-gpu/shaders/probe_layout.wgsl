@@ -20,13 +20,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
 struct type_10 {
-    member: array<u32>,
+    member: u32,
+    member_1: u32,
 }
 
 struct type_13 {
@@ -78,7 +78,7 @@ struct type_25 {
 }
 
 struct type_27 {
-    member: array<type_8>,
+    member: array<type_10>,
 }
 
 @group(0) @binding(0) 
@@ -92,46 +92,46 @@ var<storage> touches: type_25;
 @group(0) @binding(4) 
 var<storage> pairs: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> words: type_10;
+var<storage, read_write> words: type_9;
 
 fn function_(lane_1: u32) {
     var local: type_13;
     var local_1: type_14;
-    var phi_128_: type_8;
-    var phi_129_: type_8;
-    var phi_152_: type_8;
-    var phi_175_: type_8;
-    var phi_176_: type_8;
-    var phi_199_: type_8;
-    var phi_250_: type_8;
-    var phi_251_: type_8;
-    var phi_274_: type_8;
-    var phi_346_: type_8;
-    var phi_347_: type_8;
-    var phi_370_: type_8;
-    var phi_380_: type_8;
-    var phi_381_: type_8;
-    var phi_404_: type_8;
-    var phi_511_: type_8;
-    var phi_512_: type_8;
-    var phi_535_: type_8;
-    var phi_570_: type_8;
-    var phi_571_: type_8;
-    var phi_594_: type_8;
+    var phi_128_: type_10;
+    var phi_129_: type_10;
+    var phi_152_: type_10;
+    var phi_175_: type_10;
+    var phi_176_: type_10;
+    var phi_199_: type_10;
+    var phi_250_: type_10;
+    var phi_251_: type_10;
+    var phi_274_: type_10;
+    var phi_346_: type_10;
+    var phi_347_: type_10;
+    var phi_370_: type_10;
+    var phi_380_: type_10;
+    var phi_381_: type_10;
+    var phi_404_: type_10;
+    var phi_511_: type_10;
+    var phi_512_: type_10;
+    var phi_535_: type_10;
+    var phi_570_: type_10;
+    var phi_571_: type_10;
+    var phi_594_: type_10;
     var lane_2: u32;
 
     lane_2 = lane_1;
     let _e52 = lane_2;
     if (_e52 == 0u) {
-        phi_128_ = type_8(0u, 3u);
+        phi_128_ = type_10(0u, 3u);
         loop {
             let _e63 = phi_128_;
             if (_e63.member < _e63.member_1) {
-                phi_129_ = type_8((_e63.member + 1u), _e63.member_1);
-                phi_152_ = type_8(1u, _e63.member);
+                phi_129_ = type_10((_e63.member + 1u), _e63.member_1);
+                phi_152_ = type_10(1u, _e63.member);
             } else {
                 phi_129_ = _e63;
-                phi_152_ = type_8(0u, type_8().member_1);
+                phi_152_ = type_10(0u, type_10().member_1);
             }
             let _e75 = phi_129_;
             let _e77 = phi_152_;
@@ -148,15 +148,15 @@ fn function_(lane_1: u32) {
         }
         let _e90 = params.member.member.member_1;
         words.member[3u] = _e90;
-        phi_175_ = type_8(0u, 4u);
+        phi_175_ = type_10(0u, 4u);
         loop {
             let _e93 = phi_175_;
             if (_e93.member < _e93.member_1) {
-                phi_176_ = type_8((_e93.member + 1u), _e93.member_1);
-                phi_199_ = type_8(1u, _e93.member);
+                phi_176_ = type_10((_e93.member + 1u), _e93.member_1);
+                phi_199_ = type_10(1u, _e93.member);
             } else {
                 phi_176_ = _e93;
-                phi_199_ = type_8(0u, type_8().member_1);
+                phi_199_ = type_10(0u, type_10().member_1);
             }
             let _e105 = phi_176_;
             let _e107 = phi_199_;
@@ -183,15 +183,15 @@ fn function_(lane_1: u32) {
         words.member[12u] = _e142;
         let _e147 = params.member.member.member_7[1u];
         words.member[13u] = _e147;
-        phi_250_ = type_8(0u, 3u);
+        phi_250_ = type_10(0u, 3u);
         loop {
             let _e150 = phi_250_;
             if (_e150.member < _e150.member_1) {
-                phi_251_ = type_8((_e150.member + 1u), _e150.member_1);
-                phi_274_ = type_8(1u, _e150.member);
+                phi_251_ = type_10((_e150.member + 1u), _e150.member_1);
+                phi_274_ = type_10(1u, _e150.member);
             } else {
                 phi_251_ = _e150;
-                phi_274_ = type_8(0u, type_8().member_1);
+                phi_274_ = type_10(0u, type_10().member_1);
             }
             let _e162 = phi_251_;
             let _e164 = phi_274_;
@@ -224,29 +224,29 @@ fn function_(lane_1: u32) {
         words.member[26u] = _e213;
         let _e216 = params.member.member_1.member_3;
         words.member[27u] = _e216;
-        phi_346_ = type_8(0u, 8u);
+        phi_346_ = type_10(0u, 8u);
         loop {
             let _e219 = phi_346_;
             if (_e219.member < _e219.member_1) {
-                phi_347_ = type_8((_e219.member + 1u), _e219.member_1);
-                phi_370_ = type_8(1u, _e219.member);
+                phi_347_ = type_10((_e219.member + 1u), _e219.member_1);
+                phi_370_ = type_10(1u, _e219.member);
             } else {
                 phi_347_ = _e219;
-                phi_370_ = type_8(0u, type_8().member_1);
+                phi_370_ = type_10(0u, type_10().member_1);
             }
             let _e231 = phi_347_;
             let _e233 = phi_370_;
             let _e237 = (bitcast<i32>(_e233.member) != 0i);
             if _e237 {
-                phi_380_ = type_8(0u, 4u);
+                phi_380_ = type_10(0u, 4u);
                 loop {
                     let _e239 = phi_380_;
                     if (_e239.member < _e239.member_1) {
-                        phi_381_ = type_8((_e239.member + 1u), _e239.member_1);
-                        phi_404_ = type_8(1u, _e239.member);
+                        phi_381_ = type_10((_e239.member + 1u), _e239.member_1);
+                        phi_404_ = type_10(1u, _e239.member);
                     } else {
                         phi_381_ = _e239;
-                        phi_404_ = type_8(0u, type_8().member_1);
+                        phi_404_ = type_10(0u, type_10().member_1);
                     }
                     let _e251 = phi_381_;
                     let _e253 = phi_404_;
@@ -283,15 +283,15 @@ fn function_(lane_1: u32) {
         let _e305 = touches.member[1u];
         let _e308 = pairs.member[1u].member;
         let _e310 = pairs.member[1u].member_1;
-        phi_511_ = type_8(0u, 4u);
+        phi_511_ = type_10(0u, 4u);
         loop {
             let _e312 = phi_511_;
             if (_e312.member < _e312.member_1) {
-                phi_512_ = type_8((_e312.member + 1u), _e312.member_1);
-                phi_535_ = type_8(1u, _e312.member);
+                phi_512_ = type_10((_e312.member + 1u), _e312.member_1);
+                phi_535_ = type_10(1u, _e312.member);
             } else {
                 phi_512_ = _e312;
-                phi_535_ = type_8(0u, type_8().member_1);
+                phi_535_ = type_10(0u, type_10().member_1);
             }
             let _e324 = phi_512_;
             let _e326 = phi_535_;
@@ -308,15 +308,15 @@ fn function_(lane_1: u32) {
                 break if !(_e330);
             }
         }
-        phi_570_ = type_8(0u, 3u);
+        phi_570_ = type_10(0u, 3u);
         loop {
             let _e345 = phi_570_;
             if (_e345.member < _e345.member_1) {
-                phi_571_ = type_8((_e345.member + 1u), _e345.member_1);
-                phi_594_ = type_8(1u, _e345.member);
+                phi_571_ = type_10((_e345.member + 1u), _e345.member_1);
+                phi_594_ = type_10(1u, _e345.member);
             } else {
                 phi_571_ = _e345;
-                phi_594_ = type_8(0u, type_8().member_1);
+                phi_594_ = type_10(0u, type_10().member_1);
             }
             let _e357 = phi_571_;
             let _e359 = phi_594_;

@@ -1,5 +1,5 @@
 // Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
 }
@@ -56,9 +56,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_372_: f32;
     var phi_373_: f32;
     var phi_375_: f32;
-    var phi_432_: type_4;
-    var phi_433_: type_4;
-    var phi_456_: type_4;
+    var phi_432_: type_5;
+    var phi_433_: type_5;
+    var phi_456_: type_5;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -254,15 +254,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_1[10u] = array<u32, 2>(u32(_e224), u32((_e224 / 4294967296lu)));
         local_1[11u] = array<u32, 2>(bitcast<u32>(_e252), select(0u, 1u, ((bitcast<u64>(_e70) & 9218868437227405312lu) != 9218868437227405312lu)));
         local = array<u32, 24>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_432_ = type_4(0u, 12u);
+        phi_432_ = type_5(0u, 12u);
         loop {
             let _e283 = phi_432_;
             if (_e283.member < _e283.member_1) {
-                phi_433_ = type_4((_e283.member + 1u), _e283.member_1);
-                phi_456_ = type_4(1u, _e283.member);
+                phi_433_ = type_5((_e283.member + 1u), _e283.member_1);
+                phi_456_ = type_5(1u, _e283.member);
             } else {
                 phi_433_ = _e283;
-                phi_456_ = type_4(0u, type_4().member_1);
+                phi_456_ = type_5(0u, type_5().member_1);
             }
             let _e295 = phi_433_;
             let _e297 = phi_456_;

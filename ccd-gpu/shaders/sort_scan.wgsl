@@ -20,48 +20,48 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_11 {
     member: u32,
     member_1: u32,
 }
 
-struct type_10 {
+struct type_13 {
     member: type_7,
     member_1: type_8,
-    member_2: type_9,
+    member_2: type_11,
 }
 
-struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
-    member: array<u32>,
+struct type_14 {
+    member: type_13,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_14;
 @group(0) @binding(1) 
-var<storage, read_write> table: type_13;
+var<storage, read_write> table: type_10;
 var<workgroup> sums: array<u32, 512>;
 
 fn function_(id_1: vec3<u32>, lane_1: u32) {
     var phi_77_: u32;
-    var phi_80_: type_9;
+    var phi_80_: type_11;
     var phi_83_: u32;
-    var phi_81_: type_9;
-    var phi_106_: type_9;
+    var phi_81_: type_11;
+    var phi_106_: type_11;
     var phi_132_: u32;
     var phi_149_: u32;
     var phi_166_: u32;
     var phi_183_: u32;
-    var phi_190_: type_9;
+    var phi_190_: type_11;
     var phi_193_: u32;
     var phi_195_: u32;
     var phi_197_: u32;
     var phi_194_: u32;
-    var phi_191_: type_9;
-    var phi_220_: type_9;
+    var phi_191_: type_11;
+    var phi_220_: type_11;
     var phi_236_: u32;
     var phi_196_: u32;
     var phi_198_: u32;
@@ -84,18 +84,18 @@ fn function_(id_1: vec3<u32>, lane_1: u32) {
         phi_77_ = _e26;
     }
     let _e31 = phi_77_;
-    phi_80_ = type_9(0u, _e31);
+    phi_80_ = type_11(0u, _e31);
     phi_83_ = 0u;
     loop {
         let _e34 = phi_80_;
         let _e36 = phi_83_;
         local_1 = _e36;
         if (_e34.member < _e34.member_1) {
-            phi_81_ = type_9((_e34.member + 1u), _e34.member_1);
-            phi_106_ = type_9(1u, _e34.member);
+            phi_81_ = type_11((_e34.member + 1u), _e34.member_1);
+            phi_106_ = type_11(1u, _e34.member);
         } else {
             phi_81_ = _e34;
-            phi_106_ = type_9(0u, type_9().member_1);
+            phi_106_ = type_11(0u, type_11().member_1);
         }
         let _e48 = phi_81_;
         let _e50 = phi_106_;
@@ -135,7 +135,7 @@ fn function_(id_1: vec3<u32>, lane_1: u32) {
             let _e84 = phi_183_;
             let _e87 = (((_e63 + _e70) + _e77) + _e84);
             sums[_e18] = _e87;
-            phi_190_ = type_9(0u, 8u);
+            phi_190_ = type_11(0u, 8u);
             phi_193_ = 0u;
             phi_195_ = 1u;
             phi_197_ = _e87;
@@ -148,11 +148,11 @@ fn function_(id_1: vec3<u32>, lane_1: u32) {
                 let _e98 = phi_194_;
                 local = _e96;
                 if (_e90.member < _e90.member_1) {
-                    phi_191_ = type_9((_e90.member + 1u), _e90.member_1);
-                    phi_220_ = type_9(1u, _e90.member);
+                    phi_191_ = type_11((_e90.member + 1u), _e90.member_1);
+                    phi_220_ = type_11(1u, _e90.member);
                 } else {
                     phi_191_ = _e90;
-                    phi_220_ = type_9(0u, type_9().member_1);
+                    phi_220_ = type_11(0u, type_11().member_1);
                 }
                 let _e110 = phi_191_;
                 let _e112 = phi_220_;

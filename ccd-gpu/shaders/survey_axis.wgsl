@@ -20,13 +20,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_11 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_13 {
@@ -73,7 +73,7 @@ var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> boxes: type_18;
 @group(0) @binding(2) 
-var<storage, read_write> survey: type_10;
+var<storage, read_write> survey: type_9;
 var<workgroup> shared_: array<type_22, 256>;
 
 fn function_(lane_1: u32) {
@@ -85,36 +85,36 @@ fn function_(lane_1: u32) {
     var local_5: type_22;
     var local_6: type_22;
     var local_7: type_22;
-    var phi_102_: type_8;
-    var phi_103_: type_8;
-    var phi_126_: type_8;
-    var phi_164_: type_8;
-    var phi_165_: type_8;
-    var phi_188_: type_8;
-    var phi_219_: type_8;
-    var phi_220_: type_8;
-    var phi_243_: type_8;
-    var phi_287_: type_8;
-    var phi_288_: type_8;
-    var phi_311_: type_8;
-    var phi_340_: type_8;
-    var phi_341_: type_8;
-    var phi_364_: type_8;
-    var phi_395_: type_8;
-    var phi_396_: type_8;
-    var phi_419_: type_8;
-    var phi_515_: type_8;
-    var phi_516_: type_8;
-    var phi_539_: type_8;
+    var phi_102_: type_11;
+    var phi_103_: type_11;
+    var phi_126_: type_11;
+    var phi_164_: type_11;
+    var phi_165_: type_11;
+    var phi_188_: type_11;
+    var phi_219_: type_11;
+    var phi_220_: type_11;
+    var phi_243_: type_11;
+    var phi_287_: type_11;
+    var phi_288_: type_11;
+    var phi_311_: type_11;
+    var phi_340_: type_11;
+    var phi_341_: type_11;
+    var phi_364_: type_11;
+    var phi_395_: type_11;
+    var phi_396_: type_11;
+    var phi_419_: type_11;
+    var phi_515_: type_11;
+    var phi_516_: type_11;
+    var phi_539_: type_11;
     var phi_664_: type_13;
     var phi_667_: u32;
     var phi_688_: bool;
     var phi_694_: type_14;
     var phi_665_: type_13;
     var phi_708_: type_14;
-    var phi_765_: type_8;
-    var phi_766_: type_8;
-    var phi_789_: type_8;
+    var phi_765_: type_11;
+    var phi_766_: type_11;
+    var phi_789_: type_11;
     var phi_668_: u32;
     var phi_939_: u32;
     var phi_934_: u32;
@@ -128,15 +128,15 @@ fn function_(lane_1: u32) {
     lane_2 = lane_1;
     let _e34 = lane_2;
     local_5 = type_22(0f, array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-    phi_102_ = type_8(0u, 32u);
+    phi_102_ = type_11(0u, 32u);
     loop {
         let _e39 = phi_102_;
         if (_e39.member < _e39.member_1) {
-            phi_103_ = type_8((_e39.member + 1u), _e39.member_1);
-            phi_126_ = type_8(1u, _e39.member);
+            phi_103_ = type_11((_e39.member + 1u), _e39.member_1);
+            phi_126_ = type_11(1u, _e39.member);
         } else {
             phi_103_ = _e39;
-            phi_126_ = type_8(0u, type_8().member_1);
+            phi_126_ = type_11(0u, type_11().member_1);
         }
         let _e51 = phi_103_;
         let _e53 = phi_126_;
@@ -149,15 +149,15 @@ fn function_(lane_1: u32) {
                 local_2.member = 1f;
                 local_2.member_1 = array<f32, 3>(0f, 0f, 0f);
                 local_2.member_2 = array<f32, 3>(0f, 0f, 0f);
-                phi_164_ = type_8(_e63, (_e63 + 1u));
+                phi_164_ = type_11(_e63, (_e63 + 1u));
                 loop {
                     let _e74 = phi_164_;
                     if (_e74.member < _e74.member_1) {
-                        phi_165_ = type_8((_e74.member + 1u), _e74.member_1);
-                        phi_188_ = type_8(1u, _e74.member);
+                        phi_165_ = type_11((_e74.member + 1u), _e74.member_1);
+                        phi_188_ = type_11(1u, _e74.member);
                     } else {
                         phi_165_ = _e74;
-                        phi_188_ = type_8(0u, type_8().member_1);
+                        phi_188_ = type_11(0u, type_11().member_1);
                     }
                     let _e86 = phi_165_;
                     let _e88 = phi_188_;
@@ -165,15 +165,15 @@ fn function_(lane_1: u32) {
                     if _e92 {
                         let _e94 = boxes.member[_e88.member_1];
                         local_3 = type_16(array<f32, 3>(_e94.member[0], _e94.member[1], _e94.member[2]), array<f32, 3>(_e94.member_1[0], _e94.member_1[1], _e94.member_1[2]));
-                        phi_219_ = type_8(0u, 3u);
+                        phi_219_ = type_11(0u, 3u);
                         loop {
                             let _e107 = phi_219_;
                             if (_e107.member < _e107.member_1) {
-                                phi_220_ = type_8((_e107.member + 1u), _e107.member_1);
-                                phi_243_ = type_8(1u, _e107.member);
+                                phi_220_ = type_11((_e107.member + 1u), _e107.member_1);
+                                phi_243_ = type_11(1u, _e107.member);
                             } else {
                                 phi_220_ = _e107;
-                                phi_243_ = type_8(0u, type_8().member_1);
+                                phi_243_ = type_11(0u, type_11().member_1);
                             }
                             let _e119 = phi_220_;
                             let _e121 = phi_243_;
@@ -197,15 +197,15 @@ fn function_(lane_1: u32) {
                         break if !(_e92);
                     }
                 }
-                phi_287_ = type_8(0u, 3u);
+                phi_287_ = type_11(0u, 3u);
                 loop {
                     let _e144 = phi_287_;
                     if (_e144.member < _e144.member_1) {
-                        phi_288_ = type_8((_e144.member + 1u), _e144.member_1);
-                        phi_311_ = type_8(1u, _e144.member);
+                        phi_288_ = type_11((_e144.member + 1u), _e144.member_1);
+                        phi_311_ = type_11(1u, _e144.member);
                     } else {
                         phi_288_ = _e144;
-                        phi_311_ = type_8(0u, type_8().member_1);
+                        phi_311_ = type_11(0u, type_11().member_1);
                     }
                     let _e156 = phi_288_;
                     let _e158 = phi_311_;
@@ -221,15 +221,15 @@ fn function_(lane_1: u32) {
                         break if !(_e162);
                     }
                 }
-                phi_340_ = type_8(_e63, (_e63 + 1u));
+                phi_340_ = type_11(_e63, (_e63 + 1u));
                 loop {
                     let _e175 = phi_340_;
                     if (_e175.member < _e175.member_1) {
-                        phi_341_ = type_8((_e175.member + 1u), _e175.member_1);
-                        phi_364_ = type_8(1u, _e175.member);
+                        phi_341_ = type_11((_e175.member + 1u), _e175.member_1);
+                        phi_364_ = type_11(1u, _e175.member);
                     } else {
                         phi_341_ = _e175;
-                        phi_364_ = type_8(0u, type_8().member_1);
+                        phi_364_ = type_11(0u, type_11().member_1);
                     }
                     let _e187 = phi_341_;
                     let _e189 = phi_364_;
@@ -237,15 +237,15 @@ fn function_(lane_1: u32) {
                     if _e193 {
                         let _e195 = boxes.member[_e189.member_1];
                         local_4 = type_16(array<f32, 3>(_e195.member[0], _e195.member[1], _e195.member[2]), array<f32, 3>(_e195.member_1[0], _e195.member_1[1], _e195.member_1[2]));
-                        phi_395_ = type_8(0u, 3u);
+                        phi_395_ = type_11(0u, 3u);
                         loop {
                             let _e208 = phi_395_;
                             if (_e208.member < _e208.member_1) {
-                                phi_396_ = type_8((_e208.member + 1u), _e208.member_1);
-                                phi_419_ = type_8(1u, _e208.member);
+                                phi_396_ = type_11((_e208.member + 1u), _e208.member_1);
+                                phi_419_ = type_11(1u, _e208.member);
                             } else {
                                 phi_396_ = _e208;
-                                phi_419_ = type_8(0u, type_8().member_1);
+                                phi_419_ = type_11(0u, type_11().member_1);
                             }
                             let _e220 = phi_396_;
                             let _e222 = phi_419_;
@@ -284,15 +284,15 @@ fn function_(lane_1: u32) {
                     local_1.member_2 = _e263;
                     let _e265 = local_6.member;
                     let _e266 = (_e265 / _e254);
-                    phi_515_ = type_8(0u, 3u);
+                    phi_515_ = type_11(0u, 3u);
                     loop {
                         let _e268 = phi_515_;
                         if (_e268.member < _e268.member_1) {
-                            phi_516_ = type_8((_e268.member + 1u), _e268.member_1);
-                            phi_539_ = type_8(1u, _e268.member);
+                            phi_516_ = type_11((_e268.member + 1u), _e268.member_1);
+                            phi_539_ = type_11(1u, _e268.member);
                         } else {
                             phi_516_ = _e268;
-                            phi_539_ = type_8(0u, type_8().member_1);
+                            phi_539_ = type_11(0u, type_11().member_1);
                         }
                         let _e280 = phi_516_;
                         let _e282 = phi_539_;
@@ -374,15 +374,15 @@ fn function_(lane_1: u32) {
                     local.member_2 = _e370;
                     let _e372 = local_7.member;
                     let _e373 = (_e372 / _e361);
-                    phi_765_ = type_8(0u, 3u);
+                    phi_765_ = type_11(0u, 3u);
                     loop {
                         let _e375 = phi_765_;
                         if (_e375.member < _e375.member_1) {
-                            phi_766_ = type_8((_e375.member + 1u), _e375.member_1);
-                            phi_789_ = type_8(1u, _e375.member);
+                            phi_766_ = type_11((_e375.member + 1u), _e375.member_1);
+                            phi_789_ = type_11(1u, _e375.member);
                         } else {
                             phi_766_ = _e375;
-                            phi_789_ = type_8(0u, type_8().member_1);
+                            phi_789_ = type_11(0u, type_11().member_1);
                         }
                         let _e387 = phi_766_;
                         let _e389 = phi_789_;

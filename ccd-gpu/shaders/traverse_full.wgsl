@@ -20,23 +20,23 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_10 {
+struct type_14 {
     member: type_7,
     member_1: type_8,
-    member_2: type_9,
+    member_2: type_12,
 }
 
-struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
-    member: array<u32>,
+struct type_15 {
+    member: type_14,
 }
 
 struct type_18 {
@@ -72,11 +72,11 @@ struct type_28 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_15;
 @group(0) @binding(1) 
 var<storage> boxes: type_20;
 @group(0) @binding(2) 
-var<storage> order: type_13;
+var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(4) 
@@ -88,9 +88,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_145_: u32;
     var phi_244_: array<u32, 2>;
     var phi_277_: bool;
-    var phi_347_: type_9;
-    var phi_348_: type_9;
-    var phi_371_: type_9;
+    var phi_347_: type_12;
+    var phi_348_: type_12;
+    var phi_371_: type_12;
     var phi_486_: u32;
     var phi_487_: bool;
     var phi_488_: u32;
@@ -185,15 +185,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_347_ = type_9(0u, _e93);
+        phi_347_ = type_12(0u, _e93);
         loop {
             let _e164 = phi_347_;
             if (_e164.member < _e164.member_1) {
-                phi_348_ = type_9((_e164.member + 1u), _e164.member_1);
-                phi_371_ = type_9(1u, _e164.member);
+                phi_348_ = type_12((_e164.member + 1u), _e164.member_1);
+                phi_371_ = type_12(1u, _e164.member);
             } else {
                 phi_348_ = _e164;
-                phi_371_ = type_9(0u, type_9().member_1);
+                phi_371_ = type_12(0u, type_12().member_1);
             }
             let _e176 = phi_348_;
             let _e178 = phi_371_;

@@ -20,23 +20,23 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_10 {
+struct type_14 {
     member: type_7,
     member_1: type_8,
-    member_2: type_9,
+    member_2: type_12,
 }
 
-struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
-    member: array<u32>,
+struct type_15 {
+    member: type_14,
 }
 
 struct type_18 {
@@ -92,11 +92,11 @@ struct type_35 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_15;
 @group(0) @binding(1) 
 var<storage> boxes: type_20;
 @group(0) @binding(2) 
-var<storage> order: type_13;
+var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(5) 
@@ -111,125 +111,131 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_177_: u32;
     var phi_276_: array<u32, 2>;
     var phi_309_: bool;
-    var phi_379_: type_9;
-    var phi_380_: type_9;
-    var phi_403_: type_9;
-    var phi_463_: f32;
-    var phi_468_: f32;
-    var phi_473_: f32;
-    var phi_513_: f32;
-    var phi_519_: f32;
-    var phi_526_: f32;
-    var phi_533_: f32;
-    var phi_539_: f32;
-    var phi_546_: f32;
-    var phi_553_: f32;
-    var phi_559_: f32;
-    var phi_566_: f32;
-    var phi_659_: f32;
-    var phi_666_: f32;
-    var phi_672_: f32;
-    var phi_678_: f32;
-    var phi_697_: f32;
-    var phi_704_: f32;
-    var phi_710_: f32;
-    var phi_716_: f32;
-    var phi_735_: f32;
-    var phi_742_: f32;
-    var phi_748_: f32;
-    var phi_754_: f32;
-    var phi_773_: f32;
-    var phi_780_: f32;
-    var phi_786_: f32;
-    var phi_792_: f32;
-    var phi_811_: f32;
-    var phi_818_: f32;
-    var phi_824_: f32;
-    var phi_830_: f32;
-    var phi_849_: f32;
-    var phi_856_: f32;
-    var phi_862_: f32;
-    var phi_868_: f32;
-    var phi_883_: f32;
-    var phi_888_: f32;
-    var phi_893_: f32;
+    var phi_379_: type_12;
+    var phi_380_: type_12;
+    var phi_403_: type_12;
+    var phi_457_: f32;
+    var phi_462_: f32;
+    var phi_467_: f32;
+    var phi_472_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_503_: f32;
+    var phi_543_: f32;
+    var phi_549_: f32;
+    var phi_556_: f32;
+    var phi_563_: f32;
+    var phi_569_: f32;
+    var phi_576_: f32;
+    var phi_583_: f32;
+    var phi_589_: f32;
+    var phi_596_: f32;
+    var phi_689_: f32;
+    var phi_696_: f32;
+    var phi_702_: f32;
+    var phi_708_: f32;
+    var phi_727_: f32;
+    var phi_734_: f32;
+    var phi_740_: f32;
+    var phi_746_: f32;
+    var phi_765_: f32;
+    var phi_772_: f32;
+    var phi_778_: f32;
+    var phi_784_: f32;
+    var phi_803_: f32;
+    var phi_810_: f32;
+    var phi_816_: f32;
+    var phi_822_: f32;
+    var phi_841_: f32;
+    var phi_848_: f32;
+    var phi_854_: f32;
+    var phi_860_: f32;
+    var phi_879_: f32;
+    var phi_886_: f32;
+    var phi_892_: f32;
     var phi_898_: f32;
-    var phi_903_: f32;
-    var phi_962_: f32;
-    var phi_985_: f32;
-    var phi_1008_: f32;
-    var phi_1030_: f32;
-    var phi_1046_: f32;
-    var phi_1101_: f32;
-    var phi_1124_: f32;
-    var phi_1147_: f32;
-    var phi_1169_: f32;
-    var phi_1185_: f32;
-    var phi_1240_: f32;
-    var phi_1263_: f32;
-    var phi_1286_: f32;
-    var phi_1308_: f32;
-    var phi_1324_: f32;
-    var phi_1379_: f32;
-    var phi_1402_: f32;
-    var phi_1426_: f32;
-    var phi_1449_: f32;
-    var phi_1465_: f32;
-    var phi_1520_: f32;
-    var phi_1543_: f32;
-    var phi_1567_: f32;
-    var phi_1590_: f32;
-    var phi_1606_: f32;
-    var phi_1661_: f32;
-    var phi_1684_: f32;
-    var phi_1708_: f32;
-    var phi_1731_: f32;
-    var phi_1747_: f32;
-    var phi_1802_: f32;
-    var phi_1825_: f32;
-    var phi_1849_: f32;
-    var phi_1872_: f32;
-    var phi_1888_: f32;
-    var phi_1943_: f32;
-    var phi_1966_: f32;
-    var phi_1990_: f32;
-    var phi_2013_: f32;
-    var phi_2029_: f32;
-    var phi_2084_: f32;
-    var phi_2107_: f32;
-    var phi_2131_: f32;
-    var phi_2154_: f32;
-    var phi_2170_: f32;
-    var phi_2177_: f32;
-    var phi_2182_: f32;
-    var phi_2187_: f32;
-    var phi_2192_: f32;
-    var phi_2197_: f32;
-    var phi_2202_: f32;
+    var phi_913_: f32;
+    var phi_918_: f32;
+    var phi_923_: f32;
+    var phi_928_: f32;
+    var phi_933_: f32;
+    var phi_992_: f32;
+    var phi_1015_: f32;
+    var phi_1038_: f32;
+    var phi_1060_: f32;
+    var phi_1076_: f32;
+    var phi_1131_: f32;
+    var phi_1154_: f32;
+    var phi_1177_: f32;
+    var phi_1199_: f32;
+    var phi_1215_: f32;
+    var phi_1270_: f32;
+    var phi_1293_: f32;
+    var phi_1316_: f32;
+    var phi_1338_: f32;
+    var phi_1354_: f32;
+    var phi_1409_: f32;
+    var phi_1432_: f32;
+    var phi_1456_: f32;
+    var phi_1479_: f32;
+    var phi_1495_: f32;
+    var phi_1550_: f32;
+    var phi_1573_: f32;
+    var phi_1597_: f32;
+    var phi_1620_: f32;
+    var phi_1636_: f32;
+    var phi_1691_: f32;
+    var phi_1714_: f32;
+    var phi_1738_: f32;
+    var phi_1761_: f32;
+    var phi_1777_: f32;
+    var phi_1832_: f32;
+    var phi_1855_: f32;
+    var phi_1879_: f32;
+    var phi_1902_: f32;
+    var phi_1918_: f32;
+    var phi_1973_: f32;
+    var phi_1996_: f32;
+    var phi_2020_: f32;
+    var phi_2043_: f32;
+    var phi_2059_: f32;
+    var phi_2114_: f32;
+    var phi_2137_: f32;
+    var phi_2161_: f32;
+    var phi_2184_: f32;
+    var phi_2200_: f32;
     var phi_2207_: f32;
     var phi_2212_: f32;
-    var phi_2216_: bool;
-    var phi_2324_: u32;
-    var phi_2325_: bool;
-    var phi_2326_: u32;
-    var phi_2327_: bool;
-    var phi_2331_: u32;
-    var phi_2339_: u32;
-    var phi_2340_: bool;
-    var phi_2341_: u32;
-    var phi_2342_: bool;
-    var phi_2346_: u32;
-    var phi_2351_: bool;
-    var phi_2356_: bool;
-    var phi_2368_: u32;
-    var phi_2384_: u32;
+    var phi_2217_: f32;
+    var phi_2222_: f32;
+    var phi_2227_: f32;
+    var phi_2232_: f32;
+    var phi_2237_: f32;
+    var phi_2242_: f32;
+    var phi_2246_: bool;
+    var phi_2354_: u32;
+    var phi_2355_: bool;
+    var phi_2356_: u32;
+    var phi_2357_: bool;
+    var phi_2361_: u32;
+    var phi_2369_: u32;
+    var phi_2370_: bool;
+    var phi_2371_: u32;
+    var phi_2372_: bool;
+    var phi_2376_: u32;
+    var phi_2381_: bool;
     var phi_2386_: bool;
-    var phi_2387_: bool;
-    var phi_2433_: array<u32, 2>;
-    var phi_2466_: bool;
-    var phi_2509_: array<u32, 2>;
-    var phi_2542_: bool;
-    var phi_2593_: bool;
+    var phi_2398_: u32;
+    var phi_2414_: u32;
+    var phi_2416_: bool;
+    var phi_2417_: bool;
+    var phi_2463_: array<u32, 2>;
+    var phi_2496_: bool;
+    var phi_2539_: array<u32, 2>;
+    var phi_2572_: bool;
+    var phi_2623_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -303,15 +309,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         local_1 = type_26(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_379_ = type_9(0u, _e109);
+        phi_379_ = type_12(0u, _e109);
         loop {
             let _e176 = phi_379_;
             if (_e176.member < _e176.member_1) {
-                phi_380_ = type_9((_e176.member + 1u), _e176.member_1);
-                phi_403_ = type_9(1u, _e176.member);
+                phi_380_ = type_12((_e176.member + 1u), _e176.member_1);
+                phi_403_ = type_12(1u, _e176.member);
             } else {
                 phi_380_ = _e176;
-                phi_403_ = type_9(0u, type_9().member_1);
+                phi_403_ = type_12(0u, type_12().member_1);
             }
             let _e188 = phi_380_;
             let _e190 = phi_403_;
@@ -323,943 +329,979 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e237 = ((_e83.member.x * 0.5f) + (_e83.member_1.y * 0.5f));
                     let _e238 = ((_e83.member.y * 0.5f) + (_e83.member_2.x * 0.5f));
                     let _e239 = ((_e83.member_1.x * 0.5f) + (_e83.member_2.y * 0.5f));
-                    let _e240 = (_e83.member_1.y - _e237);
-                    let _e241 = (_e83.member_2.x - _e238);
-                    let _e242 = (_e83.member_2.y - _e239);
-                    let _e243 = (_e237 - _e83.member.x);
-                    let _e244 = (_e238 - _e83.member.y);
-                    let _e245 = (_e239 - _e83.member_1.x);
-                    if (_e240 > _e243) {
-                        phi_463_ = _e240;
+                    if (_e237 < _e83.member_1.y) {
+                        phi_457_ = _e237;
                     } else {
-                        phi_463_ = _e243;
+                        phi_457_ = _e83.member_1.y;
                     }
-                    let _e248 = phi_463_;
-                    if (_e241 > _e244) {
-                        phi_468_ = _e241;
+                    let _e242 = phi_457_;
+                    if (_e238 < _e83.member_2.x) {
+                        phi_462_ = _e238;
                     } else {
-                        phi_468_ = _e244;
+                        phi_462_ = _e83.member_2.x;
                     }
-                    let _e251 = phi_468_;
-                    if (_e242 > _e245) {
-                        phi_473_ = _e242;
+                    let _e245 = phi_462_;
+                    if (_e239 < _e83.member_2.y) {
+                        phi_467_ = _e239;
                     } else {
-                        phi_473_ = _e245;
+                        phi_467_ = _e83.member_2.y;
                     }
-                    let _e254 = phi_473_;
-                    let _e256 = (1f + (0.000000059604645f * 4f));
-                    let _e260 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    let _e261 = ((_e248 * _e256) + _e260);
-                    let _e262 = ((_e251 * _e256) + _e260);
-                    let _e263 = ((_e254 * _e256) + _e260);
-                    let _e264 = (_e200.member.x - _e237);
-                    let _e265 = (_e200.member.y - _e238);
-                    let _e266 = (_e200.member.z - _e239);
-                    if (_e264 < 0f) {
-                        phi_513_ = -(_e264);
+                    let _e248 = phi_467_;
+                    if (_e242 > _e83.member.x) {
+                        phi_472_ = _e242;
                     } else {
-                        phi_513_ = _e264;
+                        phi_472_ = _e83.member.x;
                     }
-                    let _e285 = phi_513_;
-                    if (_e265 < 0f) {
-                        phi_519_ = -(_e265);
+                    let _e251 = phi_472_;
+                    if (_e245 > _e83.member.y) {
+                        phi_477_ = _e245;
                     } else {
-                        phi_519_ = _e265;
+                        phi_477_ = _e83.member.y;
                     }
-                    let _e289 = phi_519_;
-                    if (_e266 < 0f) {
-                        phi_526_ = -(_e266);
+                    let _e254 = phi_477_;
+                    if (_e248 > _e83.member_1.x) {
+                        phi_482_ = _e248;
                     } else {
-                        phi_526_ = _e266;
+                        phi_482_ = _e83.member_1.x;
                     }
-                    let _e294 = phi_526_;
-                    if (_e261 < 0f) {
-                        phi_533_ = -(_e261);
+                    let _e257 = phi_482_;
+                    let _e258 = (_e83.member_1.y - _e251);
+                    let _e259 = (_e83.member_2.x - _e254);
+                    let _e260 = (_e83.member_2.y - _e257);
+                    let _e261 = (_e251 - _e83.member.x);
+                    let _e262 = (_e254 - _e83.member.y);
+                    let _e263 = (_e257 - _e83.member_1.x);
+                    if (_e258 > _e261) {
+                        phi_493_ = _e258;
                     } else {
-                        phi_533_ = _e261;
+                        phi_493_ = _e261;
                     }
-                    let _e299 = phi_533_;
-                    if (_e262 < 0f) {
-                        phi_539_ = -(_e262);
+                    let _e266 = phi_493_;
+                    if (_e259 > _e262) {
+                        phi_498_ = _e259;
                     } else {
-                        phi_539_ = _e262;
+                        phi_498_ = _e262;
                     }
-                    let _e303 = phi_539_;
-                    if (_e263 < 0f) {
-                        phi_546_ = -(_e263);
+                    let _e269 = phi_498_;
+                    if (_e260 > _e263) {
+                        phi_503_ = _e260;
                     } else {
-                        phi_546_ = _e263;
+                        phi_503_ = _e263;
                     }
-                    let _e308 = phi_546_;
+                    let _e272 = phi_503_;
+                    let _e274 = (1f + (0.000000059604645f * 4f));
+                    let _e278 = (0.000000000000000000000000000000000000011754944f * 8f);
+                    let _e279 = ((_e266 * _e274) + _e278);
+                    let _e280 = ((_e269 * _e274) + _e278);
+                    let _e281 = ((_e272 * _e274) + _e278);
+                    let _e282 = (_e200.member.x - _e251);
+                    let _e283 = (_e200.member.y - _e254);
+                    let _e284 = (_e200.member.z - _e257);
+                    if (_e282 < 0f) {
+                        phi_543_ = -(_e282);
+                    } else {
+                        phi_543_ = _e282;
+                    }
+                    let _e303 = phi_543_;
+                    if (_e283 < 0f) {
+                        phi_549_ = -(_e283);
+                    } else {
+                        phi_549_ = _e283;
+                    }
+                    let _e307 = phi_549_;
+                    if (_e284 < 0f) {
+                        phi_556_ = -(_e284);
+                    } else {
+                        phi_556_ = _e284;
+                    }
+                    let _e312 = phi_556_;
+                    if (_e279 < 0f) {
+                        phi_563_ = -(_e279);
+                    } else {
+                        phi_563_ = _e279;
+                    }
+                    let _e317 = phi_563_;
+                    if (_e280 < 0f) {
+                        phi_569_ = -(_e280);
+                    } else {
+                        phi_569_ = _e280;
+                    }
+                    let _e321 = phi_569_;
+                    if (_e281 < 0f) {
+                        phi_576_ = -(_e281);
+                    } else {
+                        phi_576_ = _e281;
+                    }
+                    let _e326 = phi_576_;
                     if (_e200.member_3.x < 0f) {
-                        phi_553_ = -(_e200.member_3.x);
+                        phi_583_ = -(_e200.member_3.x);
                     } else {
-                        phi_553_ = _e200.member_3.x;
+                        phi_583_ = _e200.member_3.x;
                     }
-                    let _e313 = phi_553_;
+                    let _e331 = phi_583_;
                     if (_e200.member_3.y < 0f) {
-                        phi_559_ = -(_e200.member_3.y);
+                        phi_589_ = -(_e200.member_3.y);
                     } else {
-                        phi_559_ = _e200.member_3.y;
+                        phi_589_ = _e200.member_3.y;
                     }
-                    let _e317 = phi_559_;
+                    let _e335 = phi_589_;
                     if (_e200.member_3.z < 0f) {
-                        phi_566_ = -(_e200.member_3.z);
+                        phi_596_ = -(_e200.member_3.z);
                     } else {
-                        phi_566_ = _e200.member_3.z;
+                        phi_596_ = _e200.member_3.z;
                     }
-                    let _e322 = phi_566_;
-                    local = type_28(array<array<f32, 3>, 3>(array<f32, 3>(_e200.member.w, _e200.member_1.z, _e200.member_2.y), array<f32, 3>(_e200.member_1.x, _e200.member_1.w, _e200.member_2.z), array<f32, 3>(_e200.member_1.y, _e200.member_2.x, _e200.member_2.w)), array<f32, 3>(_e264, _e265, _e266), array<f32, 3>((((_e200.member.w * _e264) + (_e200.member_1.x * _e265)) + (_e200.member_1.y * _e266)), (((_e200.member_1.z * _e264) + (_e200.member_1.w * _e265)) + (_e200.member_2.x * _e266)), (((_e200.member_2.y * _e264) + (_e200.member_2.z * _e265)) + (_e200.member_2.w * _e266))), array<f32, 3>(_e261, _e262, _e263), array<f32, 3>(_e200.member_3.x, _e200.member_3.y, _e200.member_3.z), ((((((_e285 + _e289) + _e294) + (((_e299 + _e303) + _e308) + ((_e313 + _e317) + _e322))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                    let _e343 = local.member[0u][0u];
-                    let _e347 = local.member[0u][1u];
-                    let _e351 = local.member[0u][2u];
-                    let _e355 = local.member[1u][0u];
-                    let _e359 = local.member[1u][1u];
-                    let _e363 = local.member[1u][2u];
-                    let _e367 = local.member[2u][0u];
-                    let _e371 = local.member[2u][1u];
-                    let _e375 = local.member[2u][2u];
-                    let _e377 = local.member_3;
-                    let _e382 = local.member_4;
-                    let _e388 = local.member_1[0u];
-                    if (_e388 < 0f) {
-                        phi_659_ = -(_e388);
+                    let _e340 = phi_596_;
+                    local = type_28(array<array<f32, 3>, 3>(array<f32, 3>(_e200.member.w, _e200.member_1.z, _e200.member_2.y), array<f32, 3>(_e200.member_1.x, _e200.member_1.w, _e200.member_2.z), array<f32, 3>(_e200.member_1.y, _e200.member_2.x, _e200.member_2.w)), array<f32, 3>(_e282, _e283, _e284), array<f32, 3>((((_e200.member.w * _e282) + (_e200.member_1.x * _e283)) + (_e200.member_1.y * _e284)), (((_e200.member_1.z * _e282) + (_e200.member_1.w * _e283)) + (_e200.member_2.x * _e284)), (((_e200.member_2.y * _e282) + (_e200.member_2.z * _e283)) + (_e200.member_2.w * _e284))), array<f32, 3>(_e279, _e280, _e281), array<f32, 3>(_e200.member_3.x, _e200.member_3.y, _e200.member_3.z), ((((((_e303 + _e307) + _e312) + (((_e317 + _e321) + _e326) + ((_e331 + _e335) + _e340))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                    let _e361 = local.member[0u][0u];
+                    let _e365 = local.member[0u][1u];
+                    let _e369 = local.member[0u][2u];
+                    let _e373 = local.member[1u][0u];
+                    let _e377 = local.member[1u][1u];
+                    let _e381 = local.member[1u][2u];
+                    let _e385 = local.member[2u][0u];
+                    let _e389 = local.member[2u][1u];
+                    let _e393 = local.member[2u][2u];
+                    let _e395 = local.member_3;
+                    let _e400 = local.member_4;
+                    let _e406 = local.member_1[0u];
+                    if (_e406 < 0f) {
+                        phi_689_ = -(_e406);
                     } else {
-                        phi_659_ = _e388;
+                        phi_689_ = _e406;
                     }
-                    let _e392 = phi_659_;
-                    if (_e343 < 0f) {
-                        phi_666_ = -(_e343);
+                    let _e410 = phi_689_;
+                    if (_e361 < 0f) {
+                        phi_696_ = -(_e361);
                     } else {
-                        phi_666_ = _e343;
+                        phi_696_ = _e361;
                     }
-                    let _e396 = phi_666_;
-                    if (_e347 < 0f) {
-                        phi_672_ = -(_e347);
+                    let _e414 = phi_696_;
+                    if (_e365 < 0f) {
+                        phi_702_ = -(_e365);
                     } else {
-                        phi_672_ = _e347;
+                        phi_702_ = _e365;
                     }
-                    let _e400 = phi_672_;
-                    if (_e351 < 0f) {
-                        phi_678_ = -(_e351);
+                    let _e418 = phi_702_;
+                    if (_e369 < 0f) {
+                        phi_708_ = -(_e369);
                     } else {
-                        phi_678_ = _e351;
+                        phi_708_ = _e369;
                     }
-                    let _e404 = phi_678_;
-                    let _e411 = (_e392 - (_e377[0] + (((_e396 * _e382[0]) + (_e400 * _e382[1])) + (_e404 * _e382[2]))));
-                    let _e414 = local.member_1[1u];
-                    if (_e414 < 0f) {
-                        phi_697_ = -(_e414);
+                    let _e422 = phi_708_;
+                    let _e429 = (_e410 - (_e395[0] + (((_e414 * _e400[0]) + (_e418 * _e400[1])) + (_e422 * _e400[2]))));
+                    let _e432 = local.member_1[1u];
+                    if (_e432 < 0f) {
+                        phi_727_ = -(_e432);
                     } else {
-                        phi_697_ = _e414;
+                        phi_727_ = _e432;
                     }
-                    let _e418 = phi_697_;
-                    if (_e355 < 0f) {
-                        phi_704_ = -(_e355);
+                    let _e436 = phi_727_;
+                    if (_e373 < 0f) {
+                        phi_734_ = -(_e373);
                     } else {
-                        phi_704_ = _e355;
+                        phi_734_ = _e373;
                     }
-                    let _e422 = phi_704_;
-                    if (_e359 < 0f) {
-                        phi_710_ = -(_e359);
+                    let _e440 = phi_734_;
+                    if (_e377 < 0f) {
+                        phi_740_ = -(_e377);
                     } else {
-                        phi_710_ = _e359;
+                        phi_740_ = _e377;
                     }
-                    let _e426 = phi_710_;
-                    if (_e363 < 0f) {
-                        phi_716_ = -(_e363);
+                    let _e444 = phi_740_;
+                    if (_e381 < 0f) {
+                        phi_746_ = -(_e381);
                     } else {
-                        phi_716_ = _e363;
+                        phi_746_ = _e381;
                     }
-                    let _e430 = phi_716_;
-                    let _e437 = (_e418 - (_e377[1] + (((_e422 * _e382[0]) + (_e426 * _e382[1])) + (_e430 * _e382[2]))));
-                    let _e440 = local.member_1[2u];
-                    if (_e440 < 0f) {
-                        phi_735_ = -(_e440);
+                    let _e448 = phi_746_;
+                    let _e455 = (_e436 - (_e395[1] + (((_e440 * _e400[0]) + (_e444 * _e400[1])) + (_e448 * _e400[2]))));
+                    let _e458 = local.member_1[2u];
+                    if (_e458 < 0f) {
+                        phi_765_ = -(_e458);
                     } else {
-                        phi_735_ = _e440;
+                        phi_765_ = _e458;
                     }
-                    let _e444 = phi_735_;
-                    if (_e367 < 0f) {
-                        phi_742_ = -(_e367);
+                    let _e462 = phi_765_;
+                    if (_e385 < 0f) {
+                        phi_772_ = -(_e385);
                     } else {
-                        phi_742_ = _e367;
+                        phi_772_ = _e385;
                     }
-                    let _e448 = phi_742_;
-                    if (_e371 < 0f) {
-                        phi_748_ = -(_e371);
+                    let _e466 = phi_772_;
+                    if (_e389 < 0f) {
+                        phi_778_ = -(_e389);
                     } else {
-                        phi_748_ = _e371;
+                        phi_778_ = _e389;
                     }
-                    let _e452 = phi_748_;
-                    if (_e375 < 0f) {
-                        phi_754_ = -(_e375);
+                    let _e470 = phi_778_;
+                    if (_e393 < 0f) {
+                        phi_784_ = -(_e393);
                     } else {
-                        phi_754_ = _e375;
+                        phi_784_ = _e393;
                     }
-                    let _e456 = phi_754_;
-                    let _e463 = (_e444 - (_e377[2] + (((_e448 * _e382[0]) + (_e452 * _e382[1])) + (_e456 * _e382[2]))));
-                    let _e466 = local.member_2[0u];
-                    if (_e466 < 0f) {
-                        phi_773_ = -(_e466);
+                    let _e474 = phi_784_;
+                    let _e481 = (_e462 - (_e395[2] + (((_e466 * _e400[0]) + (_e470 * _e400[1])) + (_e474 * _e400[2]))));
+                    let _e484 = local.member_2[0u];
+                    if (_e484 < 0f) {
+                        phi_803_ = -(_e484);
                     } else {
-                        phi_773_ = _e466;
+                        phi_803_ = _e484;
                     }
-                    let _e470 = phi_773_;
-                    if (_e343 < 0f) {
-                        phi_780_ = -(_e343);
+                    let _e488 = phi_803_;
+                    if (_e361 < 0f) {
+                        phi_810_ = -(_e361);
                     } else {
-                        phi_780_ = _e343;
+                        phi_810_ = _e361;
                     }
-                    let _e474 = phi_780_;
-                    if (_e355 < 0f) {
-                        phi_786_ = -(_e355);
+                    let _e492 = phi_810_;
+                    if (_e373 < 0f) {
+                        phi_816_ = -(_e373);
                     } else {
-                        phi_786_ = _e355;
+                        phi_816_ = _e373;
                     }
-                    let _e478 = phi_786_;
-                    if (_e367 < 0f) {
-                        phi_792_ = -(_e367);
+                    let _e496 = phi_816_;
+                    if (_e385 < 0f) {
+                        phi_822_ = -(_e385);
                     } else {
-                        phi_792_ = _e367;
+                        phi_822_ = _e385;
                     }
-                    let _e482 = phi_792_;
-                    let _e489 = (_e470 - (_e382[0] + (((_e474 * _e377[0]) + (_e478 * _e377[1])) + (_e482 * _e377[2]))));
-                    let _e492 = local.member_2[1u];
-                    if (_e492 < 0f) {
-                        phi_811_ = -(_e492);
+                    let _e500 = phi_822_;
+                    let _e507 = (_e488 - (_e400[0] + (((_e492 * _e395[0]) + (_e496 * _e395[1])) + (_e500 * _e395[2]))));
+                    let _e510 = local.member_2[1u];
+                    if (_e510 < 0f) {
+                        phi_841_ = -(_e510);
                     } else {
-                        phi_811_ = _e492;
+                        phi_841_ = _e510;
                     }
-                    let _e496 = phi_811_;
-                    if (_e347 < 0f) {
-                        phi_818_ = -(_e347);
+                    let _e514 = phi_841_;
+                    if (_e365 < 0f) {
+                        phi_848_ = -(_e365);
                     } else {
-                        phi_818_ = _e347;
+                        phi_848_ = _e365;
                     }
-                    let _e500 = phi_818_;
-                    if (_e359 < 0f) {
-                        phi_824_ = -(_e359);
+                    let _e518 = phi_848_;
+                    if (_e377 < 0f) {
+                        phi_854_ = -(_e377);
                     } else {
-                        phi_824_ = _e359;
+                        phi_854_ = _e377;
                     }
-                    let _e504 = phi_824_;
-                    if (_e371 < 0f) {
-                        phi_830_ = -(_e371);
+                    let _e522 = phi_854_;
+                    if (_e389 < 0f) {
+                        phi_860_ = -(_e389);
                     } else {
-                        phi_830_ = _e371;
+                        phi_860_ = _e389;
                     }
-                    let _e508 = phi_830_;
-                    let _e515 = (_e496 - (_e382[1] + (((_e500 * _e377[0]) + (_e504 * _e377[1])) + (_e508 * _e377[2]))));
-                    let _e518 = local.member_2[2u];
-                    if (_e518 < 0f) {
-                        phi_849_ = -(_e518);
+                    let _e526 = phi_860_;
+                    let _e533 = (_e514 - (_e400[1] + (((_e518 * _e395[0]) + (_e522 * _e395[1])) + (_e526 * _e395[2]))));
+                    let _e536 = local.member_2[2u];
+                    if (_e536 < 0f) {
+                        phi_879_ = -(_e536);
                     } else {
-                        phi_849_ = _e518;
+                        phi_879_ = _e536;
                     }
-                    let _e522 = phi_849_;
-                    if (_e351 < 0f) {
-                        phi_856_ = -(_e351);
+                    let _e540 = phi_879_;
+                    if (_e369 < 0f) {
+                        phi_886_ = -(_e369);
                     } else {
-                        phi_856_ = _e351;
+                        phi_886_ = _e369;
                     }
-                    let _e526 = phi_856_;
-                    if (_e363 < 0f) {
-                        phi_862_ = -(_e363);
+                    let _e544 = phi_886_;
+                    if (_e381 < 0f) {
+                        phi_892_ = -(_e381);
                     } else {
-                        phi_862_ = _e363;
+                        phi_892_ = _e381;
                     }
-                    let _e530 = phi_862_;
-                    if (_e375 < 0f) {
-                        phi_868_ = -(_e375);
+                    let _e548 = phi_892_;
+                    if (_e393 < 0f) {
+                        phi_898_ = -(_e393);
                     } else {
-                        phi_868_ = _e375;
+                        phi_898_ = _e393;
                     }
-                    let _e534 = phi_868_;
-                    let _e541 = (_e522 - (_e382[2] + (((_e526 * _e377[0]) + (_e530 * _e377[1])) + (_e534 * _e377[2]))));
-                    if (_e411 > _e437) {
-                        phi_883_ = _e411;
+                    let _e552 = phi_898_;
+                    let _e559 = (_e540 - (_e400[2] + (((_e544 * _e395[0]) + (_e548 * _e395[1])) + (_e552 * _e395[2]))));
+                    if (_e429 > _e455) {
+                        phi_913_ = _e429;
                     } else {
-                        phi_883_ = _e437;
+                        phi_913_ = _e455;
                     }
-                    let _e544 = phi_883_;
-                    if (_e544 > _e463) {
-                        phi_888_ = _e544;
+                    let _e562 = phi_913_;
+                    if (_e562 > _e481) {
+                        phi_918_ = _e562;
                     } else {
-                        phi_888_ = _e463;
+                        phi_918_ = _e481;
                     }
-                    let _e547 = phi_888_;
-                    if (_e489 > _e515) {
-                        phi_893_ = _e489;
+                    let _e565 = phi_918_;
+                    if (_e507 > _e533) {
+                        phi_923_ = _e507;
                     } else {
-                        phi_893_ = _e515;
+                        phi_923_ = _e533;
                     }
-                    let _e550 = phi_893_;
-                    if (_e550 > _e541) {
-                        phi_898_ = _e550;
+                    let _e568 = phi_923_;
+                    if (_e568 > _e559) {
+                        phi_928_ = _e568;
                     } else {
-                        phi_898_ = _e541;
+                        phi_928_ = _e559;
                     }
-                    let _e553 = phi_898_;
-                    if (_e547 > _e553) {
-                        phi_903_ = _e547;
+                    let _e571 = phi_928_;
+                    if (_e565 > _e571) {
+                        phi_933_ = _e565;
                     } else {
-                        phi_903_ = _e553;
+                        phi_933_ = _e571;
                     }
-                    let _e556 = phi_903_;
-                    let _e558 = local.member_5;
-                    if (_e556 > _e558) {
-                        phi_2216_ = true;
+                    let _e574 = phi_933_;
+                    let _e576 = local.member_5;
+                    if (_e574 > _e576) {
+                        phi_2246_ = true;
                     } else {
-                        let _e563 = local.member[1u][0u];
-                        let _e566 = local.member_1[2u];
-                        let _e571 = local.member[2u][0u];
-                        let _e574 = local.member_1[1u];
-                        let _e576 = ((_e563 * _e566) - (_e571 * _e574));
-                        let _e580 = local.member[2u][0u];
-                        if (_e580 < 0f) {
-                            phi_962_ = -(_e580);
+                        let _e581 = local.member[1u][0u];
+                        let _e584 = local.member_1[2u];
+                        let _e589 = local.member[2u][0u];
+                        let _e592 = local.member_1[1u];
+                        let _e594 = ((_e581 * _e584) - (_e589 * _e592));
+                        let _e598 = local.member[2u][0u];
+                        if (_e598 < 0f) {
+                            phi_992_ = -(_e598);
                         } else {
-                            phi_962_ = _e580;
+                            phi_992_ = _e598;
                         }
-                        let _e584 = phi_962_;
-                        let _e587 = local.member_3[1u];
-                        let _e592 = local.member[1u][0u];
-                        if (_e592 < 0f) {
-                            phi_985_ = -(_e592);
+                        let _e602 = phi_992_;
+                        let _e605 = local.member_3[1u];
+                        let _e610 = local.member[1u][0u];
+                        if (_e610 < 0f) {
+                            phi_1015_ = -(_e610);
                         } else {
-                            phi_985_ = _e592;
+                            phi_1015_ = _e610;
                         }
-                        let _e596 = phi_985_;
-                        let _e599 = local.member_3[2u];
-                        let _e605 = local.member[0u][2u];
-                        if (_e605 < 0f) {
-                            phi_1008_ = -(_e605);
+                        let _e614 = phi_1015_;
+                        let _e617 = local.member_3[2u];
+                        let _e623 = local.member[0u][2u];
+                        if (_e623 < 0f) {
+                            phi_1038_ = -(_e623);
                         } else {
-                            phi_1008_ = _e605;
+                            phi_1038_ = _e623;
                         }
-                        let _e609 = phi_1008_;
-                        let _e612 = local.member_4[1u];
-                        let _e617 = local.member[0u][1u];
-                        if (_e617 < 0f) {
-                            phi_1030_ = -(_e617);
+                        let _e627 = phi_1038_;
+                        let _e630 = local.member_4[1u];
+                        let _e635 = local.member[0u][1u];
+                        if (_e635 < 0f) {
+                            phi_1060_ = -(_e635);
                         } else {
-                            phi_1030_ = _e617;
+                            phi_1060_ = _e635;
                         }
-                        let _e621 = phi_1030_;
-                        let _e624 = local.member_4[2u];
-                        if (_e576 < 0f) {
-                            phi_1046_ = -(_e576);
+                        let _e639 = phi_1060_;
+                        let _e642 = local.member_4[2u];
+                        if (_e594 < 0f) {
+                            phi_1076_ = -(_e594);
                         } else {
-                            phi_1046_ = _e576;
+                            phi_1076_ = _e594;
                         }
-                        let _e630 = phi_1046_;
-                        let _e632 = (_e630 - (((_e584 * _e587) + (_e596 * _e599)) + ((_e609 * _e612) + (_e621 * _e624))));
-                        let _e636 = local.member[1u][1u];
-                        let _e639 = local.member_1[2u];
-                        let _e644 = local.member[2u][1u];
-                        let _e647 = local.member_1[1u];
-                        let _e649 = ((_e636 * _e639) - (_e644 * _e647));
-                        let _e653 = local.member[2u][1u];
-                        if (_e653 < 0f) {
-                            phi_1101_ = -(_e653);
+                        let _e648 = phi_1076_;
+                        let _e650 = (_e648 - (((_e602 * _e605) + (_e614 * _e617)) + ((_e627 * _e630) + (_e639 * _e642))));
+                        let _e654 = local.member[1u][1u];
+                        let _e657 = local.member_1[2u];
+                        let _e662 = local.member[2u][1u];
+                        let _e665 = local.member_1[1u];
+                        let _e667 = ((_e654 * _e657) - (_e662 * _e665));
+                        let _e671 = local.member[2u][1u];
+                        if (_e671 < 0f) {
+                            phi_1131_ = -(_e671);
                         } else {
-                            phi_1101_ = _e653;
+                            phi_1131_ = _e671;
                         }
-                        let _e657 = phi_1101_;
-                        let _e660 = local.member_3[1u];
-                        let _e665 = local.member[1u][1u];
-                        if (_e665 < 0f) {
-                            phi_1124_ = -(_e665);
+                        let _e675 = phi_1131_;
+                        let _e678 = local.member_3[1u];
+                        let _e683 = local.member[1u][1u];
+                        if (_e683 < 0f) {
+                            phi_1154_ = -(_e683);
                         } else {
-                            phi_1124_ = _e665;
+                            phi_1154_ = _e683;
                         }
-                        let _e669 = phi_1124_;
-                        let _e672 = local.member_3[2u];
-                        let _e678 = local.member[0u][0u];
-                        if (_e678 < 0f) {
-                            phi_1147_ = -(_e678);
+                        let _e687 = phi_1154_;
+                        let _e690 = local.member_3[2u];
+                        let _e696 = local.member[0u][0u];
+                        if (_e696 < 0f) {
+                            phi_1177_ = -(_e696);
                         } else {
-                            phi_1147_ = _e678;
+                            phi_1177_ = _e696;
                         }
-                        let _e682 = phi_1147_;
-                        let _e685 = local.member_4[2u];
-                        let _e690 = local.member[0u][2u];
-                        if (_e690 < 0f) {
-                            phi_1169_ = -(_e690);
+                        let _e700 = phi_1177_;
+                        let _e703 = local.member_4[2u];
+                        let _e708 = local.member[0u][2u];
+                        if (_e708 < 0f) {
+                            phi_1199_ = -(_e708);
                         } else {
-                            phi_1169_ = _e690;
+                            phi_1199_ = _e708;
                         }
-                        let _e694 = phi_1169_;
-                        let _e697 = local.member_4[0u];
-                        if (_e649 < 0f) {
-                            phi_1185_ = -(_e649);
+                        let _e712 = phi_1199_;
+                        let _e715 = local.member_4[0u];
+                        if (_e667 < 0f) {
+                            phi_1215_ = -(_e667);
                         } else {
-                            phi_1185_ = _e649;
+                            phi_1215_ = _e667;
                         }
-                        let _e703 = phi_1185_;
-                        let _e705 = (_e703 - (((_e657 * _e660) + (_e669 * _e672)) + ((_e682 * _e685) + (_e694 * _e697))));
-                        let _e709 = local.member[1u][2u];
-                        let _e712 = local.member_1[2u];
-                        let _e717 = local.member[2u][2u];
-                        let _e720 = local.member_1[1u];
-                        let _e722 = ((_e709 * _e712) - (_e717 * _e720));
-                        let _e726 = local.member[2u][2u];
-                        if (_e726 < 0f) {
-                            phi_1240_ = -(_e726);
+                        let _e721 = phi_1215_;
+                        let _e723 = (_e721 - (((_e675 * _e678) + (_e687 * _e690)) + ((_e700 * _e703) + (_e712 * _e715))));
+                        let _e727 = local.member[1u][2u];
+                        let _e730 = local.member_1[2u];
+                        let _e735 = local.member[2u][2u];
+                        let _e738 = local.member_1[1u];
+                        let _e740 = ((_e727 * _e730) - (_e735 * _e738));
+                        let _e744 = local.member[2u][2u];
+                        if (_e744 < 0f) {
+                            phi_1270_ = -(_e744);
                         } else {
-                            phi_1240_ = _e726;
+                            phi_1270_ = _e744;
                         }
-                        let _e730 = phi_1240_;
-                        let _e733 = local.member_3[1u];
-                        let _e738 = local.member[1u][2u];
-                        if (_e738 < 0f) {
-                            phi_1263_ = -(_e738);
+                        let _e748 = phi_1270_;
+                        let _e751 = local.member_3[1u];
+                        let _e756 = local.member[1u][2u];
+                        if (_e756 < 0f) {
+                            phi_1293_ = -(_e756);
                         } else {
-                            phi_1263_ = _e738;
+                            phi_1293_ = _e756;
                         }
-                        let _e742 = phi_1263_;
-                        let _e745 = local.member_3[2u];
-                        let _e751 = local.member[0u][1u];
-                        if (_e751 < 0f) {
-                            phi_1286_ = -(_e751);
+                        let _e760 = phi_1293_;
+                        let _e763 = local.member_3[2u];
+                        let _e769 = local.member[0u][1u];
+                        if (_e769 < 0f) {
+                            phi_1316_ = -(_e769);
                         } else {
-                            phi_1286_ = _e751;
+                            phi_1316_ = _e769;
                         }
-                        let _e755 = phi_1286_;
-                        let _e758 = local.member_4[0u];
-                        let _e763 = local.member[0u][0u];
-                        if (_e763 < 0f) {
-                            phi_1308_ = -(_e763);
+                        let _e773 = phi_1316_;
+                        let _e776 = local.member_4[0u];
+                        let _e781 = local.member[0u][0u];
+                        if (_e781 < 0f) {
+                            phi_1338_ = -(_e781);
                         } else {
-                            phi_1308_ = _e763;
+                            phi_1338_ = _e781;
                         }
-                        let _e767 = phi_1308_;
-                        let _e770 = local.member_4[1u];
-                        if (_e722 < 0f) {
-                            phi_1324_ = -(_e722);
+                        let _e785 = phi_1338_;
+                        let _e788 = local.member_4[1u];
+                        if (_e740 < 0f) {
+                            phi_1354_ = -(_e740);
                         } else {
-                            phi_1324_ = _e722;
+                            phi_1354_ = _e740;
                         }
-                        let _e776 = phi_1324_;
-                        let _e778 = (_e776 - (((_e730 * _e733) + (_e742 * _e745)) + ((_e755 * _e758) + (_e767 * _e770))));
-                        let _e782 = local.member[2u][0u];
-                        let _e785 = local.member_1[0u];
-                        let _e790 = local.member[0u][0u];
-                        let _e793 = local.member_1[2u];
-                        let _e795 = ((_e782 * _e785) - (_e790 * _e793));
-                        let _e799 = local.member[0u][0u];
-                        if (_e799 < 0f) {
-                            phi_1379_ = -(_e799);
+                        let _e794 = phi_1354_;
+                        let _e796 = (_e794 - (((_e748 * _e751) + (_e760 * _e763)) + ((_e773 * _e776) + (_e785 * _e788))));
+                        let _e800 = local.member[2u][0u];
+                        let _e803 = local.member_1[0u];
+                        let _e808 = local.member[0u][0u];
+                        let _e811 = local.member_1[2u];
+                        let _e813 = ((_e800 * _e803) - (_e808 * _e811));
+                        let _e817 = local.member[0u][0u];
+                        if (_e817 < 0f) {
+                            phi_1409_ = -(_e817);
                         } else {
-                            phi_1379_ = _e799;
+                            phi_1409_ = _e817;
                         }
-                        let _e803 = phi_1379_;
-                        let _e806 = local.member_3[2u];
-                        let _e811 = local.member[2u][0u];
-                        if (_e811 < 0f) {
-                            phi_1402_ = -(_e811);
+                        let _e821 = phi_1409_;
+                        let _e824 = local.member_3[2u];
+                        let _e829 = local.member[2u][0u];
+                        if (_e829 < 0f) {
+                            phi_1432_ = -(_e829);
                         } else {
-                            phi_1402_ = _e811;
+                            phi_1432_ = _e829;
                         }
-                        let _e815 = phi_1402_;
-                        let _e818 = local.member_3[0u];
-                        let _e824 = local.member[1u][2u];
-                        if (_e824 < 0f) {
-                            phi_1426_ = -(_e824);
+                        let _e833 = phi_1432_;
+                        let _e836 = local.member_3[0u];
+                        let _e842 = local.member[1u][2u];
+                        if (_e842 < 0f) {
+                            phi_1456_ = -(_e842);
                         } else {
-                            phi_1426_ = _e824;
+                            phi_1456_ = _e842;
                         }
-                        let _e828 = phi_1426_;
-                        let _e831 = local.member_4[1u];
-                        let _e836 = local.member[1u][1u];
-                        if (_e836 < 0f) {
-                            phi_1449_ = -(_e836);
+                        let _e846 = phi_1456_;
+                        let _e849 = local.member_4[1u];
+                        let _e854 = local.member[1u][1u];
+                        if (_e854 < 0f) {
+                            phi_1479_ = -(_e854);
                         } else {
-                            phi_1449_ = _e836;
+                            phi_1479_ = _e854;
                         }
-                        let _e840 = phi_1449_;
-                        let _e843 = local.member_4[2u];
-                        if (_e795 < 0f) {
-                            phi_1465_ = -(_e795);
+                        let _e858 = phi_1479_;
+                        let _e861 = local.member_4[2u];
+                        if (_e813 < 0f) {
+                            phi_1495_ = -(_e813);
                         } else {
-                            phi_1465_ = _e795;
+                            phi_1495_ = _e813;
                         }
-                        let _e849 = phi_1465_;
-                        let _e851 = (_e849 - (((_e803 * _e806) + (_e815 * _e818)) + ((_e828 * _e831) + (_e840 * _e843))));
-                        let _e855 = local.member[2u][1u];
-                        let _e858 = local.member_1[0u];
-                        let _e863 = local.member[0u][1u];
-                        let _e866 = local.member_1[2u];
-                        let _e868 = ((_e855 * _e858) - (_e863 * _e866));
-                        let _e872 = local.member[0u][1u];
-                        if (_e872 < 0f) {
-                            phi_1520_ = -(_e872);
+                        let _e867 = phi_1495_;
+                        let _e869 = (_e867 - (((_e821 * _e824) + (_e833 * _e836)) + ((_e846 * _e849) + (_e858 * _e861))));
+                        let _e873 = local.member[2u][1u];
+                        let _e876 = local.member_1[0u];
+                        let _e881 = local.member[0u][1u];
+                        let _e884 = local.member_1[2u];
+                        let _e886 = ((_e873 * _e876) - (_e881 * _e884));
+                        let _e890 = local.member[0u][1u];
+                        if (_e890 < 0f) {
+                            phi_1550_ = -(_e890);
                         } else {
-                            phi_1520_ = _e872;
+                            phi_1550_ = _e890;
                         }
-                        let _e876 = phi_1520_;
-                        let _e879 = local.member_3[2u];
-                        let _e884 = local.member[2u][1u];
-                        if (_e884 < 0f) {
-                            phi_1543_ = -(_e884);
+                        let _e894 = phi_1550_;
+                        let _e897 = local.member_3[2u];
+                        let _e902 = local.member[2u][1u];
+                        if (_e902 < 0f) {
+                            phi_1573_ = -(_e902);
                         } else {
-                            phi_1543_ = _e884;
+                            phi_1573_ = _e902;
                         }
-                        let _e888 = phi_1543_;
-                        let _e891 = local.member_3[0u];
-                        let _e897 = local.member[1u][0u];
-                        if (_e897 < 0f) {
-                            phi_1567_ = -(_e897);
+                        let _e906 = phi_1573_;
+                        let _e909 = local.member_3[0u];
+                        let _e915 = local.member[1u][0u];
+                        if (_e915 < 0f) {
+                            phi_1597_ = -(_e915);
                         } else {
-                            phi_1567_ = _e897;
+                            phi_1597_ = _e915;
                         }
-                        let _e901 = phi_1567_;
-                        let _e904 = local.member_4[2u];
-                        let _e909 = local.member[1u][2u];
-                        if (_e909 < 0f) {
-                            phi_1590_ = -(_e909);
+                        let _e919 = phi_1597_;
+                        let _e922 = local.member_4[2u];
+                        let _e927 = local.member[1u][2u];
+                        if (_e927 < 0f) {
+                            phi_1620_ = -(_e927);
                         } else {
-                            phi_1590_ = _e909;
+                            phi_1620_ = _e927;
                         }
-                        let _e913 = phi_1590_;
-                        let _e916 = local.member_4[0u];
-                        if (_e868 < 0f) {
-                            phi_1606_ = -(_e868);
+                        let _e931 = phi_1620_;
+                        let _e934 = local.member_4[0u];
+                        if (_e886 < 0f) {
+                            phi_1636_ = -(_e886);
                         } else {
-                            phi_1606_ = _e868;
+                            phi_1636_ = _e886;
                         }
-                        let _e922 = phi_1606_;
-                        let _e924 = (_e922 - (((_e876 * _e879) + (_e888 * _e891)) + ((_e901 * _e904) + (_e913 * _e916))));
-                        let _e928 = local.member[2u][2u];
-                        let _e931 = local.member_1[0u];
-                        let _e936 = local.member[0u][2u];
-                        let _e939 = local.member_1[2u];
-                        let _e941 = ((_e928 * _e931) - (_e936 * _e939));
-                        let _e945 = local.member[0u][2u];
-                        if (_e945 < 0f) {
-                            phi_1661_ = -(_e945);
+                        let _e940 = phi_1636_;
+                        let _e942 = (_e940 - (((_e894 * _e897) + (_e906 * _e909)) + ((_e919 * _e922) + (_e931 * _e934))));
+                        let _e946 = local.member[2u][2u];
+                        let _e949 = local.member_1[0u];
+                        let _e954 = local.member[0u][2u];
+                        let _e957 = local.member_1[2u];
+                        let _e959 = ((_e946 * _e949) - (_e954 * _e957));
+                        let _e963 = local.member[0u][2u];
+                        if (_e963 < 0f) {
+                            phi_1691_ = -(_e963);
                         } else {
-                            phi_1661_ = _e945;
+                            phi_1691_ = _e963;
                         }
-                        let _e949 = phi_1661_;
-                        let _e952 = local.member_3[2u];
-                        let _e957 = local.member[2u][2u];
-                        if (_e957 < 0f) {
-                            phi_1684_ = -(_e957);
+                        let _e967 = phi_1691_;
+                        let _e970 = local.member_3[2u];
+                        let _e975 = local.member[2u][2u];
+                        if (_e975 < 0f) {
+                            phi_1714_ = -(_e975);
                         } else {
-                            phi_1684_ = _e957;
+                            phi_1714_ = _e975;
                         }
-                        let _e961 = phi_1684_;
-                        let _e964 = local.member_3[0u];
-                        let _e970 = local.member[1u][1u];
-                        if (_e970 < 0f) {
-                            phi_1708_ = -(_e970);
+                        let _e979 = phi_1714_;
+                        let _e982 = local.member_3[0u];
+                        let _e988 = local.member[1u][1u];
+                        if (_e988 < 0f) {
+                            phi_1738_ = -(_e988);
                         } else {
-                            phi_1708_ = _e970;
+                            phi_1738_ = _e988;
                         }
-                        let _e974 = phi_1708_;
-                        let _e977 = local.member_4[0u];
-                        let _e982 = local.member[1u][0u];
-                        if (_e982 < 0f) {
-                            phi_1731_ = -(_e982);
+                        let _e992 = phi_1738_;
+                        let _e995 = local.member_4[0u];
+                        let _e1000 = local.member[1u][0u];
+                        if (_e1000 < 0f) {
+                            phi_1761_ = -(_e1000);
                         } else {
-                            phi_1731_ = _e982;
+                            phi_1761_ = _e1000;
                         }
-                        let _e986 = phi_1731_;
-                        let _e989 = local.member_4[1u];
-                        if (_e941 < 0f) {
-                            phi_1747_ = -(_e941);
+                        let _e1004 = phi_1761_;
+                        let _e1007 = local.member_4[1u];
+                        if (_e959 < 0f) {
+                            phi_1777_ = -(_e959);
                         } else {
-                            phi_1747_ = _e941;
+                            phi_1777_ = _e959;
                         }
-                        let _e995 = phi_1747_;
-                        let _e997 = (_e995 - (((_e949 * _e952) + (_e961 * _e964)) + ((_e974 * _e977) + (_e986 * _e989))));
-                        let _e1001 = local.member[0u][0u];
-                        let _e1004 = local.member_1[1u];
-                        let _e1009 = local.member[1u][0u];
-                        let _e1012 = local.member_1[0u];
-                        let _e1014 = ((_e1001 * _e1004) - (_e1009 * _e1012));
-                        let _e1018 = local.member[1u][0u];
-                        if (_e1018 < 0f) {
-                            phi_1802_ = -(_e1018);
+                        let _e1013 = phi_1777_;
+                        let _e1015 = (_e1013 - (((_e967 * _e970) + (_e979 * _e982)) + ((_e992 * _e995) + (_e1004 * _e1007))));
+                        let _e1019 = local.member[0u][0u];
+                        let _e1022 = local.member_1[1u];
+                        let _e1027 = local.member[1u][0u];
+                        let _e1030 = local.member_1[0u];
+                        let _e1032 = ((_e1019 * _e1022) - (_e1027 * _e1030));
+                        let _e1036 = local.member[1u][0u];
+                        if (_e1036 < 0f) {
+                            phi_1832_ = -(_e1036);
                         } else {
-                            phi_1802_ = _e1018;
+                            phi_1832_ = _e1036;
                         }
-                        let _e1022 = phi_1802_;
-                        let _e1025 = local.member_3[0u];
-                        let _e1030 = local.member[0u][0u];
-                        if (_e1030 < 0f) {
-                            phi_1825_ = -(_e1030);
+                        let _e1040 = phi_1832_;
+                        let _e1043 = local.member_3[0u];
+                        let _e1048 = local.member[0u][0u];
+                        if (_e1048 < 0f) {
+                            phi_1855_ = -(_e1048);
                         } else {
-                            phi_1825_ = _e1030;
+                            phi_1855_ = _e1048;
                         }
-                        let _e1034 = phi_1825_;
-                        let _e1037 = local.member_3[1u];
-                        let _e1043 = local.member[2u][2u];
-                        if (_e1043 < 0f) {
-                            phi_1849_ = -(_e1043);
+                        let _e1052 = phi_1855_;
+                        let _e1055 = local.member_3[1u];
+                        let _e1061 = local.member[2u][2u];
+                        if (_e1061 < 0f) {
+                            phi_1879_ = -(_e1061);
                         } else {
-                            phi_1849_ = _e1043;
+                            phi_1879_ = _e1061;
                         }
-                        let _e1047 = phi_1849_;
-                        let _e1050 = local.member_4[1u];
-                        let _e1055 = local.member[2u][1u];
-                        if (_e1055 < 0f) {
-                            phi_1872_ = -(_e1055);
+                        let _e1065 = phi_1879_;
+                        let _e1068 = local.member_4[1u];
+                        let _e1073 = local.member[2u][1u];
+                        if (_e1073 < 0f) {
+                            phi_1902_ = -(_e1073);
                         } else {
-                            phi_1872_ = _e1055;
+                            phi_1902_ = _e1073;
                         }
-                        let _e1059 = phi_1872_;
-                        let _e1062 = local.member_4[2u];
-                        if (_e1014 < 0f) {
-                            phi_1888_ = -(_e1014);
+                        let _e1077 = phi_1902_;
+                        let _e1080 = local.member_4[2u];
+                        if (_e1032 < 0f) {
+                            phi_1918_ = -(_e1032);
                         } else {
-                            phi_1888_ = _e1014;
+                            phi_1918_ = _e1032;
                         }
-                        let _e1068 = phi_1888_;
-                        let _e1070 = (_e1068 - (((_e1022 * _e1025) + (_e1034 * _e1037)) + ((_e1047 * _e1050) + (_e1059 * _e1062))));
-                        let _e1074 = local.member[0u][1u];
-                        let _e1077 = local.member_1[1u];
-                        let _e1082 = local.member[1u][1u];
-                        let _e1085 = local.member_1[0u];
-                        let _e1087 = ((_e1074 * _e1077) - (_e1082 * _e1085));
-                        let _e1091 = local.member[1u][1u];
-                        if (_e1091 < 0f) {
-                            phi_1943_ = -(_e1091);
+                        let _e1086 = phi_1918_;
+                        let _e1088 = (_e1086 - (((_e1040 * _e1043) + (_e1052 * _e1055)) + ((_e1065 * _e1068) + (_e1077 * _e1080))));
+                        let _e1092 = local.member[0u][1u];
+                        let _e1095 = local.member_1[1u];
+                        let _e1100 = local.member[1u][1u];
+                        let _e1103 = local.member_1[0u];
+                        let _e1105 = ((_e1092 * _e1095) - (_e1100 * _e1103));
+                        let _e1109 = local.member[1u][1u];
+                        if (_e1109 < 0f) {
+                            phi_1973_ = -(_e1109);
                         } else {
-                            phi_1943_ = _e1091;
+                            phi_1973_ = _e1109;
                         }
-                        let _e1095 = phi_1943_;
-                        let _e1098 = local.member_3[0u];
-                        let _e1103 = local.member[0u][1u];
-                        if (_e1103 < 0f) {
-                            phi_1966_ = -(_e1103);
+                        let _e1113 = phi_1973_;
+                        let _e1116 = local.member_3[0u];
+                        let _e1121 = local.member[0u][1u];
+                        if (_e1121 < 0f) {
+                            phi_1996_ = -(_e1121);
                         } else {
-                            phi_1966_ = _e1103;
+                            phi_1996_ = _e1121;
                         }
-                        let _e1107 = phi_1966_;
-                        let _e1110 = local.member_3[1u];
-                        let _e1116 = local.member[2u][0u];
-                        if (_e1116 < 0f) {
-                            phi_1990_ = -(_e1116);
+                        let _e1125 = phi_1996_;
+                        let _e1128 = local.member_3[1u];
+                        let _e1134 = local.member[2u][0u];
+                        if (_e1134 < 0f) {
+                            phi_2020_ = -(_e1134);
                         } else {
-                            phi_1990_ = _e1116;
+                            phi_2020_ = _e1134;
                         }
-                        let _e1120 = phi_1990_;
-                        let _e1123 = local.member_4[2u];
-                        let _e1128 = local.member[2u][2u];
-                        if (_e1128 < 0f) {
-                            phi_2013_ = -(_e1128);
+                        let _e1138 = phi_2020_;
+                        let _e1141 = local.member_4[2u];
+                        let _e1146 = local.member[2u][2u];
+                        if (_e1146 < 0f) {
+                            phi_2043_ = -(_e1146);
                         } else {
-                            phi_2013_ = _e1128;
+                            phi_2043_ = _e1146;
                         }
-                        let _e1132 = phi_2013_;
-                        let _e1135 = local.member_4[0u];
-                        if (_e1087 < 0f) {
-                            phi_2029_ = -(_e1087);
+                        let _e1150 = phi_2043_;
+                        let _e1153 = local.member_4[0u];
+                        if (_e1105 < 0f) {
+                            phi_2059_ = -(_e1105);
                         } else {
-                            phi_2029_ = _e1087;
+                            phi_2059_ = _e1105;
                         }
-                        let _e1141 = phi_2029_;
-                        let _e1143 = (_e1141 - (((_e1095 * _e1098) + (_e1107 * _e1110)) + ((_e1120 * _e1123) + (_e1132 * _e1135))));
-                        let _e1147 = local.member[0u][2u];
-                        let _e1150 = local.member_1[1u];
-                        let _e1155 = local.member[1u][2u];
-                        let _e1158 = local.member_1[0u];
-                        let _e1160 = ((_e1147 * _e1150) - (_e1155 * _e1158));
-                        let _e1164 = local.member[1u][2u];
-                        if (_e1164 < 0f) {
-                            phi_2084_ = -(_e1164);
+                        let _e1159 = phi_2059_;
+                        let _e1161 = (_e1159 - (((_e1113 * _e1116) + (_e1125 * _e1128)) + ((_e1138 * _e1141) + (_e1150 * _e1153))));
+                        let _e1165 = local.member[0u][2u];
+                        let _e1168 = local.member_1[1u];
+                        let _e1173 = local.member[1u][2u];
+                        let _e1176 = local.member_1[0u];
+                        let _e1178 = ((_e1165 * _e1168) - (_e1173 * _e1176));
+                        let _e1182 = local.member[1u][2u];
+                        if (_e1182 < 0f) {
+                            phi_2114_ = -(_e1182);
                         } else {
-                            phi_2084_ = _e1164;
+                            phi_2114_ = _e1182;
                         }
-                        let _e1168 = phi_2084_;
-                        let _e1171 = local.member_3[0u];
-                        let _e1176 = local.member[0u][2u];
-                        if (_e1176 < 0f) {
-                            phi_2107_ = -(_e1176);
+                        let _e1186 = phi_2114_;
+                        let _e1189 = local.member_3[0u];
+                        let _e1194 = local.member[0u][2u];
+                        if (_e1194 < 0f) {
+                            phi_2137_ = -(_e1194);
                         } else {
-                            phi_2107_ = _e1176;
+                            phi_2137_ = _e1194;
                         }
-                        let _e1180 = phi_2107_;
-                        let _e1183 = local.member_3[1u];
-                        let _e1189 = local.member[2u][1u];
-                        if (_e1189 < 0f) {
-                            phi_2131_ = -(_e1189);
+                        let _e1198 = phi_2137_;
+                        let _e1201 = local.member_3[1u];
+                        let _e1207 = local.member[2u][1u];
+                        if (_e1207 < 0f) {
+                            phi_2161_ = -(_e1207);
                         } else {
-                            phi_2131_ = _e1189;
+                            phi_2161_ = _e1207;
                         }
-                        let _e1193 = phi_2131_;
-                        let _e1196 = local.member_4[0u];
-                        let _e1201 = local.member[2u][0u];
-                        if (_e1201 < 0f) {
-                            phi_2154_ = -(_e1201);
+                        let _e1211 = phi_2161_;
+                        let _e1214 = local.member_4[0u];
+                        let _e1219 = local.member[2u][0u];
+                        if (_e1219 < 0f) {
+                            phi_2184_ = -(_e1219);
                         } else {
-                            phi_2154_ = _e1201;
+                            phi_2184_ = _e1219;
                         }
-                        let _e1205 = phi_2154_;
-                        let _e1208 = local.member_4[1u];
-                        if (_e1160 < 0f) {
-                            phi_2170_ = -(_e1160);
+                        let _e1223 = phi_2184_;
+                        let _e1226 = local.member_4[1u];
+                        if (_e1178 < 0f) {
+                            phi_2200_ = -(_e1178);
                         } else {
-                            phi_2170_ = _e1160;
+                            phi_2200_ = _e1178;
                         }
-                        let _e1214 = phi_2170_;
-                        let _e1216 = (_e1214 - (((_e1168 * _e1171) + (_e1180 * _e1183)) + ((_e1193 * _e1196) + (_e1205 * _e1208))));
-                        if (_e632 > _e705) {
-                            phi_2177_ = _e632;
+                        let _e1232 = phi_2200_;
+                        let _e1234 = (_e1232 - (((_e1186 * _e1189) + (_e1198 * _e1201)) + ((_e1211 * _e1214) + (_e1223 * _e1226))));
+                        if (_e650 > _e723) {
+                            phi_2207_ = _e650;
                         } else {
-                            phi_2177_ = _e705;
-                        }
-                        let _e1219 = phi_2177_;
-                        if (_e1219 > _e778) {
-                            phi_2182_ = _e1219;
-                        } else {
-                            phi_2182_ = _e778;
-                        }
-                        let _e1222 = phi_2182_;
-                        if (_e851 > _e924) {
-                            phi_2187_ = _e851;
-                        } else {
-                            phi_2187_ = _e924;
-                        }
-                        let _e1225 = phi_2187_;
-                        if (_e1225 > _e997) {
-                            phi_2192_ = _e1225;
-                        } else {
-                            phi_2192_ = _e997;
-                        }
-                        let _e1228 = phi_2192_;
-                        if (_e1222 > _e1228) {
-                            phi_2197_ = _e1222;
-                        } else {
-                            phi_2197_ = _e1228;
-                        }
-                        let _e1231 = phi_2197_;
-                        if (_e1070 > _e1143) {
-                            phi_2202_ = _e1070;
-                        } else {
-                            phi_2202_ = _e1143;
-                        }
-                        let _e1234 = phi_2202_;
-                        if (_e1234 > _e1216) {
-                            phi_2207_ = _e1234;
-                        } else {
-                            phi_2207_ = _e1216;
+                            phi_2207_ = _e723;
                         }
                         let _e1237 = phi_2207_;
-                        if (_e1231 > _e1237) {
-                            phi_2212_ = _e1231;
-                        } else {
+                        if (_e1237 > _e796) {
                             phi_2212_ = _e1237;
+                        } else {
+                            phi_2212_ = _e796;
                         }
                         let _e1240 = phi_2212_;
-                        let _e1242 = local.member_5;
-                        phi_2216_ = (_e1240 > _e1242);
+                        if (_e869 > _e942) {
+                            phi_2217_ = _e869;
+                        } else {
+                            phi_2217_ = _e942;
+                        }
+                        let _e1243 = phi_2217_;
+                        if (_e1243 > _e1015) {
+                            phi_2222_ = _e1243;
+                        } else {
+                            phi_2222_ = _e1015;
+                        }
+                        let _e1246 = phi_2222_;
+                        if (_e1240 > _e1246) {
+                            phi_2227_ = _e1240;
+                        } else {
+                            phi_2227_ = _e1246;
+                        }
+                        let _e1249 = phi_2227_;
+                        if (_e1088 > _e1161) {
+                            phi_2232_ = _e1088;
+                        } else {
+                            phi_2232_ = _e1161;
+                        }
+                        let _e1252 = phi_2232_;
+                        if (_e1252 > _e1234) {
+                            phi_2237_ = _e1252;
+                        } else {
+                            phi_2237_ = _e1234;
+                        }
+                        let _e1255 = phi_2237_;
+                        if (_e1249 > _e1255) {
+                            phi_2242_ = _e1249;
+                        } else {
+                            phi_2242_ = _e1255;
+                        }
+                        let _e1258 = phi_2242_;
+                        let _e1260 = local.member_5;
+                        phi_2246_ = (_e1258 > _e1260);
                     }
-                    let _e1245 = phi_2216_;
-                    if !(_e1245) {
-                        let _e1262 = local_1.member_2;
-                        let _e1264 = nodes.member[_e1262];
-                        let _e1309 = ((((((bitcast<f32>(_e1264.member.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1264.member_1.x))) && (bitcast<f32>(_e1264.member.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1264.member_1.y))) && (bitcast<f32>(_e1264.member.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1264.member_1.z)));
-                        let _e1320 = ((((((bitcast<f32>(_e1264.member_2.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1264.member_3.x))) && (bitcast<f32>(_e1264.member_2.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1264.member_3.y))) && (bitcast<f32>(_e1264.member_2.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1264.member_3.z)));
-                        let _e1322 = ((_e1264.member.w & 2147483648u) != 0u);
-                        let _e1324 = ((_e1264.member_1.w & 2147483648u) != 0u);
-                        if _e1309 {
-                            if _e1322 {
-                                phi_2324_ = (_e1264.member.w & 2147483647u);
-                                phi_2325_ = false;
+                    let _e1263 = phi_2246_;
+                    if !(_e1263) {
+                        let _e1280 = local_1.member_2;
+                        let _e1282 = nodes.member[_e1280];
+                        let _e1327 = ((((((bitcast<f32>(_e1282.member.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1282.member_1.x))) && (bitcast<f32>(_e1282.member.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1282.member_1.y))) && (bitcast<f32>(_e1282.member.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1282.member_1.z)));
+                        let _e1338 = ((((((bitcast<f32>(_e1282.member_2.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1282.member_3.x))) && (bitcast<f32>(_e1282.member_2.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1282.member_3.y))) && (bitcast<f32>(_e1282.member_2.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1282.member_3.z)));
+                        let _e1340 = ((_e1282.member.w & 2147483648u) != 0u);
+                        let _e1342 = ((_e1282.member_1.w & 2147483648u) != 0u);
+                        if _e1327 {
+                            if _e1340 {
+                                phi_2354_ = (_e1282.member.w & 2147483647u);
+                                phi_2355_ = false;
                             } else {
-                                phi_2324_ = u32();
-                                phi_2325_ = true;
+                                phi_2354_ = u32();
+                                phi_2355_ = true;
                             }
-                            let _e1327 = phi_2324_;
-                            let _e1329 = phi_2325_;
-                            phi_2326_ = _e1327;
-                            phi_2327_ = _e1329;
+                            let _e1345 = phi_2354_;
+                            let _e1347 = phi_2355_;
+                            phi_2356_ = _e1345;
+                            phi_2357_ = _e1347;
                         } else {
-                            phi_2326_ = u32();
-                            phi_2327_ = true;
+                            phi_2356_ = u32();
+                            phi_2357_ = true;
                         }
-                        let _e1331 = phi_2326_;
-                        let _e1333 = phi_2327_;
-                        if _e1333 {
-                            phi_2331_ = 4294967295u;
+                        let _e1349 = phi_2356_;
+                        let _e1351 = phi_2357_;
+                        if _e1351 {
+                            phi_2361_ = 4294967295u;
                         } else {
-                            phi_2331_ = _e1331;
+                            phi_2361_ = _e1349;
                         }
-                        let _e1335 = phi_2331_;
-                        if _e1320 {
-                            if _e1324 {
-                                phi_2339_ = (_e1264.member_1.w & 2147483647u);
-                                phi_2340_ = false;
+                        let _e1353 = phi_2361_;
+                        if _e1338 {
+                            if _e1342 {
+                                phi_2369_ = (_e1282.member_1.w & 2147483647u);
+                                phi_2370_ = false;
                             } else {
-                                phi_2339_ = u32();
-                                phi_2340_ = true;
+                                phi_2369_ = u32();
+                                phi_2370_ = true;
                             }
-                            let _e1338 = phi_2339_;
-                            let _e1340 = phi_2340_;
-                            phi_2341_ = _e1338;
-                            phi_2342_ = _e1340;
+                            let _e1356 = phi_2369_;
+                            let _e1358 = phi_2370_;
+                            phi_2371_ = _e1356;
+                            phi_2372_ = _e1358;
                         } else {
-                            phi_2341_ = u32();
-                            phi_2342_ = true;
+                            phi_2371_ = u32();
+                            phi_2372_ = true;
                         }
-                        let _e1342 = phi_2341_;
-                        let _e1344 = phi_2342_;
-                        if _e1344 {
-                            phi_2346_ = 4294967295u;
+                        let _e1360 = phi_2371_;
+                        let _e1362 = phi_2372_;
+                        if _e1362 {
+                            phi_2376_ = 4294967295u;
                         } else {
-                            phi_2346_ = _e1342;
+                            phi_2376_ = _e1360;
                         }
-                        let _e1346 = phi_2346_;
-                        if _e1309 {
-                            phi_2351_ = !(_e1322);
+                        let _e1364 = phi_2376_;
+                        if _e1327 {
+                            phi_2381_ = !(_e1340);
                         } else {
-                            phi_2351_ = false;
+                            phi_2381_ = false;
                         }
-                        let _e1349 = phi_2351_;
-                        if _e1320 {
-                            phi_2356_ = !(_e1324);
+                        let _e1367 = phi_2381_;
+                        if _e1338 {
+                            phi_2386_ = !(_e1342);
                         } else {
-                            phi_2356_ = false;
+                            phi_2386_ = false;
                         }
-                        let _e1352 = phi_2356_;
-                        if _e1349 {
-                            if _e1352 {
-                                let _e1354 = ((_e1264.member_3.w & 2147483648u) != 0u);
-                                if _e1354 {
-                                    phi_2368_ = _e1264.member_1.w;
+                        let _e1370 = phi_2386_;
+                        if _e1367 {
+                            if _e1370 {
+                                let _e1372 = ((_e1282.member_3.w & 2147483648u) != 0u);
+                                if _e1372 {
+                                    phi_2398_ = _e1282.member_1.w;
                                 } else {
-                                    phi_2368_ = _e1264.member.w;
+                                    phi_2398_ = _e1282.member.w;
                                 }
-                                let _e1356 = phi_2368_;
-                                let _e1358 = local_1.member_1;
-                                local_1.member[_e1358] = _e1356;
-                                let _e1363 = local_1.member_1;
-                                local_1.member_1 = (_e1363 + 1u);
-                                if _e1354 {
-                                    phi_2384_ = _e1264.member.w;
+                                let _e1374 = phi_2398_;
+                                let _e1376 = local_1.member_1;
+                                local_1.member[_e1376] = _e1374;
+                                let _e1381 = local_1.member_1;
+                                local_1.member_1 = (_e1381 + 1u);
+                                if _e1372 {
+                                    phi_2414_ = _e1282.member.w;
                                 } else {
-                                    phi_2384_ = _e1264.member_1.w;
+                                    phi_2414_ = _e1282.member_1.w;
                                 }
-                                let _e1366 = phi_2384_;
-                                local_1.member_2 = _e1366;
-                                phi_2386_ = false;
+                                let _e1384 = phi_2414_;
+                                local_1.member_2 = _e1384;
+                                phi_2416_ = false;
                             } else {
-                                phi_2386_ = true;
+                                phi_2416_ = true;
                             }
-                            let _e1369 = phi_2386_;
-                            phi_2387_ = _e1369;
+                            let _e1387 = phi_2416_;
+                            phi_2417_ = _e1387;
                         } else {
-                            phi_2387_ = true;
+                            phi_2417_ = true;
                         }
-                        let _e1371 = phi_2387_;
-                        if _e1371 {
-                            if _e1349 {
-                                local_1.member_2 = _e1264.member.w;
+                        let _e1389 = phi_2417_;
+                        if _e1389 {
+                            if _e1367 {
+                                local_1.member_2 = _e1282.member.w;
                             } else {
-                                if _e1352 {
-                                    local_1.member_2 = _e1264.member_1.w;
+                                if _e1370 {
+                                    local_1.member_2 = _e1282.member_1.w;
                                 } else {
-                                    let _e1373 = local_1.member_1;
-                                    if (_e1373 > 0u) {
-                                        let _e1378 = local_1.member_1;
-                                        local_1.member_1 = (_e1378 - 1u);
-                                        let _e1381 = local_1.member_1;
-                                        let _e1384 = local_1.member[_e1381];
-                                        local_1.member_2 = _e1384;
+                                    let _e1391 = local_1.member_1;
+                                    if (_e1391 > 0u) {
+                                        let _e1396 = local_1.member_1;
+                                        local_1.member_1 = (_e1396 - 1u);
+                                        let _e1399 = local_1.member_1;
+                                        let _e1402 = local_1.member[_e1399];
+                                        local_1.member_2 = _e1402;
                                     } else {
                                         local_1.member_3 = false;
                                     }
                                 }
                             }
                         }
-                        if (_e1335 != 4294967295u) {
-                            let _e1391 = params.member.member_2.member;
-                            if (_e1391 == 0u) {
-                                phi_2433_ = array<u32, 2>(0u, 2u);
+                        if (_e1353 != 4294967295u) {
+                            let _e1409 = params.member.member_2.member;
+                            if (_e1409 == 0u) {
+                                phi_2463_ = array<u32, 2>(0u, 2u);
                             } else {
-                                phi_2433_ = array<u32, 2>(1u, 1u);
+                                phi_2463_ = array<u32, 2>(1u, 1u);
                             }
-                            let _e1394 = phi_2433_;
-                            let _e1399 = params.member.member.member_2[_e1394[1]];
-                            let _e1402 = order.member[(_e1399 + _e1335)];
-                            let _e1403 = (_e1402 - _e1399);
-                            let _e1406 = params.member.member_2.member;
-                            if (_e1406 == 0u) {
-                                phi_2466_ = true;
+                            let _e1412 = phi_2463_;
+                            let _e1417 = params.member.member.member_2[_e1412[1]];
+                            let _e1420 = order.member[(_e1417 + _e1353)];
+                            let _e1421 = (_e1420 - _e1417);
+                            let _e1424 = params.member.member_2.member;
+                            if (_e1424 == 0u) {
+                                phi_2496_ = true;
                             } else {
-                                phi_2466_ = (_e1403 > _e100);
+                                phi_2496_ = (_e1421 > _e100);
                             }
-                            let _e1410 = phi_2466_;
-                            if _e1410 {
-                                let _e1413 = params.member.member_1.member_3;
-                                let _e1415 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1415 + 1u) < _e1415) {
-                                    let _e1419 = atomicAdd((&pairs.member[2u]), 1u);
+                            let _e1428 = phi_2496_;
+                            if _e1428 {
+                                let _e1431 = params.member.member_1.member_3;
+                                let _e1433 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1433 + 1u) < _e1433) {
+                                    let _e1437 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1415 < _e1413) {
-                                    let _e1421 = (2u * _e1415);
-                                    atomicStore((&pairs.member[(4u + _e1421)]), _e100);
-                                    atomicStore((&pairs.member[(_e1421 + 5u)]), _e1403);
+                                if (_e1433 < _e1431) {
+                                    let _e1439 = (2u * _e1433);
+                                    atomicStore((&pairs.member[(4u + _e1439)]), _e100);
+                                    atomicStore((&pairs.member[(_e1439 + 5u)]), _e1421);
                                 }
                             }
                         }
-                        if (_e1346 != 4294967295u) {
-                            let _e1429 = params.member.member_2.member;
-                            if (_e1429 == 0u) {
-                                phi_2509_ = array<u32, 2>(0u, 2u);
+                        if (_e1364 != 4294967295u) {
+                            let _e1447 = params.member.member_2.member;
+                            if (_e1447 == 0u) {
+                                phi_2539_ = array<u32, 2>(0u, 2u);
                             } else {
-                                phi_2509_ = array<u32, 2>(1u, 1u);
+                                phi_2539_ = array<u32, 2>(1u, 1u);
                             }
-                            let _e1432 = phi_2509_;
-                            let _e1437 = params.member.member.member_2[_e1432[1]];
-                            let _e1440 = order.member[(_e1437 + _e1346)];
-                            let _e1441 = (_e1440 - _e1437);
-                            let _e1444 = params.member.member_2.member;
-                            if (_e1444 == 0u) {
-                                phi_2542_ = true;
+                            let _e1450 = phi_2539_;
+                            let _e1455 = params.member.member.member_2[_e1450[1]];
+                            let _e1458 = order.member[(_e1455 + _e1364)];
+                            let _e1459 = (_e1458 - _e1455);
+                            let _e1462 = params.member.member_2.member;
+                            if (_e1462 == 0u) {
+                                phi_2572_ = true;
                             } else {
-                                phi_2542_ = (_e1441 > _e100);
+                                phi_2572_ = (_e1459 > _e100);
                             }
-                            let _e1448 = phi_2542_;
-                            if _e1448 {
-                                let _e1451 = params.member.member_1.member_3;
-                                let _e1453 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1453 + 1u) < _e1453) {
-                                    let _e1457 = atomicAdd((&pairs.member[2u]), 1u);
+                            let _e1466 = phi_2572_;
+                            if _e1466 {
+                                let _e1469 = params.member.member_1.member_3;
+                                let _e1471 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1471 + 1u) < _e1471) {
+                                    let _e1475 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1453 < _e1451) {
-                                    let _e1459 = (2u * _e1453);
-                                    atomicStore((&pairs.member[(4u + _e1459)]), _e100);
-                                    atomicStore((&pairs.member[(_e1459 + 5u)]), _e1441);
+                                if (_e1471 < _e1469) {
+                                    let _e1477 = (2u * _e1471);
+                                    atomicStore((&pairs.member[(4u + _e1477)]), _e100);
+                                    atomicStore((&pairs.member[(_e1477 + 5u)]), _e1459);
                                 }
                             }
                         }
                     } else {
-                        let _e1248 = local_1.member_1;
-                        if (_e1248 > 0u) {
-                            let _e1253 = local_1.member_1;
-                            local_1.member_1 = (_e1253 - 1u);
-                            let _e1256 = local_1.member_1;
-                            let _e1259 = local_1.member[_e1256];
-                            local_1.member_2 = _e1259;
+                        let _e1266 = local_1.member_1;
+                        if (_e1266 > 0u) {
+                            let _e1271 = local_1.member_1;
+                            local_1.member_1 = (_e1271 - 1u);
+                            let _e1274 = local_1.member_1;
+                            let _e1277 = local_1.member[_e1274];
+                            local_1.member_2 = _e1277;
                         } else {
                             local_1.member_3 = false;
                         }
                     }
                 }
-                phi_2593_ = _e195;
+                phi_2623_ = _e195;
             } else {
-                phi_2593_ = false;
+                phi_2623_ = false;
             }
-            let _e1465 = phi_2593_;
+            let _e1483 = phi_2623_;
             continue;
             continuing {
                 phi_379_ = _e188;
-                break if !(_e1465);
+                break if !(_e1483);
             }
         }
     }

@@ -20,13 +20,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-    member_1: u32,
+struct type_10 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -82,7 +82,7 @@ struct type_30 {
 @group(0) @binding(0) 
 var<storage> params: type_17;
 @group(0) @binding(2) 
-var<storage> order: type_11;
+var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage> nodes: type_25;
 @group(0) @binding(4) 
@@ -92,9 +92,9 @@ var<storage> leaves: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_27;
-    var phi_199_: type_9;
-    var phi_200_: type_9;
-    var phi_223_: type_9;
+    var phi_199_: type_12;
+    var phi_200_: type_12;
+    var phi_223_: type_12;
     var phi_288_: bool;
     var phi_303_: bool;
     var phi_311_: bool;
@@ -115,8 +115,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_398_: u32;
     var phi_400_: bool;
     var phi_401_: bool;
-    var phi_462_: type_9;
-    var phi_516_: type_9;
+    var phi_462_: type_12;
+    var phi_516_: type_12;
     var phi_542_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -140,15 +140,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e77 = order.member[(_e70 + _e46)];
         let _e78 = (_e77 - _e70);
         local = type_27(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_199_ = type_9(0u, (_e74 - 1u));
+        phi_199_ = type_12(0u, (_e74 - 1u));
         loop {
             let _e82 = phi_199_;
             if (_e82.member < _e82.member_1) {
-                phi_200_ = type_9((_e82.member + 1u), _e82.member_1);
-                phi_223_ = type_9(1u, _e82.member);
+                phi_200_ = type_12((_e82.member + 1u), _e82.member_1);
+                phi_223_ = type_12(1u, _e82.member);
             } else {
                 phi_200_ = _e82;
-                phi_223_ = type_9(0u, type_9().member_1);
+                phi_223_ = type_12(0u, type_12().member_1);
             }
             let _e94 = phi_200_;
             let _e96 = phi_223_;
@@ -300,9 +300,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e251 = (_e250 - _e247);
                         let _e254 = params.member.member_1.member_3;
                         if (_e78 < _e251) {
-                            phi_462_ = type_9(_e78, _e251);
+                            phi_462_ = type_12(_e78, _e251);
                         } else {
-                            phi_462_ = type_9(_e251, _e78);
+                            phi_462_ = type_12(_e251, _e78);
                         }
                         let _e259 = phi_462_;
                         let _e263 = atomicAdd((&pairs.member[0u]), 1u);
@@ -321,9 +321,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e282 = (_e281 - _e278);
                         let _e285 = params.member.member_1.member_3;
                         if (_e78 < _e282) {
-                            phi_516_ = type_9(_e78, _e282);
+                            phi_516_ = type_12(_e78, _e282);
                         } else {
-                            phi_516_ = type_9(_e282, _e78);
+                            phi_516_ = type_12(_e282, _e78);
                         }
                         let _e290 = phi_516_;
                         let _e294 = atomicAdd((&pairs.member[0u]), 1u);

@@ -177,6 +177,20 @@ impl Device {
         }
     }
 
+    /// Whether kernels may pass data from one workgroup to another inside a dispatch, or why not.
+    pub fn check_native(&self) -> Result<(), Error> {
+        let info = self.info();
+        match info.path {
+            Path::Passthrough => Ok(()),
+            Path::Wgsl => Err(Error::Unavailable {
+                why: format!(
+                    "{} is used through WGSL, which has no acquire and release between workgroups",
+                    info.adapter.name
+                ),
+            }),
+        }
+    }
+
     /// Fails once the device is lost.
     pub(crate) fn check_lost(&self) -> Result<(), Error> {
         match &*self.inner.lost.lock().unwrap_or_else(|e| e.into_inner()) {

@@ -11,7 +11,7 @@ use wgpu::BufferUsages as U;
 pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 
 /// What the header of a list says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Header {
     /// Entries wanted, which may exceed the room.
     pub wanted: u32,

@@ -12,7 +12,8 @@ use wgpu::BufferUsages as U;
 /// afterwards.
 ///
 /// Lengths are multiples of 4. `fold`: workgroups of a row of the grid, at most; a larger number of
-/// workgroups is folded into rows, as it is for more than 65,535.
+/// workgroups is folded into rows, as it is for more than 65,535. A native kernel is refused on a
+/// device that is used through WGSL.
 pub fn run<K: Bind<Vec<u8>>>(
     device: &Device,
     kernel: &mut K,
@@ -20,6 +21,9 @@ pub fn run<K: Bind<Vec<u8>>>(
     groups: u32,
     fold: u32,
 ) -> Result<(), Error> {
+    if K::ID.native() {
+        device.check_native()?;
+    }
     let mut bench = Bench::new(device)?;
     bench.fold = fold;
     let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;

@@ -12,7 +12,7 @@ use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, cpu_fallback};
 use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
-use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Points, Precision};
@@ -251,17 +251,19 @@ impl Session {
                 Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
             }
         }
-        report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
-        if goal != Goal::Contacts {
+        (report.toi, report.undecided) = cpu_fallback::summary(contacts);
+        if goal.is_earliest() {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device =
                 (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
             report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
+        }
+        if goal != Goal::Contacts {
             contacts.clear();
+            report.undecided = 0;
         }
         if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
             cpu_fallback::sort(contacts);
         }
-        report.undecided = contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     }
 }

@@ -10,6 +10,7 @@
 pub mod broad_phase;
 pub mod probe;
 mod records;
+pub mod scheduling;
 pub mod sort;
 pub mod step;
 mod workgroup;

@@ -1,10 +1,13 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 #![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
+use ccd_core::kernel::Words;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{LIST_HEADER, Pair};
+use core::marker::PhantomData;
 use spirv_std::arch::{
-    IndexUnchecked, atomic_i_add, atomic_load, atomic_or, atomic_u_max, atomic_u_min,
+    IndexUnchecked, atomic_compare_exchange, atomic_i_add, atomic_load, atomic_or, atomic_store,
+    atomic_u_max, atomic_u_min, control_barrier,
 };
 use spirv_std::glam::UVec3;
 use spirv_std::memory::{Scope, Semantics};
@@ -12,6 +15,8 @@ use spirv_std::memory::{Scope, Semantics};
 const DEVICE: u32 = Scope::QueueFamily as u32;
 const WORKGROUP: u32 = Scope::Workgroup as u32;
 const RELAXED: u32 = Semantics::NONE.bits();
+const ACQUIRE: u32 = Semantics::ACQUIRE.bits() | Semantics::UNIFORM_MEMORY.bits();
+const ACQUIRE_RELEASE: u32 = Semantics::ACQUIRE_RELEASE.bits() | Semantics::UNIFORM_MEMORY.bits();
 
 /// Number of this workgroup; grids of more than 65,535 are folded into two dimensions.
 #[inline(always)]
@@ -156,4 +161,85 @@ pub fn write_pair(list: &mut [u32], room: u32, i: u32, pair: Pair) {
 pub fn append(list: &mut [u32], room: u32, pair: Pair) {
     let i = count(list, 0, 1);
     write_pair(list, room, i, pair);
+}
+
+/// As [`barrier`], also for what the threads of the workgroup stored to buffers and loaded from
+/// them: what comes after it in one thread, as seen by other workgroups, comes after what came
+/// before it in all.
+#[inline(always)]
+pub fn barrier_of_buffers() {
+    control_barrier::<WORKGROUP, DEVICE, { ACQUIRE_RELEASE | Semantics::WORKGROUP_MEMORY.bits() }>(
+    );
+}
+
+/// Words of a buffer that workgroups pass to each other inside a dispatch, in order. For the native
+/// path alone: WGSL has no order between workgroups.
+///
+/// Every access is an atomic operation at the scope of the device, also of words that are data: a
+/// plain load may be served from a cache that other workgroups do not write through. An operation
+/// that acquires or releases does so for the thread that runs it. What its neighbours stored is
+/// released with it only behind [`barrier_of_buffers`], which orders their stores before the
+/// barrier and with it before all that follows; what they load is acquired if such a barrier stands
+/// between the operation and their loads. So a worker of many threads puts one before each word
+/// that it publishes or gives back, and one behind each that it takes.
+///
+/// An operation that acquires or releases does not stand in a loop that some threads of a
+/// workgroup leave before others: lavapipe (Mesa 22.3) takes it for a barrier of the workgroup, and
+/// the threads that went around once more come late to all barriers that follow.
+pub struct DeviceWords<'a> {
+    words: *mut [u32],
+    first: usize,
+    of: PhantomData<&'a mut [u32]>,
+}
+
+impl<'a> DeviceWords<'a> {
+    /// The words of a binding that is written.
+    #[inline(always)]
+    pub fn new(words: &'a mut [u32]) -> Self {
+        Self::behind(words, 0)
+    }
+
+    /// The same from word `first` on.
+    #[inline(always)]
+    pub fn behind(words: &'a mut [u32], first: usize) -> Self {
+        Self { words, first, of: PhantomData }
+    }
+
+    /// Word `i`, for an atomic operation.
+    #[inline(always)]
+    #[allow(clippy::mut_from_ref, reason = "what atomics of the device take")]
+    fn word(&self, i: usize) -> &mut u32 {
+        // SAFETY: callers' indices are in range; all access to these words is atomic.
+        unsafe { (&mut *self.words).get_unchecked_mut(self.first + i) }
+    }
+}
+
+impl Words for DeviceWords<'_> {
+    #[inline(always)]
+    fn load(&self, i: usize) -> u32 {
+        // SAFETY: as above; the scope and the order are valid for storage buffers.
+        unsafe { atomic_load::<u32, DEVICE, RELAXED>(self.word(i)) }
+    }
+    #[inline(always)]
+    fn store(&self, i: usize, value: u32) {
+        // SAFETY: as above.
+        unsafe { atomic_store::<u32, DEVICE, RELAXED>(self.word(i), value) }
+    }
+    #[inline(always)]
+    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
+        // SAFETY: as above.
+        unsafe { atomic_i_add::<u32, DEVICE, ACQUIRE_RELEASE>(self.word(i), value) }
+    }
+    #[inline(always)]
+    fn load_acquire(&self, i: usize) -> u32 {
+        // SAFETY: as above.
+        unsafe { atomic_load::<u32, DEVICE, ACQUIRE>(self.word(i)) }
+    }
+    #[inline(always)]
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+        // SAFETY: as above.
+        unsafe {
+            atomic_compare_exchange::<u32, DEVICE, ACQUIRE_RELEASE, RELAXED>(self.word(i), new, old)
+        }
+    }
 }

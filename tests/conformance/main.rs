@@ -27,12 +27,12 @@ use ccd::{
 use ccd_testkit::compare::{agree, step_text};
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
-use rows::{WHOLE, is_emulated, methods, not_too_slow, pipelines, schedulings};
+use rows::{WGSL, WHOLE, is_emulated, methods, not_too_slow, pipelines, schedulings};
 use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
 use std::sync::Arc;
 
 fn main() {
-    let paths = [("gpu-passthrough", gpu::Path::Passthrough), ("gpu-wgsl", gpu::Path::Wgsl)];
+    let paths = [("gpu-passthrough", gpu::Path::Passthrough), (WGSL, gpu::Path::Wgsl)];
     let places: Vec<(&str, &str, Result<Choice, Missing>)> =
         std::iter::once(("cpu", "cpu", Ok(Choice::default())))
             .chain(paths.map(|(name, path)| {

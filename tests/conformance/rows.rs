@@ -4,15 +4,23 @@ use crate::Missing;
 use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
-use ccd::{BroadPhaseMethod, Catalogued, Pipeline, Scheduling, Traversal, TreeOptions, Volume};
+use ccd::{
+    BroadPhaseMethod, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions, Volume,
+};
 use ccd_testkit::methods::{differences, is_near_default};
+
+/// The path on which no worker takes from another.
+pub const WGSL: &str = "gpu-wgsl";
 
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
 
+/// Brute force over more boxes is left out there.
+const MAX_BOXES_EMULATED: usize = 10_000;
+
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
 /// run by the default and the default tree, and an emulated GPU has trees that differ from that in
-/// one choice, or have a kernel of their own.
+/// one choice, or have a kernel of their own, and no brute force over many boxes.
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// The methods of a backend by which a scene is run.
@@ -21,6 +29,9 @@ pub fn methods(source: Source, backend: &'static str, emulated: bool) -> Vec<Bro
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
+        Source::Boxes(make) if emulated && *method == BroadPhaseMethod::BruteForce => {
+            make().len() <= MAX_BOXES_EMULATED
+        }
         _ => !emulated || has_a_row(*method),
     };
     ccd::every(backend).filter(|method| whole || chosen(method)).collect()
@@ -82,8 +93,14 @@ pub fn schedulings(
         },
     ];
     let (native, chosen) = (place != WGSL, !emulated || FEW.contains(&scene));
-    let here = methods.into_iter().filter(move |method| native || !is_oriented(method));
-    here.filter(move |_| chosen && !matches!(source, Source::Real(_)))
+    let all = methods.into_iter();
+    all.filter(move |_| chosen && !matches!(source, Source::Real(_)))
         .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
         .filter(move |&(method, s)| backend == "cpu" || gpu::check_scheduling(method, s).is_ok())
+        .filter(move |&(_, s)| native || !steals(s))
+}
+
+/// Whether workers take from each other, for which a GPU needs its native path.
+fn steals(scheduling: Scheduling) -> bool {
+    matches!(scheduling.scheduler, Some(Scheduler::Stealing | Scheduler::LazyStealing))
 }

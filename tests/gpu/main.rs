@@ -2,14 +2,17 @@
 //! scenes, all published queries, and what happens when something fails.
 //!
 //! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a
-//! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
+//! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`. On a GPU
+//! that is emulated some are left out (`emulated.rs`) but with `CCD_WHOLE=1`.
 
 mod builder_twin;
 mod builders;
 mod descent;
+mod emulated;
 mod failures;
 mod grazing;
 mod intervals;
+mod kept_order;
 mod kernels;
 mod listed;
 mod oriented;
@@ -20,6 +23,7 @@ mod scalars;
 mod scenes;
 mod sequences;
 mod sorts;
+mod stealing;
 mod support;
 mod tangential;
 mod trees;
@@ -67,9 +71,17 @@ fn main() {
     let mut trials = Vec::new();
     let data = ccd_testkit::data::data_dir();
     let add = |trials: &mut Vec<Trial>,
-               name: String,
+               path: &str,
+               test_name: &str,
                test: scenes::Runnable,
                device: Result<Device, String>| {
+        let name = format!("{path}_{test_name}");
+        let left_out =
+            device.as_ref().ok().and_then(|device| emulated::left_out(test_name, device));
+        if let Some(why) = left_out {
+            let ignored = move || Ok(Completion::ignored_with(why));
+            return trials.push(Trial::ignorable_test(name, ignored));
+        }
         trials.push(Trial::ignorable_test(name, move || match (device, test) {
             (Ok(device), Ok(test)) => {
                 test(&device);
@@ -92,12 +104,14 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            kept_order::TESTS,
             listed::TESTS,
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
             workers::TESTS,
             oriented::TESTS,
+            stealing::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
@@ -107,11 +121,13 @@ fn main() {
             units::TESTS,
         ];
         for (name, test) in tests.into_iter().flatten() {
-            add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
+            add(&mut trials, path, name, Ok(Box::new(test)), device.clone());
         }
         let of_data = scenes::tests_of_data(&data).into_iter();
-        for (name, test) in of_data.chain([queries::test_of_data(&data)]) {
-            add(&mut trials, format!("{path}_{name}"), test, device.clone());
+        for (name, test) in
+            of_data.chain([kept_order::test_of_data(&data), queries::test_of_data(&data)])
+        {
+            add(&mut trials, path, &name, test, device.clone());
         }
     }
     trials.push(Trial::test("negative_controls", || {

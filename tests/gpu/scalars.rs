@@ -282,9 +282,9 @@ pub fn check_manifest() {
             "{}",
             row.name
         );
-        let want = [row.threads.into(), row.wide.into(), row.barriers.into()];
-        let found = ["workgroup", "wide", "barriers"].map(|key| kernel[key].clone());
-        assert_eq!(found, want as [serde_json::Value; 3], "{}", row.name);
+        let want = [row.threads.into(), row.wide.into(), row.native.into(), row.barriers.into()];
+        let found = ["workgroup", "wide", "native", "barriers"].map(|key| kernel[key].clone());
+        assert_eq!(found, want as [serde_json::Value; 4], "{}", row.name);
         assert_eq!(kernel["entry"], row.name);
         assert!(
             kernel["shared_bytes"].as_u64().unwrap() <= 16_384

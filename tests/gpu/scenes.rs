@@ -35,7 +35,7 @@ pub fn tests_of_data(dir: &Result<PathBuf, String>) -> Vec<(String, Runnable)> {
 }
 
 /// Certified answers of two backends never contradict each other; times differ by rounding alone.
-fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
+pub fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
     assert_eq!(gpu.candidates, cpu.candidates, "candidates");
     assert_eq!(gpu.triangles, cpu.triangles, "pairs of triangles");
     if same_arithmetic {

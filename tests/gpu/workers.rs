@@ -4,14 +4,17 @@
 use crate::descent::Trees;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, entries, read, room, run, zeros};
-use ccd::gpu::bind::{PairWorkers, PairWorkersOriented, ResumeFront, ResumeFrontOriented};
+use ccd::gpu::bind::{
+    PairWorkers, PairWorkersOriented, ResumeFront, ResumeFrontOriented, StealPairs,
+    StealPairsOriented,
+};
 use ccd::gpu::{Device, Path};
 use ccd::{Aabb, Pair};
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::WORDS;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::broad_phase::pair_workers::{
-    FRONT, LEFT, ROUNDS, STACK, THREADS, counts, listed, words,
+    FRONT, LEFT, ROUNDS, STACK, THREADS, counts, listed, stolen, thieves, words_with_deques,
 };
 use ccd_core::layout::{Dispatch, LIST_HEADER, Node, NodeDescent};
 use ccd_core::math::obb::Obb;
@@ -27,7 +30,7 @@ const ROOM: u32 = 6000;
 const WORKERS: u32 = 3;
 
 /// As schedulers tell workers: what there is, and ways of which there is little.
-fn rules() -> Vec<(&'static str, NodeDescent)> {
+fn rules(device: &Device) -> Vec<(&'static str, NodeDescent)> {
     let (dealt, counted) = (NodeDescent::TASKS_DEALT, NodeDescent::TASKS_COUNTED);
     let usual = NodeDescent {
         tasks: dealt,
@@ -38,7 +41,7 @@ fn rules() -> Vec<(&'static str, NodeDescent)> {
         room_nodes: ROOM,
         ..NodeDescent::default()
     };
-    vec![
+    let mut all = vec![
         ("static", usual),
         ("self-scheduling", NodeDescent { tasks: counted, ..usual }),
         ("frontier", NodeDescent { tasks: counted, piece: THREADS, stack: 0, ..usual }),
@@ -47,7 +50,22 @@ fn rules() -> Vec<(&'static str, NodeDescent)> {
         ("static, a turn", NodeDescent { turns: 1, ..usual }),
         ("self-scheduling, a few turns", NodeDescent { tasks: counted, turns: 9, ..usual }),
         ("self-scheduling, a small stack", NodeDescent { tasks: counted, stack: 9, ..usual }),
-    ]
+    ];
+    if device.check_native().is_ok() {
+        let steals = NodeDescent { tasks: counted, patience: 32, ..usual };
+        let steals = NodeDescent { batches: 16, batch: 64, most: 0, push: 128, ..steals };
+        let little = NodeDescent { batches: 2, batch: 4, push: 8, ..steals };
+        all.extend([
+            ("stealing", steals),
+            ("lazy stealing", NodeDescent { most: 2, push: 256, ..steals }),
+            ("stealing, a turn", NodeDescent { turns: 1, ..little }),
+            ("lazy stealing, some turns", NodeDescent { most: 1, turns: 9, ..little }),
+            ("stealing, hardly a deque", little),
+            ("lazy stealing, hardly a deque", NodeDescent { most: 2, ..little }),
+            ("lazy stealing, a small stack", NodeDescent { most: 2, stack: 9, ..little }),
+        ]);
+    }
+    all
 }
 
 /// What stands in buffers between dispatches.
@@ -68,7 +86,7 @@ impl<'a> Search<'a> {
         let front = vec![0xee; 16 * own.room_front.max(1) as usize];
         let done = trees.cut_pairs(device, own, front);
         let mut control = done.control;
-        control.resize(4 * words(1 << WORKERS), 0);
+        control.resize(4 * words_with_deques(thieves(&own)), 0);
         let (nodes, front) = (done.output, done.front);
         Self { device, trees, oriented: None, control, nodes, pairs: room(ROOM), front }
     }
@@ -96,26 +114,29 @@ impl<'a> Search<'a> {
         let Self { control, nodes, pairs, front, .. } = &*self;
         let (control, nodes) = (control.clone(), nodes.clone());
         let (pairs, front) = (pairs.clone(), front.clone());
-        match self.oriented.clone() {
-            None => {
-                let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
+        macro_rules! go {
+            ($($kernel:tt)*) => {{
+                let done = run(self.device, $($kernel)*, &p, 1 << WORKERS);
                 (self.control, self.nodes) = (done.control, done.nodes);
                 (self.pairs, self.front) = (done.pairs, done.front);
-            }
-            Some(oriented) => {
-                let kernel = PairWorkersOriented {
+            }};
+        }
+        match (self.oriented.clone(), own.batches > 0) {
+            (None, false) => go!(PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front }),
+            (None, true) => go!(StealPairs { a_nodes, b_nodes, control, nodes, pairs, front }),
+            (Some(oriented), false) => {
+                go!(PairWorkersOriented {
                     a_nodes,
                     b_nodes,
                     oriented,
                     control,
                     nodes,
                     pairs,
-                    front,
-                };
-                let done = run(self.device, kernel, &p, 1 << WORKERS);
-                (self.control, self.nodes) = (done.control, done.nodes);
-                (self.pairs, self.front) = (done.pairs, done.front);
+                    front
+                })
+            }
+            (Some(oriented), true) => {
+                go!(StealPairsOriented { a_nodes, b_nodes, oriented, control, nodes, pairs, front })
             }
         }
     }
@@ -127,7 +148,7 @@ impl<'a> Search<'a> {
         let dispatch = Dispatch { n, room_out: ROOM, ..Dispatch::default() };
         let p = trees.params(trees.kind, own, dispatch);
         let [a_nodes, b_nodes] = trees.nodes.clone();
-        let (device, control) = (self.device, zeros::<u32>(words(1 << WORKERS)));
+        let (device, control) = (self.device, zeros::<u32>(words_with_deques(thieves(&own))));
         let (nodes, pairs, front) = (room(2 * ROOM), room(ROOM), self.front.clone());
         let groups = n.div_ceil(THREADS);
         match self.oriented.clone() {
@@ -158,6 +179,11 @@ impl<'a> Search<'a> {
     /// Pairs that workers expanded, all together.
     fn expanded(&self) -> u64 {
         (0..1 << WORKERS).map(|me| self.word(counts(me) + 1) as u64).sum()
+    }
+
+    /// Batches that workers popped, and stole; pushes for which a deque had no room.
+    fn batches(&self) -> [u32; 3] {
+        std::array::from_fn(|i| self.word(stolen(1 << WORKERS) + i))
     }
 
     /// The front that was written.
@@ -196,6 +222,7 @@ fn rule(larger: u32) -> Descent {
 /// Every way to share out tasks finds the pairs of brute force, and expands each pair of nodes
 /// once.
 fn check_workers(device: &Device) {
+    let mut batches = [0; 3];
     let some = boxes(350, 0.04);
     let crowd = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 40];
     for all in [&some[..], &some[..2], &some[..1], &crowd] {
@@ -203,7 +230,7 @@ fn check_workers(device: &Device) {
         let want = [brute::pairs(a, b), brute::self_pairs(all)];
         for (kind, of) in [(0, [a, &[], b]), (1, [&[], all, &[]])] {
             let trees = Trees::new(device, kind, of);
-            for (name, own) in rules() {
+            for (name, own) in rules(device) {
                 let larger = (name.len() % 2) as u32;
                 let own = NodeDescent { larger, nodes: 5, ..own };
                 let mut search = Search::of_cuts(device, &trees, own);
@@ -214,6 +241,9 @@ fn check_workers(device: &Device) {
                 assert!(read::<u32>(&search.nodes)[0] <= ROOM, "{name}: more tasks than room");
                 check_pairs(name, want[kind as usize].clone(), entries(&search.pairs));
                 assert_eq!(search.expanded(), n, "{name}: pairs expanded");
+                if own.batches > 0 {
+                    batches = std::array::from_fn(|i| batches[i] + search.batches()[i]);
+                }
                 let several = n > 2 * THREADS as u64 && (own.turns == 1 || own.stack < 10);
                 assert!(!several || n_rounds > 2, "{name}: {n_rounds} rounds");
                 if own.idle == 0 && own.stack == STACK && own.turns > 9 {
@@ -222,6 +252,8 @@ fn check_workers(device: &Device) {
             }
         }
     }
+    let native = device.check_native().is_ok();
+    assert!(batches.iter().all(|&n| (n > 0) == native), "popped, stolen, no room: {batches:?}");
 }
 
 /// Lists that are too short count what they lack, and nothing is written beyond their ends; what is
@@ -229,7 +261,7 @@ fn check_workers(device: &Device) {
 fn check_room(device: &Device) {
     let all = boxes(500, 0.05);
     let trees = Trees::new(device, 1, [&[], &all, &[]]);
-    for (name, own) in rules() {
+    for (name, own) in rules(device) {
         let short = NodeDescent { nodes: 20, room_nodes: 30, stack: own.stack.min(40), ..own };
         let mut search = Search::of_cuts(device, &trees, short);
         // Words behind both halves of the list.
@@ -312,7 +344,7 @@ fn check_covers(trees: &Trees, front: &[NodePair]) {
 fn check_fronts(device: &Device) {
     let (first, second) = (boxes(260, 0.03), boxes(200, 0.06));
     let native = device.info().path == Path::Passthrough;
-    for (k, (name, own)) in rules().into_iter().enumerate() {
+    for (k, (name, own)) in rules(device).into_iter().enumerate() {
         let (kind, larger) = ((k / 2 % 2) as u32, (k % 2) as u32);
         let own = NodeDescent { nodes: 9, larger, room_front: 60_000, ..own };
         let of = |a: &[Aabb], b: &[Aabb]| match kind {

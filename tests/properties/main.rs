@@ -3,6 +3,7 @@
 
 mod separation;
 mod steps;
+mod swept_oriented;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_testkit::oracle::{self, Answer};

@@ -257,9 +257,13 @@ fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
     shaders::run(root, check)
 }
 
-/// Without the translator: builds itself again with it.
+/// Without the translator: builds itself again with it, if there is anything to do.
 #[cfg(not(feature = "shaders"))]
 fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
+    if let (true, [Some(no_nightly), Some(no_tint)]) = (check, shaders::missing(root)?) {
+        println!("skipped: {no_nightly}\nskipped: {no_tint}");
+        return Ok(());
+    }
     let mut args =
         vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
     args.extend(check.then_some("--check"));

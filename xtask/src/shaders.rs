@@ -6,8 +6,8 @@
 
 #[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
-#[cfg(any(feature = "shaders", test))]
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// Where the products are.
 #[cfg(feature = "shaders")]
@@ -72,12 +72,51 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
     Ok(())
 }
 
+/// What of a check cannot be done here, each with the reason: that of the nightly, that of Tint.
+pub fn missing(root: &Path) -> Result<[Option<String>; 2], String> {
+    let toolchain = toolchain(root)?;
+    let nightly = (!installed(&toolchain)).then(|| {
+        format!(
+            "shaders were not rebuilt, {toolchain} is not installed (rustup toolchain install with \
+             the components of ccd-shaders/rust-toolchain.toml)"
+        )
+    });
+    let tint = (!dawn(root).is_dir()).then(|| {
+        "Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)"
+            .to_owned()
+    });
+    Ok([nightly, tint])
+}
+
+/// Dawn's bindings for Node, of which Tint is a part.
+fn dawn(root: &Path) -> PathBuf {
+    root.join("target/tint/node_modules/webgpu")
+}
+
+fn toolchain(root: &Path) -> Result<String, String> {
+    let path = root.join("ccd-shaders/rust-toolchain.toml");
+    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let line = text
+        .lines()
+        .find_map(|l| l.strip_prefix("channel = \""))
+        .ok_or("rust-toolchain.toml names no channel")?;
+    Ok(line.trim_end_matches('"').to_string())
+}
+
+fn installed(toolchain: &str) -> bool {
+    // Asked of rustup, because running rustc would install the toolchain.
+    let list = Command::new("rustup").args(["toolchain", "list"]).output();
+    list.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain)))
+}
+
 #[cfg(feature = "shaders")]
 pub use build::run;
 
 #[cfg(feature = "shaders")]
 mod build {
-    use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs};
+    use super::{
+        ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, dawn, hash_of_inputs, missing, toolchain,
+    };
     use ccd_core::kernel::TABLE;
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
@@ -86,21 +125,21 @@ mod build {
 
     /// Builds all products. `check`: compares them with the committed ones instead of writing them.
     pub fn run(root: &Path, check: bool) -> Result<(), String> {
-        build(root, check)?;
-        check_with_tint(root)
+        let [no_nightly, no_tint] = missing(root)?;
+        match no_nightly {
+            Some(why) if check => println!("skipped: {why}"),
+            Some(why) => return Err(why),
+            None => build(root, check)?,
+        }
+        match no_tint {
+            Some(why) => println!("skipped: {why}"),
+            None => check_with_tint(root)?,
+        }
+        Ok(())
     }
 
     fn build(root: &Path, check: bool) -> Result<(), String> {
         let toolchain = toolchain(root)?;
-        if !installed(&toolchain) {
-            let how =
-                "rustup toolchain install with the components of ccd-shaders/rust-toolchain.toml";
-            if check {
-                println!("skipped: shaders were not rebuilt, {toolchain} is not installed ({how})");
-                return Ok(());
-            }
-            return Err(format!("{toolchain} is not installed: {how}"));
-        }
         let modules = root.join("target/shaders/modules");
         let _ = std::fs::remove_dir_all(&modules);
         build_modules(root, &toolchain, &modules)?;
@@ -109,20 +148,13 @@ mod build {
     }
 
     /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not
-    /// in their language.
+    /// in their language; native ones have no WGSL.
     fn check_with_tint(root: &Path) -> Result<(), String> {
-        let dawn = root.join("target/tint/node_modules/webgpu");
-        if !dawn.is_dir() {
-            println!(
-                "skipped: Tint did not read the WGSL, it is not here \
-                 (npm install --prefix target/tint webgpu)"
-            );
-            return Ok(());
-        }
+        let dawn = dawn(root);
         let manifest = std::fs::read_to_string(root.join(MANIFEST)).map_err(|e| e.to_string())?;
         let manifest: Value = serde_json::from_str(&manifest).map_err(|e| e.to_string())?;
         let kernels: Vec<&Value> = manifest["kernels"].as_array().into_iter().flatten().collect();
-        let portable = kernels.iter().filter(|k| k["wide"] == false);
+        let portable = kernels.iter().filter(|k| k["wide"] == false && k["native"] == false);
         let files: Vec<_> = portable
             .filter_map(|k| k["name"].as_str())
             .map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl")))
@@ -135,7 +167,7 @@ mod build {
         match status {
             Ok(status) if status.success() => {
                 println!(
-                    "Tint accepts {} of {} kernels, all that do without f64",
+                    "Tint accepts {} of {} kernels, all portable ones that do without f64",
                     files.len(),
                     kernels.len()
                 );
@@ -144,25 +176,6 @@ mod build {
             Ok(_) => Err("Tint refuses a kernel".into()),
             Err(e) => Err(format!("cannot run node, which runs Tint: {e}")),
         }
-    }
-
-    fn toolchain(root: &Path) -> Result<String, String> {
-        let path = root.join("ccd-shaders/rust-toolchain.toml");
-        let text =
-            std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let line = text
-            .lines()
-            .find_map(|l| l.strip_prefix("channel = \""))
-            .ok_or("rust-toolchain.toml names no channel")?;
-        Ok(line.trim_end_matches('"').to_string())
-    }
-
-    fn installed(toolchain: &str) -> bool {
-        // Asked of rustup, because running rustc would install the toolchain.
-        let list = Command::new("rustup").args(["toolchain", "list"]).output();
-        list.is_ok_and(|o| {
-            String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain))
-        })
     }
 
     /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code
@@ -210,8 +223,13 @@ mod build {
                 .map_err(|e| format!("{name}: naga: {e}"))?;
             let row = describe(&name, &module, &spirv);
             check_barriers(&name, &row)?;
+            let native = row["native"] == true;
             kernels.push(row);
-            let wgsl = crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?;
+            let wgsl = if native {
+                NO_WGSL.into()
+            } else {
+                crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?
+            };
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), format!("{GENERATED}\n{wgsl}").into_bytes());
         }
@@ -222,6 +240,9 @@ mod build {
         products.insert(".gitattributes".into(), ATTRIBUTES.into());
         Ok(products)
     }
+
+    /// What a native kernel has instead of WGSL.
+    const NO_WGSL: &str = "// None: it needs acquire and release between workgroups.\n";
 
     /// Compares with the barriers of the kernel table, which are those written in ccd-shaders. A
     /// copy of one may stand where not all threads of a workgroup come by, and no validator sees
@@ -268,6 +289,7 @@ mod build {
             "bindings": bindings.into_values().collect::<Vec<_>>(),
             "shared_bytes": shared,
             "wide": wide,
+            "native": TABLE.iter().any(|kernel| kernel.name == name && kernel.native),
             "barriers": count_barriers(spirv),
         })
     }

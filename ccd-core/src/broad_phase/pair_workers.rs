@@ -17,7 +17,12 @@
 //! depends: what is on a list is read by the next dispatch.
 //!
 //! There is a power of two of workers, because a division by what is not known is a check, and a
-//! failed check would leave before a barrier. Counters of all rounds stand in one buffer, `control`, so that none is cleared between rounds.
+//! failed check would leave before a barrier. Counters of all rounds stand in one buffer, `control`,
+//! so that none is cleared between rounds; behind them stand the deques of workers that steal, which
+//! are empty between rounds: who ends drains its own.
+
+use crate::layout::NodeDescent;
+use crate::scheduling::stealing::Workers;
 
 /// Threads of a worker.
 pub const THREADS: u32 = 128;
@@ -63,6 +68,30 @@ pub const fn counts(worker: u32) -> usize {
 /// Words of `control` for so many workers.
 pub const fn words(workers: u32) -> usize {
     counts(workers)
+}
+
+/// First word of `control` of what workers that steal count together: batches that were popped, and
+/// stolen; pushes for which a deque had no room.
+#[inline(always)]
+pub const fn stolen(workers: u32) -> usize {
+    counts(workers)
+}
+
+/// First word of `control` of their deques.
+#[inline(always)]
+pub const fn deques(workers: u32) -> usize {
+    counts(workers) + 4
+}
+
+/// Words of `control` for workers that steal.
+pub const fn words_with_deques(workers: Workers) -> usize {
+    deques(workers.n) + workers.words()
+}
+
+/// The workers that a record speaks of.
+#[inline(always)]
+pub fn thieves(own: &NodeDescent) -> Workers {
+    Workers { n: 1 << own.workers, batches: own.batches, batch: own.batch }
 }
 
 /// Tasks that worker `me` of `2^workers` has if all are dealt out: `me`, `me + 2^workers` ..

@@ -71,6 +71,8 @@ pub struct Kernel {
     pub barriers: u32,
     /// Whether it needs `f64` and 64-bit integers.
     pub wide: bool,
+    /// Whether it runs on the native path alone; see [`Id::native`].
+    pub native: bool,
     /// If binding 0 is a [`Params`](crate::layout::Params): the name of its record.
     pub params: Option<&'static str>,
     /// Buffers in the order of their bindings, after the parameters.
@@ -243,6 +245,15 @@ macro_rules! kernels {
                 = pair_workers_oriented(128 threads, 5 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Workers that descend pairs of nodes and steal them from each other.
+            StealPairs = steal_pairs(128 threads, 18 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
+            /// The same of trees of oriented boxes.
+            StealPairsOriented
+                = steal_pairs_oriented(128 threads, 18 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, oriented: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
             /// The axis along which boxes vary most.
             SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
                 { boxes: Read, survey: Write }
@@ -330,6 +341,9 @@ macro_rules! kernels {
             /// Contacts in order.
             OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
                 { contacts: Read, order: Read, ordered: Write }
+            /// For tests: items that are counted whenever a worker takes them.
+            StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
+                { words: Write, stacks: Write, counts: Write, status: Write }
             /// For tests: fields of records.
             ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
                 { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }
@@ -370,6 +384,7 @@ macro_rules! table {
             threads: $threads,
             barriers: $barriers,
             wide: wide!($float),
+            native: Id::$id.native(),
             params: [$(Some(stringify!($own)),)? None][0],
             buffers: &[$((stringify!($field), Access::$access)),*],
         },)*];
@@ -388,6 +403,12 @@ impl Id {
     pub const fn threads(self) -> u32 {
         self.row().threads
     }
+
+    /// Whether it runs on the native path alone: workgroups pass data to each other inside a
+    /// dispatch, by acquire and release at the scope of the device, which WGSL does not have.
+    pub const fn native(self) -> bool {
+        matches!(self, Id::StealStress | Id::StealPairs | Id::StealPairsOriented)
+    }
 }
 
 const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
@@ -400,6 +421,7 @@ const _: () = assert!(Id::PlocJoin.threads() == prefix::TILE);
 const _: () = assert!(Id::PlocCount.threads() == prefix::TILE);
 const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes::TILE);
 const _: () = assert!(Id::PairWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
+const _: () = assert!(Id::StealPairs.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::ResumeFront.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);

@@ -5,7 +5,7 @@ mod params;
 
 pub use params::{
     Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
-    Params, Plain, Queries, SortPass,
+    Params, Plain, Queries, SortPass, Stealing,
 };
 
 use crate::math::aabb::Aabb;

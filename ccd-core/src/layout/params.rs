@@ -196,6 +196,16 @@ pub struct NodeDescent {
     pub turns: u32,
     /// 1 in the last round: pairs that are left are seen by the host.
     pub last: u32,
+    /// What workers that steal are told: batches for which there is room in a deque.
+    pub batches: u32,
+    /// Pairs for which there is room in a batch.
+    pub batch: u32,
+    /// Batches that are stolen from one deque at once, at most; 0: tasks are stolen, one at a time.
+    pub most: u32,
+    /// A batch is pushed while the stack has so many pairs, at least two batches.
+    pub push: u32,
+    /// Times that a worker may look for work in vain before it retires.
+    pub patience: u32,
 }
 
 impl NodeDescent {
@@ -219,6 +229,24 @@ pub struct Building {
     pub sorted: u32,
     /// Internal nodes that were made before.
     pub made: u32,
+}
+
+/// What workers that steal are told; see [`Workers`](crate::scheduling::stealing::Workers).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Stealing {
+    /// Workers, each a workgroup.
+    pub workers: u32,
+    /// Batches for which there is room in a deque.
+    pub batches: u32,
+    /// Items for which there is room in a batch.
+    pub batch: u32,
+    /// Batches that are stolen from one deque at once, at most; 0: tasks are stolen, one at a time.
+    pub most: u32,
+    /// Times that a worker looks for work in one dispatch.
+    pub rounds: u32,
+    /// Times that it may find none before it retires.
+    pub patience: u32,
 }
 
 /// What one pass of the radix sort is told.
@@ -279,8 +307,8 @@ const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
-const _: () = assert!(size_of::<NodeDescent>() == 52 && size_of::<Building>() == 20);
-const _: () = assert!(size_of::<Expansion>() == 20);
+const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
+const _: () = assert!(size_of::<Expansion>() == 20 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);

@@ -289,8 +289,8 @@ mod tests {
         let bent = [[1.0f64, 0.0, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!(orthonormal(bent), identity());
         assert_eq!(orthonormal([[f32::NAN; 3]; 3]), identity());
-        // Whatever is kept is as orthonormal as promised, with axes that a compiler may have checked
-        // before they were rounded; up to where it is not kept any more.
+        // Whatever is kept is as orthonormal as promised, with axes that a compiler may have
+        // checked before they were rounded; up to where it is not kept any more.
         let (mut n_kept, mut worst) = (0, 0f64);
         for i in 0..4000 {
             let off = i as f32 * 1e-6;

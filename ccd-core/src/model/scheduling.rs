@@ -224,7 +224,6 @@ impl core::fmt::Display for Scheduling {
     }
 }
 
-const CPU: &[&str] = &["cpu"];
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for Scheduler {
@@ -260,16 +259,16 @@ impl Catalogued for Scheduler {
         Row {
             value: Self::Stealing,
             name: "stealing",
-            about: "A deque a worker; whose own is empty takes from another's",
+            about: "A deque a worker; whose own is empty takes from another's; GPU: native path only",
             source: Some("Arora 1998"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::LazyStealing,
             name: "lazy-stealing",
-            about: "A stack and a deque a worker; batches are stolen at once, fetched one by one",
+            about: "Stacks and deques; batches stolen at once, fetched singly; GPU: native path only",
             source: Some("da Silva 2013"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

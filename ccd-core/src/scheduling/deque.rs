@@ -193,21 +193,32 @@ impl Deque {
     #[inline(always)]
     pub fn pop(self, words: &impl Words) -> Option<u32> {
         let mut ends = words.load(self.base + ENDS);
-        let mut slot = None;
         // An attempt fails only if a thief took a batch.
         for _ in 0..=self.batches {
-            if slot.is_none() && length(ends) != 0 {
-                let popped = ends.wrapping_sub(BOTTOM);
-                let seen = words.compare_exchange(self.base + ENDS, ends, popped);
-                if seen == ends {
-                    slot = Some(popped >> BITS & (self.batches - 1));
-                }
-                ends = seen;
-            } else {
-                break;
+            match self.exchange_bottom(words, ends) {
+                Ok(slot) => return slot,
+                Err(seen) => ends = seen,
             }
         }
-        slot
+        None
+    }
+
+    /// The same in one attempt: `None` also if a thief took a batch at the same time. For kernels,
+    /// which may not repeat it (`DeviceWords` in ccd-shaders says why).
+    #[inline(always)]
+    pub fn try_pop(self, words: &impl Words) -> Option<u32> {
+        self.exchange_bottom(words, words.load(self.base + ENDS)).unwrap_or(None)
+    }
+
+    /// One attempt: the slot, if there is a batch, or what stood there instead of `ends`.
+    #[inline(always)]
+    fn exchange_bottom(self, words: &impl Words, ends: u32) -> Result<Option<u32>, u32> {
+        if length(ends) == 0 {
+            return Ok(None);
+        }
+        let popped = ends.wrapping_sub(BOTTOM);
+        let seen = words.compare_exchange(self.base + ENDS, ends, popped);
+        if seen == ends { Ok(Some(popped >> BITS & (self.batches - 1))) } else { Err(seen) }
     }
 
     /// A thief takes up to `most` batches from the top, in one attempt. They are its own: it reads

@@ -10,7 +10,8 @@ use ccd_core::broad_phase::pair_workers::THREADS;
 /// What a worker of a device, a workgroup, did in the last search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorkerCounts {
-    /// Turns in which it expanded pairs of nodes, each of at most [`WorkerCounts::THREADS`].
+    /// Turns in which it expanded pairs of nodes, each of at most [`WorkerCounts::THREADS`]; of
+    /// workers that steal also those in which it looked for some in vain.
     pub turns: u32,
     /// Pairs of nodes that it expanded.
     pub expanded: u32,

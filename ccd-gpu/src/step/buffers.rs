@@ -1,5 +1,6 @@
 //! Everything that a session has on a device.
 
+use super::Goal;
 use super::contact_order::ContactOrder;
 use super::lists::Lists;
 use super::source::Source;
@@ -104,6 +105,11 @@ impl Buffers {
         })
     }
 
+    /// Vertices, edges and faces together.
+    pub fn n_boxes(&self) -> u32 {
+        self.count.iter().sum()
+    }
+
     /// All lists.
     pub fn lists(&self) -> Lists<&List> {
         Lists {
@@ -123,6 +129,19 @@ impl Buffers {
             undecided: self.undecided.each_mut(),
             contacts: &mut self.contacts,
             source: self.source.lists_mut(),
+        }
+    }
+
+    /// Which lists a frame uses. `wide`: the device decides in `f64`, and leaves nothing open. What
+    /// is not used is neither cleared nor read: each costs as much as a small kernel.
+    pub fn used(&self, goal: Goal, wide: bool) -> Lists<bool> {
+        let filters = goal != Goal::Candidates;
+        Lists {
+            candidates: [!filters; 2],
+            survivors: [filters; 2],
+            undecided: [filters && !wide; 2],
+            contacts: goal == Goal::Contacts,
+            source: vec![true; self.source.lists().len()],
         }
     }
 

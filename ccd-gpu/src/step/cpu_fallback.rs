@@ -3,7 +3,7 @@
 
 use ccd_core::Real;
 use ccd_core::layout::{Pair, Touch};
-use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::decide;
 
@@ -50,6 +50,20 @@ pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
             .chunks_exact(size_of::<Touch>())
             .map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))),
     );
+}
+
+/// The earliest time of all contacts, and how many are undecided. In one pass, and by several
+/// minima at once, because each of a chain of minima waits for the one before.
+pub fn summary(contacts: &[Contact]) -> (Option<f64>, u64) {
+    let (mut least, mut undecided) = ([f64::INFINITY; 8], 0);
+    for some in contacts.chunks(least.len()) {
+        for (least, contact) in least.iter_mut().zip(some) {
+            *least = least.min(contact.toi);
+            undecided += (contact.state == State::Undecided) as u64;
+        }
+    }
+    let toi = least.into_iter().fold(f64::INFINITY, f64::min);
+    ((!contacts.is_empty()).then_some(toi), undecided)
 }
 
 /// Puts contacts in their canonical order.

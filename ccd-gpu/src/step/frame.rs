@@ -9,7 +9,7 @@ use super::{Goal, SAMPLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
@@ -137,6 +137,7 @@ impl Frames {
         let frame = buffers.describe(options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
+            buffers.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
             buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
             recorder.finish().map(|_| ())
         })??;
@@ -224,14 +225,16 @@ impl Frames {
         let guess = self.plan_contacts(device, goal)?;
         // Without an order until this frame has come to a good end.
         let mut order = std::mem::take(&mut self.order);
-        let kept = order.holds();
+        let kept = order.holds(self.buffers.n_boxes());
         let Self { buffers, bench, readback, .. } = self;
         buffers.keeps_order = kept;
         let frame = buffers.describe(options);
         let mut plan = Plan::default();
-        let of_earliest = [plan.part(4), plan.part(4)];
-        let of_sample = plan.part(16);
-        let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
+        let wide = device.info().wide;
+        let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
+        let of_earliest = [(); 2].map(|()| plan.part(asked(goal.is_earliest(), 4)));
+        let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
+        let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
         let counters = buffers.source.counters();
@@ -239,7 +242,6 @@ impl Frames {
             counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
-        let wide = device.info().wide;
         let stages = submit(device, bench, |recorder| {
             buffers.record(recorder, &frame, goal, wide);
             recorder.end_of_work();
@@ -268,13 +270,18 @@ impl Frames {
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
         let (headers, survey, counted) = reading.with(device, |bytes| {
-            let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
-            found.earliest = vf.min(ee);
-            let [vf, ee, nodes_vf, nodes_ee] =
-                [0, 1, 2, 3].map(|i| word(of_sample.of(bytes), i) as u64);
-            found.sampled = vf + ee;
-            sampled_of = nodes_vf + nodes_ee;
-            let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
+            if goal.is_earliest() {
+                let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
+                found.earliest = vf.min(ee);
+            }
+            if goal == Goal::Earliest {
+                let at = |i| word(of_sample.of(bytes), i) as u64;
+                (found.sampled, sampled_of) = (at(0) + at(1), at(2) + at(3));
+            }
+            let headers = of_lists.try_map(|part| match part.bytes {
+                0 => Ok(Header::default()),
+                _ => read_header(part.of(bytes)),
+            })?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
             let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));

@@ -23,5 +23,12 @@ pub enum Goal {
     Candidates,
 }
 
+impl Goal {
+    /// Whether the earliest time is all that is asked for.
+    pub fn is_earliest(self) -> bool {
+        matches!(self, Self::Earliest | Self::EarliestAtOnce)
+    }
+}
+
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
 pub const SAMPLE: u32 = 64;

@@ -21,7 +21,7 @@ const DECIDE: [&str; 2] = ["decide vertex-face", "decide edge-edge"];
 impl Buffers {
     /// Everything from positions to results.
     pub fn record(&self, recorder: &mut Recorder, frame: &Frame, goal: Goal, wide: bool) {
-        self.clear(recorder);
+        self.clear(recorder, goal, wide);
         for earliest in &self.earliest {
             recorder.copy(&self.never, 0, earliest, 0, 4);
         }
@@ -72,7 +72,7 @@ impl Buffers {
             flags: frame.flags & !Frame::FLAG_CONFIRM,
             ..*frame
         };
-        self.clear(recorder);
+        self.clear(recorder, Goal::Earliest, wide);
         recorder.stage("shorten");
         let [of_vf, of_ee] = &self.earliest;
         let shortened = &self.shortened;
@@ -82,8 +82,10 @@ impl Buffers {
         self.contacts(recorder, &cut, shortened, 1, wide);
     }
 
-    fn clear(&self, recorder: &mut Recorder) {
-        self.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
+    fn clear(&self, recorder: &mut Recorder, goal: Goal, wide: bool) {
+        let lists = self.lists().zip(self.used(goal, wide)).into_vec().into_iter();
+        let used = lists.filter(|(_, is_used)| *is_used);
+        used.for_each(|(list, _)| recorder.clear(list.buffer(), HEADER_BYTES));
     }
 
     fn sweep(

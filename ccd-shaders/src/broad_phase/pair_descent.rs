@@ -30,7 +30,8 @@ pub(super) const NODES_BASE: u32 = 2;
 pub(super) const LEAVES_BASE: u32 = 3;
 
 /// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most `own.nodes`
-/// of them, as the cut of side `dispatch.first`. A node is split, if there is room, while it has more than its share of the leaves.
+/// of them, as the cut of side `dispatch.first`. A node is split, if there is room, while it has
+/// more than its share of the leaves.
 #[spirv(compute(threads(256)))]
 pub fn cut_nodes(
     #[spirv(local_invocation_index)] lane: u32,
@@ -127,10 +128,7 @@ pub(super) fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
     let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
     let mut pair = [NONE; 2];
     if i < at(cuts, a) && j < at(cuts, b) && (!within || i <= j) {
-        pair = [
-            at(cuts, a + LIST_HEADER + i as usize),
-            at(cuts, b + LIST_HEADER + j as usize),
-        ];
+        pair = [at(cuts, a + LIST_HEADER + i as usize), at(cuts, b + LIST_HEADER + j as usize)];
     }
     pair
 }

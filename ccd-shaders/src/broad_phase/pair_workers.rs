@@ -5,377 +5,24 @@
 //! the tasks; a thread expands one; inner pairs go onto the stack or, where that is full, to the
 //! tasks of the next round, pairs of leaves to `pairs`, and what ends to the front, if one is kept.
 
-use super::pair_descent::{count_front, fate, reserve, write_front};
-use crate::records::ObbWords;
-use crate::workgroup::{
-    add, add_shared, barrier, count, get, get_uniform, group, load, raise, read_pair, set,
-    write_pair,
+use super::pair_descent::{count_front, fate, reserve};
+use super::worker::{
+    APART, Child, ENDED, ENDED_BASE, EXPANDED, INNER, LEAF, LEAVES, LEAVES_BASE, NEXT, NODES,
+    Round, SPILL_BASE, TOP, TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan,
+    put_away, put_ended, take, write_task,
 };
+use crate::records::ObbWords;
+use crate::workgroup::{add, barrier, count, get, get_uniform, group, set};
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::{only_reaching, reach};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, children, expand};
-use ccd_core::broad_phase::pair_workers::{
-    LEFT, QUANTUM, STACK, THREADS, counts, idle, is_over, listed, piece, share, taken,
-};
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, children, expand};
+use ccd_core::broad_phase::pair_workers::{THREADS, counts, listed};
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Node, NodeDescent, Pair, Params};
+use ccd_core::layout::{Node, NodeDescent, Params};
 use ccd_core::model::method::Descent;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
-
-/// Words that the threads of a worker share: pairs on its stack; of those, how many are expanded in
-/// this turn, and how many tasks are; the first of these, and from each to the next.
-pub(super) const TOP: u32 = 0;
-pub(super) const FROM_STACK: u32 = 1;
-pub(super) const FROM_TASKS: u32 = 2;
-pub(super) const FIRST: u32 = 3;
-pub(super) const STRIDE: u32 = 4;
-/// Tasks of its own part that it has taken; or, of the counter, 1 if there are no more.
-pub(super) const NEXT: u32 = 5;
-/// Of what was found in this turn, how many: pairs of inner nodes, of leaves, of the front.
-pub(super) const NODES: u32 = 6;
-pub(super) const LEAVES: u32 = 7;
-pub(super) const ENDED: u32 = 8;
-/// Where they go: the first place on the stack, how many have room there, then on the lists.
-pub(super) const BELOW: u32 = 9;
-pub(super) const TO_STACK: u32 = 10;
-pub(super) const SPILL_BASE: u32 = 11;
-pub(super) const LEAVES_BASE: u32 = 12;
-pub(super) const ENDED_BASE: u32 = 13;
-/// Tasks of its part that a worker leaves.
-pub(super) const REST: u32 = 14;
-/// Turns of the worker so far, and pairs that it expanded.
-pub(super) const TURNS: u32 = 15;
-pub(super) const EXPANDED: u32 = 16;
-
-/// What a worker does next.
-pub(super) const WORKS: u32 = 0;
-/// It has found nothing more.
-pub(super) const ENDS: u32 = 1;
-/// It leaves what it has to the next round.
-pub(super) const STOPS: u32 = 2;
-
-/// What becomes of a pair, as `fate` says it; and of one that is apart.
-pub(super) const INNER: u32 = 1;
-pub(super) const LEAF: u32 = 2;
-pub(super) const APART: u32 = 3;
-
-/// A round, as each worker sees it.
-#[derive(Clone, Copy)]
-pub(super) struct Round {
-    pub me: u32,
-    /// Of the number of workers, the power of two.
-    pub workers: u32,
-    pub number: u32,
-    pub tasks: u32,
-    /// First entry of its tasks, and of those of the next, in the list.
-    pub input: u32,
-    pub output: u32,
-}
-
-impl Round {
-    #[inline(always)]
-    pub(super) fn new(params: &Params<NodeDescent>, me: u32, control: &[u32]) -> Self {
-        let (number, room) = (params.dispatch.first, params.own.room_nodes);
-        let is_odd = number % 2;
-        Self {
-            me,
-            workers: params.own.workers,
-            number,
-            tasks: at(control, listed(number)).min(room),
-            input: is_odd * room,
-            output: (1 - is_odd) * room,
-        }
-    }
-}
-
-/// The first thread says what its worker does in this turn, by what is on the stack and what tasks
-/// there are: returns whether it works at all.
-#[inline(always)]
-fn plan(
-    own: &NodeDescent,
-    round: Round,
-    turn: u32,
-    shared: &mut [u32; 17],
-    control: &mut [u32],
-) -> u32 {
-    let from_stack = get(shared, TOP).min(THREADS);
-    let mut state = WORKS;
-    if own.idle > 0 && turn >= QUANTUM {
-        if is_over(load(control, idle(round.number)), round.workers, own.idle) {
-            state = STOPS;
-        }
-    }
-    let mut from_tasks = 0;
-    let room = THREADS - from_stack;
-    if state == WORKS && room > 0 {
-        let next = get(shared, NEXT);
-        if own.tasks == NodeDescent::TASKS_DEALT {
-            from_tasks = (share(round.tasks, round.me, round.workers) - next).min(room);
-            set(shared, FIRST, round.me + (next << round.workers));
-            set(shared, STRIDE, 1 << round.workers);
-            set(shared, NEXT, next + from_tasks);
-        } else if next == 0 {
-            let wanted = piece(round.tasks, round.workers, own.piece).min(room);
-            let first = add(control, taken(round.number), wanted);
-            from_tasks = round.tasks - first.min(round.tasks);
-            from_tasks = from_tasks.min(wanted);
-            set(shared, FIRST, first);
-            set(shared, STRIDE, 1);
-            set(shared, NEXT, (from_tasks < wanted) as u32);
-        }
-    }
-    if state == WORKS && from_stack + from_tasks == 0 {
-        state = ENDS;
-        if own.idle > 0 {
-            add(control, idle(round.number), 1);
-        }
-    }
-    set(shared, FROM_STACK, from_stack);
-    set(shared, FROM_TASKS, from_tasks);
-    set(shared, NODES, 0);
-    set(shared, LEAVES, 0);
-    set(shared, ENDED, 0);
-    state
-}
-
-/// The pair that this thread expands in this turn, from the top of the stack or from the tasks.
-#[inline(always)]
-pub(super) fn take(
-    lane: u32,
-    input: u32,
-    shared: &[u32; 17],
-    stack: &[u32; 2 * STACK as usize],
-    nodes: &[u32],
-) -> NodePair {
-    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
-    let mut out = NO_PAIR;
-    if lane < from_stack {
-        let place = 2 * (get(shared, TOP) - 1 - lane);
-        out = [get(stack, place), get(stack, place + 1)];
-    } else if lane < from_stack + from_tasks {
-        let task = get(shared, FIRST) + (lane - from_stack) * get(shared, STRIDE);
-        let pair = read_pair(nodes, input + task);
-        out = [pair.a, pair.b];
-    }
-    out
-}
-
-/// A child of a pair, and what becomes of it.
-#[derive(Clone, Copy)]
-pub(super) struct Child {
-    pub pair: NodePair,
-    pub fate: u32,
-}
-
-impl Child {
-    pub(super) const NONE: Self = Self { pair: NO_PAIR, fate: 0 };
-
-    /// The child if it meets, or else, where one is kept for the front, the child that is apart.
-    #[inline(always)]
-    pub(super) fn new(met: NodePair, child: NodePair, internal: [u32; 2]) -> Self {
-        let mut out = Self { pair: met, fate: fate(met, internal) };
-        if out.fate == 0 && child[0] != NONE {
-            out = Self { pair: child, fate: APART };
-        }
-        out
-    }
-}
-
-/// Counts a pair in its worker; returns the number that it has among its like, and in the front.
-#[inline(always)]
-pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 17]) -> [u32; 2] {
-    let mut to = [0, 0];
-    if fate == INNER {
-        to[0] = add_shared(shared, NODES, 1);
-    } else if fate == LEAF {
-        to[0] = add_shared(shared, LEAVES, 1);
-    }
-    if fate >= LEAF && room_front > 0 {
-        to[1] = add_shared(shared, ENDED, 1);
-    }
-    to
-}
-
-/// The first thread makes room for what was found: `below` pairs are left on the stack.
-#[inline(always)]
-pub(super) fn make_room(
-    own: &NodeDescent,
-    number: u32,
-    shared: &mut [u32; 17],
-    control: &mut [u32],
-    nodes: &mut [u32],
-    pairs: &mut [u32],
-) {
-    let (n_nodes, n_leaves, n_ended) = (get(shared, NODES), get(shared, LEAVES), get(shared, ENDED));
-    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
-    set(shared, TURNS, get(shared, TURNS) + 1);
-    set(shared, EXPANDED, get(shared, EXPANDED) + from_stack + from_tasks);
-    let below = get(shared, TOP) - from_stack;
-    let to_stack = n_nodes.min(own.stack - below);
-    set(shared, BELOW, below);
-    set(shared, TO_STACK, to_stack);
-    set(shared, TOP, below + to_stack);
-    if n_nodes > to_stack {
-        let base = spill(own, number, n_nodes - to_stack, control, nodes);
-        set(shared, SPILL_BASE, base);
-    }
-    if n_leaves > 0 {
-        set(shared, LEAVES_BASE, count(pairs, 0, n_leaves));
-    }
-    if n_ended > 0 {
-        set(shared, ENDED_BASE, count_front(control, n_ended));
-    }
-}
-
-/// Reserves places among the tasks of the next round.
-#[inline(always)]
-pub(super) fn spill(
-    own: &NodeDescent,
-    number: u32,
-    n: u32,
-    control: &mut [u32],
-    nodes: &mut [u32],
-) -> u32 {
-    if own.last != 0 {
-        raise(control, LEFT, u32::MAX);
-    }
-    reserve(control, listed(number + 1), nodes, n)
-}
-
-/// Writes a pair to where it belongs.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn put_away(
-    params: &Params<NodeDescent>,
-    output: u32,
-    child: Child,
-    to: [u32; 2],
-    shared: &[u32; 17],
-    stack: &mut [u32; 2 * STACK as usize],
-    a_nodes: &[Node],
-    b_nodes: &[Node],
-    nodes: &mut [u32],
-    pairs: &mut [u32],
-    front: &mut [u32],
-) {
-    let Child { pair, fate } = child;
-    if fate == INNER {
-        let to_stack = get(shared, TO_STACK);
-        if to[0] < to_stack {
-            let place = 2 * (get(shared, BELOW) + to[0]);
-            set(stack, place, pair[0]);
-            set(stack, place + 1, pair[1]);
-        } else {
-            let i = get(shared, SPILL_BASE) + to[0] - to_stack;
-            write_task(&params.own, output, nodes, i, pair);
-        }
-    } else if fate != 0 {
-        put_ended(params, pair, fate, to, shared, a_nodes, b_nodes, pairs, front);
-    }
-}
-
-/// Writes a pair at which the descent ends.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "as above")]
-pub(super) fn put_ended(
-    params: &Params<NodeDescent>,
-    pair: NodePair,
-    fate: u32,
-    to: [u32; 2],
-    shared: &[u32; 17],
-    a_nodes: &[Node],
-    b_nodes: &[Node],
-    pairs: &mut [u32],
-    front: &mut [u32],
-) {
-    if fate == LEAF {
-        let (a, b) = (at(a_nodes, pair[0] as usize).left, at(b_nodes, pair[1] as usize).left);
-        let ids = if params.own.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } };
-        write_pair(pairs, params.dispatch.room_out, get(shared, LEAVES_BASE) + to[0], ids);
-    }
-    if params.own.room_front > 0 {
-        write_front(&params.own, front, get(shared, ENDED_BASE) + to[1], pair);
-    }
-}
-
-/// Writes a task of the next round; one for which there is no room is only counted.
-#[inline(always)]
-pub(super) fn write_task(
-    own: &NodeDescent,
-    output: u32,
-    nodes: &mut [u32],
-    i: u32,
-    pair: NodePair,
-) {
-    if i < own.room_nodes {
-        write_pair(nodes, u32::MAX, output + i, Pair { a: pair[0], b: pair[1] });
-    }
-}
-
-/// The first thread, when the worker has ended: room for its stack and for the rest of its part
-/// among the tasks of the next round.
-#[inline(always)]
-fn make_room_for_rest(
-    own: &NodeDescent,
-    round: Round,
-    shared: &mut [u32; 17],
-    control: &mut [u32],
-    nodes: &mut [u32],
-) {
-    let mut rest = 0;
-    if own.tasks == NodeDescent::TASKS_DEALT {
-        rest = share(round.tasks, round.me, round.workers) - get(shared, NEXT);
-    }
-    set(shared, REST, rest);
-    let n = get(shared, TOP) + rest;
-    if n > 0 {
-        set(shared, SPILL_BASE, spill(own, round.number, n, control, nodes));
-    }
-}
-
-/// Leaves what the worker has on its stack, and what is left of its part, to the next round; of
-/// tasks by a counter, all that nobody takes any more.
-#[inline(always)]
-fn leave_rest(
-    own: &NodeDescent,
-    round: Round,
-    lane: u32,
-    shared: &[u32; 17],
-    stack: &[u32; 2 * STACK as usize],
-    control: &mut [u32],
-    nodes: &mut [u32],
-) {
-    let (top, base, rest) = (get(shared, TOP), get(shared, SPILL_BASE), get(shared, REST));
-    for k in 0..STACK / THREADS {
-        let i = k * THREADS + lane;
-        if i < top {
-            let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
-            write_task(own, round.output, nodes, base + i, pair);
-        }
-    }
-    let next = get(shared, NEXT);
-    for k in 0..rest.div_ceil(THREADS) {
-        let i = k * THREADS + lane;
-        if i < rest {
-            let pair = read_pair(nodes, round.input + round.me + ((next + i) << round.workers));
-            write_task(own, round.output, nodes, base + top + i, [pair.a, pair.b]);
-        }
-    }
-    if own.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
-        // Each thread for itself, a task at a time: that is rare.
-        for _ in 0..round.tasks {
-            let i = add(control, taken(round.number), 1);
-            if i >= round.tasks {
-                break;
-            }
-            let pair = read_pair(nodes, round.input + i);
-            let to = spill(own, round.number, 1, control, nodes);
-            write_task(own, round.output, nodes, to, [pair.a, pair.b]);
-        }
-    }
-}
 
 /// Of the children of a pair, those that meet.
 macro_rules! meeting {
@@ -408,7 +55,7 @@ macro_rules! kernels {
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             #[spirv(workgroup)] state: &mut [u32; 1],
-            #[spirv(workgroup)] shared: &mut [u32; 17],
+            #[spirv(workgroup)] shared: &mut [u32; 18],
             #[spirv(workgroup)] stack: &mut [u32; 2048],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
@@ -489,7 +136,7 @@ macro_rules! kernels {
             #[spirv(workgroup_id)] id: UVec3,
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
-            #[spirv(workgroup)] shared: &mut [u32; 17],
+            #[spirv(workgroup)] shared: &mut [u32; 18],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],

@@ -53,10 +53,10 @@
 //! five terms, although what is kept is `a + s`, rounded. Of each component, with `|s|` the sum of
 //! `|s_i|`: what is kept is off by three sums and a product, `u (3 |a| + 4 |s|)`; the difference by
 //! four sums and a product, `u (4 |a| + 4 |b| + 5 |s|)`; together at most `11 u` of the greater one
-//! of `|a|` and `|b|`, and `9 u |s|`, which is no longer along an axis than `9 sqrt(3) < 15.6` times
-//! `s`. `12` and `16` are used. That is all: axes and the centre of a box along the coordinates pass
-//! a choice between numbers, through which no sum goes on, and half lengths have room for one more
-//! rounding.
+//! of `|a|` and `|b|`, and `9 u |s|`, which along an axis is no longer than `9 sqrt(3) < 15.6`
+//! times `s`. `12` and `16` are used. That is all: axes and the centre of a box along the
+//! coordinates pass a choice between numbers, through which no sum goes on, and half lengths have
+//! room for one more rounding.
 //!
 //! *Faces.* Along `a_i` the box of `a` reaches `h_i`, exactly; the other one as above; the distance
 //! is off by `4 u |t|`.

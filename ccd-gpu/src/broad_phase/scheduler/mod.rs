@@ -7,9 +7,11 @@
 //! | `static` ([`workers`]) | the worker's own stack | is done |
 //! | `self-scheduling` ([`workers`]) | the worker's own stack | takes the next piece of the tasks |
 //! | `balanced` ([`workers`]) | the worker's own stack | is done, until all is dealt out again |
+//! | `stealing` ([`workers`]) | its own stack or deque | takes a batch of another's deque |
+//! | `lazy-stealing` ([`workers`]) | its own stack or deque | takes ranges of many others' |
 //!
-//! None of them passes more than counters between workgroups inside a dispatch, so that they run
-//! wherever WebGPU does. A search is a number of rounds, recorded one after the other; the host sees
+//! The first four pass nothing but counters between workgroups inside a dispatch, so that they run
+//! wherever WebGPU does. Those that steal need the native path and are refused elsewhere. A search is a number of rounds, recorded one after the other; the host sees
 //! whether any pair is left after the last one, and then runs a search of more rounds.
 //!
 //! docs/SCHEDULING.md compares them.
@@ -87,6 +89,8 @@ pub fn new(device: &Device, choice: Scheduling, n: u32) -> Result<Box<dyn Schedu
         Scheduler::Static => Rule::STATIC,
         Scheduler::SelfScheduling => Rule::SELF_SCHEDULING,
         Scheduler::Balanced { idle } => Rule { idle, ..Rule::BALANCED },
+        Scheduler::Stealing => Rule::STEALING,
+        Scheduler::LazyStealing => Rule::LAZY_STEALING,
         other => {
             let name = other.row().name;
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());

@@ -8,6 +8,10 @@
 //!   round 1   worker 0  ####                                   stop, and what is left is dealt out
 //! ```
 //!
+//! Workers that steal (`ccd_core::scheduling::stealing`) take tasks by the counter until there are no
+//! more, and then batches of each other's deques. That needs an order between workgroups, which the
+//! native path alone has. Idle workers look around a bounded number of times and retire.
+//!
 //! What a stack has no room for, and what a worker has that ends early, are tasks of the next round,
 //! a dispatch. There are a few rounds; if pairs are left after the last one, the search runs again
 //! with twice as many, and then with more turns a worker.
@@ -17,14 +21,17 @@
 //! busy.
 
 use super::{Descended, Schedule};
-use crate::bind::{PairWorkers, PairWorkersOriented};
+use crate::bind::{PairWorkers, PairWorkersOriented, StealPairs, StealPairsOriented};
 use crate::broad_phase::front::Written;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::pair_workers::{COUNTS, LEFT, ROUNDS, STACK, THREADS, words};
+use ccd_core::broad_phase::pair_workers::{
+    COUNTS, LEFT, ROUNDS, STACK, THREADS, words, words_with_deques,
+};
 use ccd_core::layout::NodeDescent;
+use ccd_core::scheduling::stealing;
 use wgpu::BufferUsages as U;
 
 /// How workers find tasks, and when they end.
@@ -42,6 +49,31 @@ pub struct Rule {
     pub turns: u32,
     /// Rounds from the beginning.
     pub rounds: u32,
+    /// How workers steal, if they do.
+    pub steal: Option<Steal>,
+}
+
+/// How workers steal from each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Steal {
+    /// Batches for which there is room in a deque.
+    pub batches: u32,
+    /// Pairs of a batch, at most [`THREADS`].
+    pub batch: u32,
+    /// Batches that are stolen from one deque at once, at most; 0: one, of one worker alone.
+    pub most: u32,
+    /// Pairs of a stack from which on a batch is pushed, at least two batches.
+    pub push: u32,
+    /// Looks for work in vain after which a worker retires.
+    pub patience: u32,
+}
+
+impl Steal {
+    /// One batch at a time; what a turn does not need is there to be stolen.
+    pub const TASKS: Self =
+        Self { batches: 16, batch: THREADS / 2, most: 0, push: THREADS, patience: 32 };
+    /// Ranges of many workers at once; more stays on the stack.
+    pub const LAZY: Self = Self { most: 2, push: 2 * THREADS, ..Self::TASKS };
 }
 
 impl Rule {
@@ -53,6 +85,7 @@ impl Rule {
         stack: STACK,
         turns: 4096,
         rounds: 8,
+        steal: None,
     };
     /// The same, in more rounds, with `idle` as it was chosen.
     pub const BALANCED: Self = Self { rounds: 16, ..Self::STATIC };
@@ -61,6 +94,10 @@ impl Rule {
     /// Nothing stays on a stack, so that a round is a level.
     pub const FRONTIER: Self =
         Self { piece: THREADS, stack: 0, rounds: 16, ..Self::SELF_SCHEDULING };
+    /// Workers steal when there are no more tasks.
+    pub const STEALING: Self = Self { steal: Some(Steal::TASKS), ..Self::SELF_SCHEDULING };
+    /// The same, lazily.
+    pub const LAZY_STEALING: Self = Self { steal: Some(Steal::LAZY), ..Self::SELF_SCHEDULING };
 }
 
 /// The tasks of two rounds, and what all rounds count.
@@ -80,11 +117,25 @@ fn workers(device: &Device) -> u32 {
     if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 4 } else { 11 }
 }
 
+/// Bytes of what `2^workers` workers count, and of their deques.
+fn bytes(rule: Rule, workers: u32) -> u64 {
+    let words = match rule.steal {
+        None => words(1 << workers),
+        Some(Steal { batches, batch, .. }) => {
+            words_with_deques(stealing::Workers { n: 1 << workers, batches, batch })
+        }
+    };
+    4 * words as u64
+}
+
 impl Workers {
     /// Room for `n` tasks a round.
     pub fn new(device: &Device, rule: Rule, n: u32) -> Result<Self, Error> {
+        if rule.steal.is_some() {
+            device.check_native()?;
+        }
         let (workers, usage) = (workers(device), U::STORAGE | U::COPY_DST | U::COPY_SRC);
-        let bytes = 4 * words(1 << workers) as u64;
+        let bytes = bytes(rule, workers);
         Ok(Self {
             rule,
             control: device.buffer("counters of workers", bytes, usage)?,
@@ -101,28 +152,49 @@ impl Schedule for Workers {
     }
 
     fn clear(&self, recorder: &mut Recorder) {
-        recorder.clear(&self.control, 4 * words(1 << self.workers) as u64);
+        recorder.clear(&self.control, bytes(self.rule, self.workers));
     }
 
     fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written) {
         let Self { rule, control, nodes, left, workers } = self;
-        let Rule { tasks, piece, idle, stack, turns, rounds } = *rule;
+        let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
+        let stealing = steal.map_or(NodeDescent::default(), |steal| {
+            let Steal { batches, batch, most, push, patience } = steal;
+            NodeDescent { batches, batch, most, push, patience, ..NodeDescent::default() }
+        });
         let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, written.front);
         let (list, pairs) = (nodes.buffer(), of.pairs.buffer());
         for round in 0..rounds {
             let last = (round + 1 == rounds) as u32;
-            let own = NodeDescent { room_nodes: nodes.room(), ..written.record() };
+            let NodeDescent { room_front, written, .. } = written.record();
+            let own = NodeDescent { room_nodes: nodes.room(), room_front, written, ..stealing };
             let own = NodeDescent { tasks, piece, idle, stack, turns, last, ..own };
             let own = NodeDescent { workers: *workers, ..own };
             let p = of.params(own, round, 0);
             let nodes = list;
-            match of.oriented {
-                None => {
+            match (of.oriented, steal) {
+                (None, None) => {
                     let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
                     recorder.dispatch(&kernel, &p, 1 << workers);
                 }
-                Some(oriented) => {
+                (None, Some(_)) => {
+                    let kernel = StealPairs { a_nodes, b_nodes, control, nodes, pairs, front };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+                (Some(oriented), None) => {
                     let kernel = PairWorkersOriented {
+                        a_nodes,
+                        b_nodes,
+                        oriented,
+                        control,
+                        nodes,
+                        pairs,
+                        front,
+                    };
+                    recorder.dispatch(&kernel, &p, 1 << workers);
+                }
+                (Some(oriented), Some(_)) => {
+                    let kernel = StealPairsOriented {
                         a_nodes,
                         b_nodes,
                         oriented,

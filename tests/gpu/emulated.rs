@@ -1,0 +1,46 @@
+//! What is left out where threads of this machine do the work of a GPU: tests that take longest
+//! there and show what another has shown.
+
+use ccd::gpu::wgpu::DeviceType;
+use ccd::gpu::{Device, Path};
+use ccd_testkit::data::SCENES;
+
+/// Set to 1, this variable has nothing left out.
+const WHOLE: &str = "CCD_WHOLE";
+
+/// Tests of kernels that know no `f64`: a device that is used without it runs the same code.
+const ALIKE: [crate::Tests; 9] = [
+    crate::sorts::TESTS,
+    crate::pairs::TESTS,
+    crate::trees::TESTS,
+    crate::builders::TESTS,
+    crate::listed::TESTS,
+    crate::triangles::TESTS,
+    crate::intervals::TESTS,
+    crate::descent::TESTS,
+    crate::oriented::TESTS,
+];
+
+/// Scenes of more edges are run as natively as there is, with `f64`, and as portably, without: the
+/// other two devices have the smaller scenes.
+const MAX_EDGES: usize = 50_000;
+
+/// Why a test is left out on a device, if it is.
+pub fn left_out(name: &str, device: &Device) -> Option<String> {
+    let info = device.info();
+    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
+    if whole || info.adapter.device_type != DeviceType::Cpu {
+        return None;
+    }
+    let is_alike = ALIKE.iter().flat_map(|tests| tests.iter()).any(|(alike, _)| *alike == name);
+    let scene = name.strip_prefix("scene_").and_then(|s| SCENES.iter().find(|t| t.name == s));
+    let is_large = scene.is_some_and(|scene| scene.size[1] > MAX_EDGES);
+    let why = if is_alike && !info.wide {
+        "the same kernels as with f64"
+    } else if is_large && info.wide != (info.path == Path::Passthrough) {
+        "large for an emulated GPU"
+    } else {
+        return None;
+    };
+    Some(format!("{why}: {WHOLE}=1"))
+}
