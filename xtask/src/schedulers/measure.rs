@@ -202,9 +202,11 @@ impl Runner {
             }
             Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
                 Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
-                Err(gpu::Error::Input(Error::Method { .. }) | gpu::Error::OfTrees { .. }) => {
-                    Ok(None)
-                }
+                Err(
+                    gpu::Error::Input(Error::Method { .. })
+                    | gpu::Error::OfTrees { .. }
+                    | gpu::Error::Unavailable { .. },
+                ) => Ok(None),
                 Err(e) => Err(e.to_string()),
             },
         }
