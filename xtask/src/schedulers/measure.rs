@@ -29,7 +29,7 @@ pub enum Structure {
 /// How long, and how often.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Steps that are timed, at most; two at least.
+    /// Steps that are timed, at most; two at least, or one where all together take long.
     pub steps: usize,
     /// After so long a time no further step is timed.
     pub enough: Duration,
@@ -38,8 +38,10 @@ pub struct Effort {
 /// Steps before those that are timed: a front has room after the first, is made in the second, and
 /// begun with in the third.
 pub const WARM: usize = 2;
-/// Steps after those, in which it is asked where time goes.
+/// Steps after those, in which it is asked where time goes: one where all together take long.
 pub const WATCHED: usize = 2;
+/// A step of all schedulers that takes longer than this takes long.
+const LONG: Duration = Duration::from_secs(3);
 
 /// What was measured of one scheduler.
 #[derive(Clone, Debug, Default)]
@@ -164,7 +166,7 @@ impl Structure {
     pub fn name(self) -> &'static str {
         match self {
             Self::Tree(Volume::Aabb) => "tree",
-            Self::Tree(_) => "oriented",
+            Self::Tree(_) => "obb",
             Self::Blocks => "blocks",
         }
     }
@@ -200,9 +202,11 @@ impl Runner {
             }
             Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
                 Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
-                Err(gpu::Error::Input(Error::Method { .. }) | gpu::Error::OfTrees { .. }) => {
-                    Ok(None)
-                }
+                Err(
+                    gpu::Error::Input(Error::Method { .. })
+                    | gpu::Error::OfTrees { .. }
+                    | gpu::Error::Unavailable { .. },
+                ) => Ok(None),
                 Err(e) => Err(e.to_string()),
             },
         }
@@ -327,6 +331,7 @@ pub fn measure(
     }
     let n_steps = scene.frames.len() - 1;
     let (mut start, mut n_timed, mut n_watched) = (Instant::now(), 0, 0);
+    let mut least = 2;
     for (i, (x, want)) in scene.frames.windows(2).zip(&scene.counts).enumerate() {
         let warm = i < WARM;
         let left = n_steps - i;
@@ -334,7 +339,10 @@ pub fn measure(
             && left > WATCHED
             && n_watched == 0
             && n_timed < effort.steps
-            && (n_timed < 2 || start.elapsed() < effort.enough);
+            && (n_timed < least || (least > 1 && start.elapsed() < effort.enough));
+        if i == 1 && start.elapsed() > LONG {
+            least = 1;
+        }
         if i == WARM {
             start = Instant::now();
         }
@@ -365,7 +373,7 @@ pub fn measure(
         }
         n_timed += is_timed as usize;
         n_watched += (!warm && !is_timed) as usize;
-        if n_watched == WATCHED {
+        if n_watched == WATCHED.min(least) {
             break;
         }
     }

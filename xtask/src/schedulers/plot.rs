@@ -65,13 +65,13 @@ pub fn all(all: &[Results], places: &[(usize, &str)], folder: &Path) -> Result<S
         }
         let file = format!("schedulers-{backend}.svg");
         bars.write(&folder.join(&file))?;
-        show(&format!("Every scheduler on {title}"), &file);
+        show(&format!("Every scheduler, {place}"), &file);
         if !stacks.is_empty() {
             let file = format!("shares-{backend}.svg");
             let path = folder.join(&file);
             let title = format!("{title}, trees with fronts, ms a step");
             stacked(&path, &title, &stacks).map_err(|e| format!("{}: {e}", path.display()))?;
-            show(&format!("Where the time goes, {title}"), &file);
+            show(&format!("Where the time goes, {place}"), &file);
         }
     }
     Ok(text)

@@ -50,8 +50,8 @@ pub fn table(
         |front| Scheduling::default().scheduler(Scheduler::SelfScheduling).front(front);
     let choices: Vec<Scheduling> = settings.iter().map(|s| scheduling(s.1)).collect();
     let mut text = format!(
-        "Self-scheduling by {}: mean ms of a step, and in brackets how many thousand pairs its \
-         front has.\n\n",
+        "Self-scheduling by {}: mean ms of a step, and in brackets thousand pairs of its \
+         front.\n\n",
         place.name()
     );
     let structures = [Structure::Tree(Volume::Aabb), Structure::Blocks];

@@ -104,9 +104,9 @@ pub fn speedup(all: &[Results], places: &[Place]) -> String {
 
 /// Table 4.3: front nodes a step, by the first place.
 pub fn fronts(all: &[Results]) -> String {
-    let structures = Structure::ALL.map(|s| format!("{}, front nodes", s.name()));
+    let structures = Structure::ALL.map(|s| s.name().to_owned());
     let columns = [String::new()].into_iter().chain(structures);
-    let rest = ["there", "MiB of a tree's", "steps begun at it", "trees built"];
+    let rest = ["there", "MiB, tree", "steps that begin at it", "trees built"];
     let mut text = head(columns.chain(rest.map(str::to_owned)));
     for results in all {
         let _ = write!(text, "| {} |", results.scene.name);
@@ -142,9 +142,9 @@ pub fn times(all: &[Results], places: &[String]) -> String {
         let _ = writeln!(text, "{}\n", results.scene.title());
         let columns = results.groups.iter().map(|group| {
             let short = places[group.place].replace(" threads", "").replace(" thread", "");
-            format!("{}, {}", group.structure.name(), if short.len() > 3 { "GPU" } else { &short })
+            format!("{} {}", group.structure.name(), if short.len() > 3 { "GPU" } else { &short })
         });
-        text += &head(std::iter::once("ms a step".to_owned()).chain(columns));
+        text += &head(std::iter::once("ms".to_owned()).chain(columns));
         for name in names(&results.groups) {
             let cells = results.groups.iter().map(|group| {
                 format!(" {} |", ms(results.cell(group.place, group.structure, name)))
