@@ -208,6 +208,7 @@ impl Workers {
     /// The words of a range that a worker has stolen: from whom, and which; the worker's own.
     #[inline(always)]
     fn hand(self, worker: u32, hand: u32) -> usize {
+        debug_assert!(hand < HANDS);
         let deques = self.n as usize * Deque::words(self.batches, self.batch);
         deques + 2 * (worker * HANDS + hand) as usize
     }

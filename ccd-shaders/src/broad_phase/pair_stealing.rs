@@ -107,7 +107,9 @@ macro_rules! kernel {
                         reach_out(&own, batch, victim, me, lane, control);
                     }
                     barrier();
-                    if own.most == 0 && held == HANDS && lane == get(batch, HAND) {
+                    // Where nobody has anything, that is a hand that there is not.
+                    let reaches = lane < HANDS && lane == get(batch, HAND);
+                    if own.most == 0 && held == HANDS && reaches {
                         let at_random = (me + turn).wrapping_mul(0x9e37_79b9) >> 8;
                         let victim = (me + 1 + at_random + lane) & (workers.n - 1);
                         workers.steal_to_hand(&words_of(control, workers), me, lane, victim, 1);
