@@ -153,7 +153,6 @@ impl StepOptions {
             broad_phase: self.method.method()?,
             pipeline: self.method.pipeline()?,
             scheduling: self.method.scheduling()?,
-            ..ccd::Options::default()
         };
         Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
     }

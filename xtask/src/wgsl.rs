@@ -94,10 +94,10 @@ fn with_uniform_loads(
         match &statement {
             Statement::Emit(range) if before && after => {
                 match uniform_load(range, function, globals, types) {
-                    Some((others, pointer, result)) => {
+                    Some(UniformLoad { before, pointer, result }) => {
                         out.cull(out.len() - 1..);
                         rest.next();
-                        if let Some(others) = others {
+                        if let Some(others) = before {
                             out.push(Statement::Emit(others), span);
                         }
                         out.push(Statement::WorkGroupUniformLoad { pointer, result }, span);
@@ -122,14 +122,24 @@ fn blocks_of(statement: &mut Statement) -> Vec<&mut Block> {
     }
 }
 
-/// If all that is emitted is where a word of workgroup memory stands, and last that word: what is
-/// emitted before it, where it stands, and the word, which becomes the result of another statement.
+/// A word of workgroup memory that is loaded between two barriers.
+struct UniformLoad {
+    /// What is emitted before it.
+    before: Option<Range<Expression>>,
+    /// Where it stands.
+    pointer: Handle<Expression>,
+    /// The word.
+    result: Handle<Expression>,
+}
+
+/// If all that is emitted is where a word of workgroup memory stands, and last that word, which
+/// becomes the result of another statement.
 fn uniform_load(
     range: &Range<Expression>,
     function: &mut Function,
     globals: &Arena<GlobalVariable>,
     types: &UniqueArena<Type>,
-) -> Option<(Option<Range<Expression>>, Handle<Expression>, Handle<Expression>)> {
+) -> Option<UniformLoad> {
     let last = range.clone().last()?;
     let Expression::Load { pointer } = function.expressions[last] else { return None };
     let mut place = pointer;
@@ -150,9 +160,9 @@ fn uniform_load(
     function.expressions[last] = Expression::WorkGroupUniformLoadResult { ty };
     let indices = range.index_range();
     let others = indices.start..indices.end - 1;
-    let others =
+    let before =
         (!others.is_empty()).then(|| Range::from_index_range(others, &function.expressions));
-    Some((others, pointer, last))
+    Some(UniformLoad { before, pointer, result: last })
 }
 
 /// The entry point stores built-in values in private variables and calls a function that reads
