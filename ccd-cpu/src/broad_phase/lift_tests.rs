@@ -26,7 +26,7 @@ fn boxes(n: usize, seed: u32, frame: u32) -> Vec<Aabb<f32>> {
     };
     let of = |i: u32| {
         let at =
-            |k: u32| spread * unit(8 * i + k) + jump * unit((1 << 20) | 64 * i + 8 * k + frame % 8);
+            |k: u32| spread * unit(8 * i + k) + jump * unit((1 << 20) + 64 * i + 8 * k + frame % 8);
         let (min, size) = ([at(0), at(1), at(2)], 0.8 * unit(8 * i + 5) / (n as f32).cbrt());
         Aabb { min, max: min.map(|x| x + size) }
     };
