@@ -47,7 +47,10 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
          Device: all kernels together, by its timestamps; \
          stages: each by itself, so that none overlaps another. \
          Wall: with upload, waiting and reading back. \
-         Floor: bytes that must move, at 4.3 TB/s.\n",
+         Floor: bytes that must move, at 4.3 TB/s. \
+         A session steps one frame again and again, so that boxes keep their order, and trees are \
+         refitted, as in a sequence: where there is no stage `sort`, a step that sorts takes some \
+         0.08 more, and times of others that build anew are to be compared with that.\n",
     );
     // What was measured before a failure is kept.
     let write = |text: &str| {
