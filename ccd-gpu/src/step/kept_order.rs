@@ -80,7 +80,7 @@ mod tests {
         let (half, all) = (SORT_PAIRS / 2, SORT_PAIRS);
         let pairs = [7, 7 + half, 3, 7 + half - 1, 8, 9, 9 + all, 9];
         assert_eq!(of(0, &pairs), [false, true, true, true, true, false, true, false]);
-        assert_eq!(of(32, &pairs), [false, true, true, true, true, true, true, false]);
+        assert_eq!(of(32, &pairs), [false, true, true, true, true, true, false, true]);
     }
 
     #[test]
