@@ -234,7 +234,8 @@ fn obj_is_read_whatever_editor_wrote_it() {
     let dir = tempfile::tempdir().unwrap();
     let read = |text: &[u8]| read_frame(&write(dir.path(), "a.obj", text));
     let plain = read(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let others: [&[u8]; 5] = [
+    let others: [&[u8]; 6] = [
+        b"# C:\\\nv 0 0 0\nv 1 0 0 # D:\\\nv 0 \\\n1 0 # E:\\\nf 1 2 3\n",
         b"\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
         b"# W\xfcrfel\no W\xfcrfel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
         b"v 0 0 0#a\nv 1 0 0 # b\nv 0 1 0 #\nf 1 2 3#1 2 3\n",

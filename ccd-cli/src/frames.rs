@@ -54,7 +54,8 @@ fn of_pattern(pattern: &Path) -> Result<Vec<PathBuf>, Failure> {
         return Err(in_file(pattern, "there is no such file"));
     };
     let paths = glob::glob(text).map_err(|e| in_file(pattern, e))?;
-    let found: Vec<PathBuf> = paths.filter_map(Result::ok).collect();
+    let found: Result<Vec<PathBuf>, _> = paths.collect();
+    let found = found.map_err(|e| in_file(pattern, e))?;
     if found.is_empty() {
         return Err(in_file(pattern, "no file fits this pattern"));
     }

@@ -5,8 +5,8 @@
 //! and the maintained readers either renumber vertices per group or round to `f32`.
 //!
 //! Lines end with LF, CRLF or CR, also in turn; one that ends with `\` goes on in the next. `#`
-//! starts a comment. Names and comments may be in any encoding that has ASCII's numbers, such as
-//! UTF-8, with or without a mark at its beginning, and Latin-1.
+//! starts a comment, which ends with its line. Names and comments may be in any encoding that has
+//! ASCII's numbers, such as UTF-8, with or without a mark at its beginning, and Latin-1.
 //! - `v x y z`, with a weight (`v x y z 1`), a colour (`v x y z r g b`) or a colour with alpha
 //!   (seven numbers), all finite. A weight other than 1 is refused: it scales the point in some
 //!   programs and means nothing outside of rational surfaces in others.
@@ -78,12 +78,13 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
             if begun.is_empty() {
                 first = line;
             }
-            if let Some(text) = text.strip_suffix(b"\\") {
-                begun.extend_from_slice(text);
+            begun.extend_from_slice(text);
+            // The end of a comment, such as a path, is no sign for the line after it.
+            if begun.ends_with(b"\\") && !begun.contains(&b'#') {
+                begun.pop();
                 begun.push(b' ');
                 continue;
             }
-            begun.extend_from_slice(text);
             any |= statement(&begun, &mut frame)
                 .map_err(|what| ReadErrorKind::Line { line: first, what })?;
             begun.clear();
