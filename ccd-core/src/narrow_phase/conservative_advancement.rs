@@ -216,7 +216,7 @@ impl<R: Real> Separation<R> {
 
     /// The least excess of all corners, to guess by.
     #[inline(always)]
-    fn least_at(&self, t: R) -> R {
+    pub(super) fn least_at(&self, t: R) -> R {
         (self.excess(0, t).min(self.excess(1, t))).min(self.excess(2, t).min(self.excess(3, t)))
     }
 

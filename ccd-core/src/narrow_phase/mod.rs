@@ -2,11 +2,16 @@
 
 pub mod cascade;
 pub mod closest_point;
+#[cfg(any(feature = "alloc", test))]
+pub mod codimensional;
 pub mod conservative_advancement;
 pub mod containment;
 pub mod coplanarity;
 pub mod cubic_roots;
 pub mod decide;
+pub mod distance;
+#[cfg(any(feature = "alloc", test))]
+pub mod intersection;
 pub mod query;
 pub mod relative_motion;
 pub mod separating_direction;

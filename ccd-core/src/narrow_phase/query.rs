@@ -118,7 +118,7 @@ const UNIT_RANGE: f32 = 65_536.0;
 /// that vanishes becomes the smallest normal number; that is more, and too little for a certain
 /// contact.
 #[inline(always)]
-fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
+pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
     let [a, b, c] = m.magnitudes();
     let size = a.max(b).max(c);
     let fine = size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE);
@@ -157,7 +157,7 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Ver
 }
 
 /// Contact as a distance of at most `min_distance > 0`.
-fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
+pub(super) fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
     let one = R::splat(1.0);
     let toi = match advance(m, patch, R::splat(0.0), one, min_distance) {
         Advance::Clear => return Verdict::Miss,
