@@ -35,7 +35,10 @@
 //! | frame after frame of one mesh | [`Session`] |
 //! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
 //! | contact at a distance | [`Options::min_distance`] |
-//! | one pair of features | [`vertex_face`], [`edge_edge`] |
+//! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
+//! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
+//! | where a mesh goes through itself at one moment | [`intersections`] |
+//! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
@@ -88,11 +91,15 @@ pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
+pub use ccd_core::narrow_phase::codimensional::{
+    VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
+};
+pub use ccd_core::narrow_phase::distance::Distance;
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, MAX_LOOSENESS, Pairs, Session,
-    TreeStatistics, earliest_toi, step,
+    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, Intersection, MAX_LOOSENESS, Pairs,
+    Session, TreeStatistics, earliest_toi, intersections, step,
 };

@@ -180,6 +180,8 @@ impl<'a> ContactFile<'a> {
             let kind = match c.kind {
                 Kind::VertexFace => "vf",
                 Kind::EdgeEdge => "ee",
+                Kind::VertexEdge => "ve",
+                Kind::VertexVertex => "vv",
             };
             let row = [
                 frame.to_string(),

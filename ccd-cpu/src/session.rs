@@ -6,11 +6,13 @@ use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::milliseconds;
 use crate::step::candidates::{Given, Scene};
+use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
+use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
@@ -31,6 +33,7 @@ pub struct Session {
     listers: [Vec<Lister>; 2],
     runs: [Vec<Run>; 2],
     order: ContactOrder,
+    codimensional: Option<Box<Codimensional>>,
     report: Report,
 }
 
@@ -45,6 +48,7 @@ impl Session {
         let threads = Threads::new(options.threads)?;
         Ok(Self {
             prepared: Prepared::new(&mesh, &options),
+            codimensional: threads.enter(|| Codimensional::new(&mesh, &options))?,
             mesh,
             options,
             threads,
@@ -128,14 +132,19 @@ impl Session {
     ) -> Result<Candidates<'_>, Error> {
         self.list(T::slices::<Points, 2>([x0, x1]))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        Ok(Candidates { vf, ee })
+        let [ve, vv] = match &self.codimensional {
+            Some(of) => of.pairs.each_ref().map(Vec::as_slice),
+            None => [&[][..]; 2],
+        };
+        Ok(Candidates { vf, ee, ve, vv })
     }
 
     /// Lists candidates.
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
         let x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, listers, runs, .. } = self;
+        let Self { mesh, options, threads, prepared, method, listers, runs, codimensional, .. } =
+            self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
@@ -155,7 +164,10 @@ impl Session {
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
             }
-            Ok(())
+            match codimensional {
+                Some(of) => of.list(threads, mesh, options, x.given),
+                None => Ok(()),
+            }
         })
     }
 
@@ -163,7 +175,18 @@ impl Session {
     #[inline(never)]
     fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
         let mut x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, workers, order, report, .. } = self;
+        let Self {
+            mesh,
+            options,
+            threads,
+            prepared,
+            method,
+            workers,
+            order,
+            codimensional,
+            report,
+            ..
+        } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             let start = Instant::now();
@@ -205,6 +228,15 @@ impl Session {
             collect(workers, report);
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
+            if let Some(of) = codimensional {
+                of.list(threads, mesh, options, x.given)?;
+                let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+                (report.candidates.ve, report.candidates.vv) = (ve, vv);
+                (report.filtered.ve, report.filtered.vv) = (ve, vv);
+                for contact in of.decide(threads, mesh, options, x.given) {
+                    report.add(contact, !earliest);
+                }
+            }
             report.times.narrow += milliseconds(joined);
             report.front = method.front();
             report.times.total = milliseconds(start);
@@ -215,11 +247,16 @@ impl Session {
 
 /// Candidates of a step; see [`Session::candidates`].
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Candidates<'a> {
     /// Vertex, face.
     pub vf: Pairs<'a>,
     /// Two edges, the lesser id first.
     pub ee: Pairs<'a>,
+    /// A vertex of no edge, an edge of no face.
+    pub ve: &'a [Pair],
+    /// Two vertices of no edge, the lesser id first.
+    pub vv: &'a [Pair],
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].

@@ -22,6 +22,12 @@ pub enum Error {
          an application writes on the device: turn cones off"
     )]
     PathsUnseen,
+    /// A mesh has particles whose contacts a device alone does not find.
+    #[error(
+        "contacts of vertices of no edge with each other and with edges of no face are decided on \
+         the host, which does not see the paths that an application writes on the device"
+    )]
+    Codimensional,
     /// A scheduler or a front was chosen for blocks.
     #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
     OfTrees {

@@ -8,6 +8,7 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Timing;
+use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, cpu_fallback};
 use ccd_core::Coordinate;
@@ -26,6 +27,7 @@ pub struct Session {
     mesh: Mesh,
     options: Options,
     frames: Frames,
+    codimensional: Option<Codimensional>,
     report: Report,
     left_open: PerKind,
 }
@@ -53,11 +55,16 @@ pub struct OnDevice<'a> {
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Candidates {
     /// Vertex, face.
     pub vf: Vec<Pair>,
     /// Two edges, the lesser id first.
     pub ee: Vec<Pair>,
+    /// A vertex of no edge, an edge of no face.
+    pub ve: Vec<Pair>,
+    /// Two vertices of no edge, the lesser id first.
+    pub vv: Vec<Pair>,
 }
 
 impl Session {
@@ -71,6 +78,7 @@ impl Session {
         }
         Ok(Self {
             frames: Frames::new(device, &mesh, &options)?,
+            codimensional: Codimensional::new(device, &mesh, &options)?,
             device: device.clone(),
             mesh,
             options,
@@ -82,6 +90,7 @@ impl Session {
     /// Goes on with another device, after the last one was lost.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
         self.frames.move_to(device, &self.mesh, &self.options)?;
+        self.codimensional = Codimensional::new(device, &self.mesh, &self.options)?;
         self.device = device.clone();
         Ok(())
     }
@@ -176,7 +185,9 @@ impl Session {
     fn list(&mut self, given: Given) -> Result<Candidates, Error> {
         self.run(given, Goal::Candidates)?;
         let [vf, ee] = self.frames.read_candidates(&self.device, self.report.candidates)?;
-        Ok(Candidates { vf, ee })
+        let [ve, vv] =
+            self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
+        Ok(Candidates { vf, ee, ve, vv })
     }
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
@@ -202,8 +213,12 @@ impl Session {
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
     /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
-    /// are certified from positions on the host.
+    /// are certified from positions on the host, and for meshes with vertices of no edge that could
+    /// touch each other or an edge of no face, which are decided there.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
+        if self.codimensional.is_some() {
+            return Err(Error::Codimensional);
+        }
         let b = self.frames.record(&self.device, &self.options, encoder)?;
         Ok(OnDevice {
             contacts: &b.contacts,
@@ -231,6 +246,7 @@ impl Session {
         let found = self.frames.run(&self.device, &self.options, goal, contacts)?;
         self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
         self.take(found, goal, given);
+        self.take_codimensional(goal, given)?;
         self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
@@ -266,5 +282,21 @@ impl Session {
         if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
             cpu_fallback::sort(contacts);
         }
+    }
+
+    /// Adds what belongs to nothing of a higher dimension to the report.
+    fn take_codimensional(&mut self, goal: Goal, given: Given) -> Result<(), Error> {
+        let Self { mesh, options, codimensional: Some(of), report, .. } = self else {
+            return Ok(());
+        };
+        of.list(mesh, options, given)?;
+        let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+        (report.candidates.ve, report.candidates.vv) = (ve, vv);
+        (report.filtered.ve, report.filtered.vv) = (ve, vv);
+        if goal != Goal::Candidates {
+            of.contacts(mesh, options, given)
+                .for_each(|contact| report.add(contact, goal == Goal::Contacts));
+        }
+        Ok(())
     }
 }

@@ -61,6 +61,8 @@ pub enum Session {}
 pub struct Candidates {
     pub vf: Vec<Pair>,
     pub ee: Vec<Pair>,
+    pub ve: Vec<Pair>,
+    pub vv: Vec<Pair>,
 }
 
 impl Session {

@@ -13,6 +13,10 @@ pub struct Candidates<'a> {
     pub vf: Pairs<'a>,
     /// Two edges, the lesser id first.
     pub ee: Pairs<'a>,
+    /// A vertex of no edge, an edge of no face.
+    pub ve: Pairs<'a>,
+    /// Two vertices of no edge, the lesser id first.
+    pub vv: Pairs<'a>,
 }
 
 impl Session {
@@ -54,11 +58,16 @@ impl Session {
     {
         match self.0.run(|on| on.candidates(x0, x1), on_cpu)? {
             Turn::Done(all) => {
-                Ok(Candidates { vf: Pairs::owned(all.vf), ee: Pairs::owned(all.ee) })
+                let [vf, ee, ve, vv] = [all.vf, all.ee, all.ve, all.vv].map(Pairs::owned);
+                Ok(Candidates { vf, ee, ve, vv })
             }
             Turn::Cpu(on) => {
                 let all = on.candidates(x0, x1)?;
-                Ok(Candidates { vf: Pairs::lent(all.vf), ee: Pairs::lent(all.ee) })
+                let ([vf, ee], [ve, vv]) = (
+                    [all.vf, all.ee].map(Pairs::lent),
+                    [all.ve, all.vv].map(|of| Pairs::owned(of.to_vec())),
+                );
+                Ok(Candidates { vf, ee, ve, vv })
             }
         }
     }

@@ -11,16 +11,21 @@ pub enum Kind {
     VertexFace,
     /// Edges `a < b`.
     EdgeEdge,
+    /// Vertex `a` of no edge, edge `b` of no face: a particle and a rod.
+    VertexEdge,
+    /// Vertices `a < b` of no edge: two particles.
+    VertexVertex,
 }
 
 impl Kind {
-    /// The region in which such features touch.
+    /// All of them, in the order in which contacts are sorted.
+    pub const ALL: [Self; 4] =
+        [Kind::VertexFace, Kind::EdgeEdge, Kind::VertexEdge, Kind::VertexVertex];
+
+    /// The region in which such features touch; that of an edge or of a vertex has no area.
     #[inline(always)]
     pub fn patch(self) -> Patch {
-        match self {
-            Kind::VertexFace => Patch::Triangle,
-            Kind::EdgeEdge => Patch::Parallelogram,
-        }
+        if matches!(self, Kind::VertexFace) { Patch::Triangle } else { Patch::Parallelogram }
     }
 }
 
@@ -85,22 +90,31 @@ pub struct PerKind {
     pub vf: u64,
     /// Edge-edge.
     pub ee: u64,
+    /// Vertex-edge, of vertices of no edge and edges of no face.
+    pub ve: u64,
+    /// Vertex-vertex, of vertices of no edge.
+    pub vv: u64,
 }
 
 impl PerKind {
-    /// Numbers for vertex-face and edge-edge.
+    /// Numbers for vertex-face and edge-edge, and none for the others.
     pub const fn new(vf: u64, ee: u64) -> Self {
-        Self { vf, ee }
+        Self { vf, ee, ve: 0, vv: 0 }
     }
 
-    /// Both together.
+    /// All together.
     pub fn total(&self) -> u64 {
-        self.vf + self.ee
+        self.vf + self.ee + self.ve + self.vv
     }
 
     /// Added kind by kind.
     pub fn plus(self, other: Self) -> Self {
-        Self { vf: self.vf + other.vf, ee: self.ee + other.ee }
+        Self {
+            vf: self.vf + other.vf,
+            ee: self.ee + other.ee,
+            ve: self.ve + other.ve,
+            vv: self.vv + other.vv,
+        }
     }
 
     /// The number for one kind.
@@ -108,6 +122,8 @@ impl PerKind {
         match kind {
             Kind::VertexFace => &mut self.vf,
             Kind::EdgeEdge => &mut self.ee,
+            Kind::VertexEdge => &mut self.ve,
+            Kind::VertexVertex => &mut self.vv,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! Mesh topology: faces, and the undirected edges in a canonical order.
 
+use crate::Real;
 use crate::layout::Pair;
 use crate::model::contact::Kind;
 use crate::model::error::Error;
 use crate::narrow_phase::decide::{edge_edge_ids, vertex_face_ids};
+use crate::narrow_phase::distance::Distance;
 use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
@@ -77,12 +79,32 @@ impl Mesh {
         &self.edges
     }
 
-    /// The vertices of a pair of features: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+    /// The vertices of a pair of features: `v f0 f1 f2`, `ea0 ea1 eb0 eb1`, `v e0 e1 e1` or
+    /// `v w w w`: a feature of few vertices has its last one repeated.
     #[inline]
     pub fn vertices_of(&self, kind: Kind, pair: Pair) -> [u32; 4] {
         match kind {
             Kind::VertexFace => vertex_face_ids(pair, &self.faces),
             Kind::EdgeEdge => edge_edge_ids(pair, &self.edges),
+            Kind::VertexEdge => {
+                let [e0, e1] = self.edges[pair.b as usize];
+                [pair.a, e0, e1, e1]
+            }
+            Kind::VertexVertex => [pair.a, pair.b, pair.b, pair.b],
+        }
+    }
+
+    /// How far a pair of features is from each other at positions `x`, between two bounds.
+    ///
+    /// # Panics
+    /// If a position or a feature of these ids is missing.
+    pub fn distance<T: Real>(&self, kind: Kind, pair: Pair, x: &[[T; 3]]) -> Distance {
+        let at = self.vertices_of(kind, pair).map(|v| x[v as usize].map(Real::to_f64));
+        match kind {
+            Kind::VertexFace => Distance::vertex_face(at),
+            Kind::EdgeEdge => Distance::edge_edge(at),
+            Kind::VertexEdge => Distance::vertex_edge([at[0], at[1], at[2]]),
+            Kind::VertexVertex => Distance::vertex_vertex([at[0], at[1]]),
         }
     }
 

@@ -3,6 +3,8 @@
 #[cfg(feature = "alloc")]
 pub mod bodies;
 pub mod catalogue;
+#[cfg(feature = "alloc")]
+pub mod codimensional;
 pub mod contact;
 pub mod digest;
 pub mod error;

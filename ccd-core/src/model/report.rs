@@ -1,6 +1,6 @@
 //! What a step found, and where its time went.
 
-use super::contact::{Contact, Kind, PerKind};
+use super::contact::{Contact, Kind, PerKind, State};
 use alloc::vec::Vec;
 
 /// Where the time of a step went, in milliseconds of wall clock.
@@ -113,9 +113,24 @@ pub struct Report {
 }
 
 impl Report {
+    /// Takes a contact that comes after all others in their order; keeps it, or only its time.
+    pub fn add(&mut self, contact: Contact, keep: bool) {
+        self.toi = Some(self.toi.map_or(contact.toi, |toi| toi.min(contact.toi)));
+        if keep {
+            self.undecided += (contact.state == State::Undecided) as u64;
+            self.contacts.push(contact);
+        }
+    }
+
     /// Contacts by kind.
     pub fn n_contacts(&self) -> PerKind {
-        let vf = self.contacts.partition_point(|c| c.kind == Kind::VertexFace) as u64;
-        PerKind::new(vf, self.contacts.len() as u64 - vf)
+        let mut counts = PerKind::default();
+        let mut before = 0;
+        for kind in Kind::ALL {
+            let end = self.contacts.partition_point(|c| c.kind <= kind) as u64;
+            *counts.of(kind) = end - before;
+            before = end;
+        }
+        counts
     }
 }

@@ -115,7 +115,7 @@ impl Take for Lister {
     ) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
+            _ => simd.append::<true>(&mut self.pairs, id, ids, mask),
         }
     }
 

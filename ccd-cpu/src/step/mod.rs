@@ -2,6 +2,7 @@
 //! them.
 
 pub mod candidates;
+pub mod codimensional;
 pub mod contact_order;
 pub mod find;
 pub mod free_regions;

@@ -112,7 +112,7 @@ impl Take for Worker {
         let queue = &mut self.queues[kind as usize];
         match kind {
             Kind::VertexFace => simd.append::<false>(queue, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(queue, id, ids, mask),
+            _ => simd.append::<true>(queue, id, ids, mask),
         }
         if queue.len() >= QUEUE {
             self.flush(scene, kind);
@@ -155,7 +155,7 @@ impl<S: Simd> Work<S> for Filter<'_> {
         for halves in [false, true] {
             match self.kind {
                 Kind::VertexFace => self.keep::<S, true>(simd, halves),
-                Kind::EdgeEdge => self.keep::<S, false>(simd, halves),
+                _ => self.keep::<S, false>(simd, halves),
             }
         }
     }

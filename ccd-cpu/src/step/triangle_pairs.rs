@@ -307,7 +307,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
         let triangles = &self.leaves.triangles;
         let (a, b) = match kind {
             Kind::VertexFace => (triangles.of_vertex(pair.a)[0], pair.b),
-            Kind::EdgeEdge => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
+            _ => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
         };
         regions.hold_both(a, b)
     }
@@ -328,7 +328,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
                     [&self.boxes.vertices[pair.a as usize], &self.boxes.faces[pair.b as usize]];
                 self.test_of(worker, kind, pair, boxes, [v0], [v1, v2, v3]);
             }
-            Kind::EdgeEdge => {
+            _ => {
                 debug_assert!(!share_vertex([v0, v1], [v2, v3]));
                 let edges = self.boxes.edges;
                 let boxes = [&edges[pair.a as usize], &edges[pair.b as usize]];
