@@ -88,6 +88,7 @@ pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
+pub use ccd_core::narrow_phase::contact_geometry::ContactGeometry;
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,

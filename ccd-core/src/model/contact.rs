@@ -24,6 +24,17 @@ impl Kind {
     }
 }
 
+impl Kind {
+    /// How many of the four vertices of a pair are those of its first feature, `a`: 1 or 2.
+    #[inline(always)]
+    pub fn n_first(self) -> usize {
+        match self {
+            Kind::VertexFace => 1,
+            Kind::EdgeEdge => 2,
+        }
+    }
+}
+
 /// How certain a contact is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum State {

@@ -4,6 +4,8 @@
 pub mod bodies;
 pub mod catalogue;
 pub mod contact;
+#[cfg(feature = "alloc")]
+mod contact_on_mesh;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]

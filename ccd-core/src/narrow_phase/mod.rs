@@ -3,6 +3,7 @@
 pub mod cascade;
 pub mod closest_point;
 pub mod conservative_advancement;
+pub mod contact_geometry;
 pub mod containment;
 pub mod coplanarity;
 pub mod cubic_roots;
