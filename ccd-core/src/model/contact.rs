@@ -22,10 +22,17 @@ impl Kind {
     pub const ALL: [Self; 4] =
         [Kind::VertexFace, Kind::EdgeEdge, Kind::VertexEdge, Kind::VertexVertex];
 
-    /// The region in which such features touch; that of an edge or of a vertex has no area.
+    /// The region in which such features touch: an edge and a vertex are faces without an area, with
+    /// their last vertex repeated.
     #[inline(always)]
     pub fn patch(self) -> Patch {
-        if matches!(self, Kind::VertexFace) { Patch::Triangle } else { Patch::Parallelogram }
+        if matches!(self, Kind::EdgeEdge) { Patch::Parallelogram } else { Patch::Triangle }
+    }
+
+    /// How many of the four vertices of a pair are those of its first feature, `a`: 1 or 2.
+    #[inline(always)]
+    pub fn n_first(self) -> usize {
+        if matches!(self, Kind::EdgeEdge) { 2 } else { 1 }
     }
 }
 

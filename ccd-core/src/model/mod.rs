@@ -6,6 +6,8 @@ pub mod catalogue;
 #[cfg(feature = "alloc")]
 pub mod codimensional;
 pub mod contact;
+#[cfg(feature = "alloc")]
+mod contact_on_mesh;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]

@@ -5,6 +5,7 @@ pub mod closest_point;
 #[cfg(any(feature = "alloc", test))]
 pub mod codimensional;
 pub mod conservative_advancement;
+pub mod contact_geometry;
 pub mod containment;
 pub mod coplanarity;
 pub mod cubic_roots;

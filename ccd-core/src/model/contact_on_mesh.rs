@@ -1,0 +1,84 @@
+//! A contact on its mesh: its vertices, and how they meet at the time of impact.
+
+use crate::layout::Pair;
+use crate::model::contact::{Contact, Kind};
+use crate::model::mesh::Mesh;
+use crate::model::precision::{Coordinate, Given, Points, Precision};
+use crate::narrow_phase::contact_geometry::{ContactGeometry, contact_geometry};
+use crate::narrow_phase::decide::gather;
+
+impl Contact {
+    /// Its vertices: `v f0 f1 f2`, the vertex and those of the face as the mesh has them, or
+    /// `ea0 ea1 eb0 eb1`, those of both edges; `v e0 e1 e1` and `v w w w` of particles and rods,
+    /// with their last one repeated.
+    ///
+    /// # Panics
+    /// If the contact is none of this mesh and names features that it does not have.
+    pub fn vertices(&self, mesh: &Mesh) -> [u32; 4] {
+        mesh.vertices_of(self.kind, Pair { a: self.a, b: self.b })
+    }
+
+    /// Point, normal and weights at the time of impact, from the positions that were given to the
+    /// step: see [`ContactGeometry`], and for the rules of the sign and of what is degenerate
+    /// [`contact_geometry`].
+    ///
+    /// ```
+    /// use ccd_core::model::contact::{Contact, Kind, State};
+    /// use ccd_core::model::mesh::Mesh;
+    ///
+    /// // A vertex falls through a triangle.
+    /// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
+    /// let x0 = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 0.0, -4.0], [1.0, 1.0, -1.0f64]];
+    /// let mut x1 = x0;
+    /// x1[3][1] = -1.0;
+    /// let contact = Contact::new(Kind::VertexFace, State::Hit, 3, 0, 0.5);
+    /// let vertices = contact.vertices(&mesh);
+    /// assert_eq!(vertices, [3, 0, 1, 2]);
+    ///
+    /// let at = contact.geometry(&mesh, &x0, &x1);
+    /// assert_eq!((at.point, at.normal), ([1.0, 0.0, -1.0], [0.0, 1.0, 0.0]));
+    /// assert_eq!(at.weights, [1.0, 0.5, 0.25, 0.25]);
+    ///
+    /// // How fast they meet: the velocity of `a` less that of `b`, along the normal.
+    /// let along = |i: usize| {
+    ///     let v = vertices[i] as usize;
+    ///     let part = if i < contact.kind.n_first() { at.weights[i] } else { -at.weights[i] };
+    ///     (0..3).map(|k| part * at.normal[k] * (x1[v][k] - x0[v][k])).sum::<f64>()
+    /// };
+    /// assert_eq!((0..4).map(along).sum::<f64>(), -2.0);
+    /// # Ok::<(), ccd_core::Error>(())
+    /// ```
+    ///
+    /// In `f64`, whatever the positions are in. Of an undecided contact it is the geometry at the
+    /// time until which the step is certainly free. One contact takes about a tenth of a
+    /// microsecond.
+    ///
+    /// # Panics
+    /// If the contact is none of this mesh, or there is no position for one of its vertices.
+    pub fn geometry<T: Coordinate>(
+        &self,
+        mesh: &Mesh,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> ContactGeometry {
+        geometry(self, mesh, T::slices::<Points, 2>([x0, x1]))
+    }
+}
+
+#[inline(never)]
+fn geometry(contact: &Contact, mesh: &Mesh, given: Given) -> ContactGeometry {
+    let ids = contact.vertices(mesh);
+    let (t0, t1) = match given {
+        Precision::F32([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
+        Precision::F64([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
+    };
+    let mut found = contact_geometry(contact.kind.patch(), &t0, &t1, contact.toi, 0.0);
+    // A last vertex that is repeated has all of its weight in its first place.
+    let weights = &mut found.weights;
+    match contact.kind {
+        Kind::VertexFace | Kind::EdgeEdge => {}
+        Kind::VertexEdge => (weights[2], weights[3]) = (weights[2] + weights[3], 0.0),
+        Kind::VertexVertex => *weights = [1.0, 1.0, 0.0, 0.0],
+    }
+    found
+}
