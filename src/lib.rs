@@ -94,8 +94,8 @@ pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling
 pub use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
 };
-pub use ccd_core::narrow_phase::distance::Distance;
 pub use ccd_core::narrow_phase::contact_geometry::ContactGeometry;
+pub use ccd_core::narrow_phase::distance::Distance;
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,

@@ -115,6 +115,41 @@ pub struct Step {
     pub x1: Vec<[f64; 3]>,
 }
 
+/// Particles among rods and triangles, `n` of each, in the unit cube: every particle flies through a
+/// point of a rod of its own at `t = 0.25`, with numbers that are exact in `f32`, or, one in four,
+/// through another particle; every second of what it meets moves too.
+pub fn particles_and_rods(n: usize, seed: u32) -> Step {
+    let mut random = Random::new(seed);
+    // Multiples of 2^-10, so that sums and quarters of them are exact.
+    let mut point = |size: f64| random.point().map(|x| (x * 1024.0).trunc() / 1024.0 * size);
+    let (mut x0, mut x1) = (Vec::new(), Vec::new());
+    let mut add = |p: [f64; 3], travel: [f64; 3]| {
+        x0.push(p);
+        x1.push([p[0] + travel[0], p[1] + travel[1], p[2] + travel[2]]);
+        (x0.len() - 1) as u32
+    };
+    let (mut faces, mut rods) = (Vec::new(), Vec::new());
+    for i in 0..n {
+        let (corner, travel) = (point(1.0), point(0.25));
+        let travel = if i % 2 == 0 { travel } else { [0.0; 3] };
+        // Around the point that is met, so that this is exact.
+        let side = point(0.25);
+        let at = |p: [f64; 3], s: f64, q: [f64; 3]| [0, 1, 2].map(|k| p[k] + s * q[k]);
+        if i % 4 == 3 {
+            add(corner, travel);
+        } else {
+            rods.push([add(at(corner, -1.0, side), travel), add(at(corner, 1.0, side), travel)]);
+        }
+        let flight = point(1.0);
+        let met = at(corner, 0.25, travel);
+        add(at(met, -0.25, flight), flight);
+        let (p, still) = (point(1.0), [0.0; 3]);
+        faces.push([(); 3].map(|()| add(at(p, 0.125, point(1.0)), still)));
+    }
+    let mesh = Mesh::with_edges(x0.len(), &faces, &rods).expect("ids of these vertices");
+    Step { mesh, x0, x1 }
+}
+
 impl Step {
     /// Both ends rounded to the nearest `f32`.
     pub fn rounded(&self) -> [Vec<[f32; 3]>; 2] {

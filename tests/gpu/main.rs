@@ -7,6 +7,7 @@
 
 mod builder_twin;
 mod builders;
+mod codimensional;
 mod descent;
 mod emulated;
 mod failures;
@@ -115,6 +116,7 @@ fn main() {
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
+            codimensional::TESTS,
             scenes::TESTS,
             sequences::TESTS,
             tangential::TESTS,

@@ -1,6 +1,7 @@
 //! Properties that hold for every input, on random ones; and the exact oracle, brute force and
 //! dense sampling as judges. Here: single queries.
 
+mod codimensional;
 mod geometry;
 mod separation;
 mod steps;

@@ -133,7 +133,7 @@ fn fixed_bodies_do_not_touch_each_other() {
     let edge_body = |e: u32| body[step.mesh.edges()[e as usize][0] as usize];
     let bodies_of = |c: &Contact| match c.kind {
         Kind::VertexFace => (body[c.a as usize], c.b),
-        Kind::EdgeEdge => (edge_body(c.a), edge_body(c.b)),
+        _ => (edge_body(c.a), edge_body(c.b)),
     };
     let both_fixed = |c: &&Contact| {
         let (a, b) = bodies_of(c);
