@@ -115,9 +115,9 @@ pub struct Step {
     pub x1: Vec<[f64; 3]>,
 }
 
-/// Particles among rods and triangles, `n` of each, in the unit cube: every particle flies through a
-/// point of a rod of its own at `t = 0.25`, with numbers that are exact in `f32`, or, one in four,
-/// through another particle; every second of what it meets moves too.
+/// Particles among rods and triangles, `n` of each, in the unit cube: every particle flies through
+/// a point of a rod of its own at `t = 0.25`, with numbers that are exact in `f32`, or, one in
+/// four, through another particle; every second of what it meets moves too.
 pub fn particles_and_rods(n: usize, seed: u32) -> Step {
     let mut random = Random::new(seed);
     // Multiples of 2^-10, so that sums and quarters of them are exact.

@@ -64,8 +64,7 @@ fn a_particle_on_a_rod_has_a_geometry() {
     assert!(d.least <= 1.0 && d.greatest >= 1.0 && d.greatest - d.least < 1e-13);
 }
 
-/// A mesh that stands still touches itself where an edge meets a face: those that do are in contact,
-/// and where an edge of one goes through a face of the other there is an intersection.
+/// Every edge against every face, by signed volumes.
 #[test]
 fn intersections_are_those_of_every_pair() {
     let mut total = 0;

@@ -22,8 +22,8 @@ impl Kind {
     pub const ALL: [Self; 4] =
         [Kind::VertexFace, Kind::EdgeEdge, Kind::VertexEdge, Kind::VertexVertex];
 
-    /// The region in which such features touch: an edge and a vertex are faces without an area, with
-    /// their last vertex repeated.
+    /// The region in which such features touch: an edge and a vertex are faces without an area,
+    /// with their last vertex repeated.
     #[inline(always)]
     pub fn patch(self) -> Patch {
         if matches!(self, Kind::EdgeEdge) { Patch::Parallelogram } else { Patch::Triangle }
