@@ -194,16 +194,7 @@ fn check_degenerate(device: &Device) {
         let found: BTreeSet<_> = gpu.contacts.iter().map(key).collect();
         let (mut n_missing, mut n_open) = (0, 0);
         for c in cpu.contacts.iter().filter(|c| !found.contains(&key(c))) {
-            let ids = match c.kind {
-                Kind::VertexFace => ccd_core::narrow_phase::decide::vertex_face_ids(
-                    Pair { a: c.a, b: c.b },
-                    mesh.faces(),
-                ),
-                Kind::EdgeEdge => ccd_core::narrow_phase::decide::edge_edge_ids(
-                    Pair { a: c.a, b: c.b },
-                    mesh.edges(),
-                ),
-            };
+            let ids = c.vertices(&mesh);
             let (p, q) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
             let answer = if c.kind == Kind::VertexFace {
                 oracle::vertex_face(&p, &q)
