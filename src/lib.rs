@@ -83,6 +83,7 @@ pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
 pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
+pub use ccd_core::model::exclusions::Exclusions;
 pub use ccd_core::model::mesh::Mesh;
 pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
@@ -102,5 +103,5 @@ pub use ccd_core::{
 };
 pub use ccd_cpu::{
     BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, Intersection, MAX_LOOSENESS, Pairs,
-    Session, TreeStatistics, earliest_toi, intersections, step,
+    Session, TreeStatistics, earliest_toi, intersections, near_at_rest, step,
 };

@@ -12,6 +12,7 @@
 
 mod broad_phase;
 mod clock;
+mod exclusions;
 mod intersections;
 mod session;
 #[allow(unsafe_code, reason = "intrinsics, after asking the processor; a write within capacity")]
@@ -24,6 +25,7 @@ pub use broad_phase::descent_times::DescentTimes;
 pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::tree::TreeStatistics;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};
+pub use exclusions::near_at_rest;
 pub use intersections::{Intersection, intersections};
 pub use session::{Candidates, Session, earliest_toi, step};
 pub use step::prepare::MAX_LOOSENESS;

@@ -11,6 +11,8 @@ mod contact_on_mesh;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]
+pub mod exclusions;
+#[cfg(feature = "alloc")]
 pub mod mesh;
 pub mod method;
 #[cfg(feature = "alloc")]
