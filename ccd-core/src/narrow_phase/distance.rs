@@ -24,7 +24,7 @@ impl Distance {
     ///
     /// let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     /// let d = Distance::vertex_face([[0.2, 0.5, 0.2], face[0], face[1], face[2]]);
-    /// assert!(d.least <= 0.5 && d.greatest >= 0.5 && d.greatest - d.least < 1e-14);
+    /// assert!(d.least <= 0.5 && d.greatest >= 0.5 && d.greatest - d.least < 1e-13);
     /// ```
     pub fn vertex_face(x: [[f64; 3]; 4]) -> Self {
         Self::of(&Motion::vertex_face(&x, &x, 0.0), Patch::Triangle)
