@@ -10,6 +10,7 @@ mod builders;
 mod descent;
 mod emulated;
 mod failures;
+mod geometry;
 mod grazing;
 mod intervals;
 mod kept_order;

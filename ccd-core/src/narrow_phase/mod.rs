@@ -11,3 +11,4 @@ pub mod decide;
 pub mod query;
 pub mod relative_motion;
 pub mod separating_direction;
+pub mod touch_geometry;

@@ -2,6 +2,7 @@
 //! after them.
 
 pub mod buffers;
+pub mod contact_geometry;
 pub mod contact_order;
 pub mod cpu_fallback;
 pub mod frame;
