@@ -6,7 +6,7 @@
 use ccd::gpu::wgpu::{self, util::DeviceExt};
 use ccd::gpu::{Device, DeviceOptions, Session};
 use ccd::{Contact, Kind, Mesh, Options, State};
-use ccd_core::layout::{LIST_HEADER, Path, Touch, join};
+use ccd_core::layout::{LIST_HEADER, Path, Touch, TouchGeometry, join};
 
 /// What the engine's own kernel does: every vertex of the triangle falls, and is written at both
 /// ends of the step as `ccd` reads it.
@@ -111,6 +111,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .iter()
         .map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes))
         .collect();
+    // Where and along which normal each of them touches, for a kernel that responds.
+    let geometry = session.record_geometry(&mut encoder)?.geometry.clone();
+    let geometry = copy_out(&device, &mut encoder, &geometry, geometry.size());
     let path_bytes = (REST.len() * size_of::<Path>()) as u64;
     let paths = copy_out(&device, &mut encoder, &paths, path_bytes);
     queue.submit([encoder.finish()]);
@@ -124,9 +127,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let n = words[0][0] as usize;
     let entries = &words[0][LIST_HEADER..LIST_HEADER + n * size_of::<Touch>() / 4];
     let mut contacts: Vec<Contact> = bytemuck::cast_slice(entries).iter().map(contact).collect();
-    contacts.sort_by_key(|c| (c.kind, c.a, c.b));
-    for c in &contacts {
-        println!("{:?} {} {} at {:.6}, {:?}", c.kind, c.a, c.b, c.toi, c.state);
+    let records = read(&device, &geometry)?;
+    let records = &records[..n * size_of::<TouchGeometry>() / 4];
+    let records: Vec<TouchGeometry> = bytemuck::cast_slice(records).to_vec();
+    for (c, at) in contacts.iter().zip(&records) {
+        let (time, point, normal) = (c.toi, at.point, at.normal);
+        println!("{:?} {} {} at {time:.6}, {:?}", c.kind, c.a, c.b, c.state);
+        println!("  vertices {:?}, in {point:.3?} along {normal:.3?}", at.vertices);
     }
     println!("{} contacts, {} pairs left undecided", n, words[1][0] + words[2][0]);
 
@@ -135,9 +142,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let at = |end: fn(&Path) -> [f32; 4]| -> Vec<[f32; 3]> {
         paths.iter().map(end).map(|[x, y, z, _]| [x, y, z]).collect()
     };
-    let want = ccd::step(&mesh, &at(|p| p.t0), &at(|p| p.t1), &Options::default())?;
+    let positions = [at(|p| p.t0), at(|p| p.t1)];
+    let want = ccd::step(&mesh, &positions[0], &positions[1], &Options::default())?;
     assert!(!want.contacts.is_empty(), "the scene has contacts");
     assert_eq!(words[1][0] + words[2][0], 0, "f32 decides every pair of this scene");
+    for (c, at) in contacts.iter().zip(&records) {
+        let want = c.geometry(&mesh, &positions[0], &positions[1]);
+        let same = |a: [f32; 3], b: [f64; 3]| (0..3).all(|k| (a[k] as f64 - b[k]).abs() < 1e-4);
+        assert!(same(at.point, want.point) && same(at.normal, want.normal), "{at:?} {want:?}");
+    }
+    contacts.sort_by_key(|c| (c.kind, c.a, c.b));
     assert_eq!(contacts, want.contacts);
     println!("the CPU finds the same");
     Ok(())

@@ -43,7 +43,8 @@
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
-//! | respond to a contact | [`geometry`] |
+//! | where two features touch, along which normal | [`Contact::geometry`]: [`ContactGeometry`] |
+//! | compute a response | [`geometry`] |
 //! | read meshes and query files | `io` (feature `io`) |
 //! | scenes that are the same everywhere | `scenes` (feature `scenes`) |
 //!

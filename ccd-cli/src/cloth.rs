@@ -12,9 +12,8 @@ use super::backend::BackendOptions;
 use super::method::MethodOptions;
 use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
-use ccd::geometry::{Motion, Patch, closest};
 use ccd::scenes::{grid, sphere};
-use ccd::{Bodies, Contact, Kind, Mesh, Options};
+use ccd::{Bodies, Contact, ContactGeometry, Mesh, Options};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;
@@ -50,7 +49,8 @@ pub struct Cloth {
     springs: Vec<(usize, usize, f64)>,
     push: Session,
     hold: Session,
-    /// Contacts of the last step's free motion.
+    /// The last step's free motion, and its contacts.
+    pub step: [Vec<[f64; 3]>; 2],
     pub contacts: Vec<Contact>,
     /// Milliseconds in the library and number of its calls, since the last reset.
     pub ccd_ms: f64,
@@ -95,7 +95,18 @@ impl Cloth {
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
         let springs = springs(&faces[..n_faces_cloth], &x);
         let v = vec![[0.0; 3]; N_CLOTH];
-        Ok(Self { mesh, x, v, springs, push, hold, contacts: Vec::new(), ccd_ms: 0.0, n_calls: 0 })
+        Ok(Self {
+            step: [x.clone(), x.clone()],
+            mesh,
+            x,
+            v,
+            springs,
+            push,
+            hold,
+            contacts: Vec::new(),
+            ccd_ms: 0.0,
+            n_calls: 0,
+        })
     }
 
     /// Where its collisions are found.
@@ -124,12 +135,16 @@ impl Cloth {
             self.n_calls += 1;
             if round == 0 {
                 self.contacts.extend_from_slice(&report.contacts);
+                self.step = [x0.clone(), x1.clone()];
             }
             if report.contacts.is_empty() {
                 break;
             }
-            for c in &report.contacts {
-                push_apart(c, &self.mesh, &x0, &mut x1);
+            // Of the step as it was checked: pushes move its end.
+            let of = |c| Contact::geometry(c, &self.mesh, &x0, &x1);
+            let geometry: Vec<ContactGeometry> = report.contacts.iter().map(of).collect();
+            for (c, at) in report.contacts.iter().zip(&geometry) {
+                push_apart(c, at, &self.mesh, &x0, &mut x1);
             }
         }
         self.hold_back(&x0, &mut x1)?;
@@ -173,9 +188,8 @@ impl Cloth {
             }
             for c in &report.contacts {
                 let part = if round < HOLD_ROUNDS { 0.8 * c.toi } else { 0.0 };
-                for v in
-                    vertices(c, &self.mesh).map(|v| v as usize).into_iter().filter(|&v| v < N_CLOTH)
-                {
+                let ids = c.vertices(&self.mesh).map(|v| v as usize);
+                for v in ids.into_iter().filter(|&v| v < N_CLOTH) {
                     // The shorter of what it may move now and what this contact allows.
                     x1[v] = lerp(x0[v], x1[v], part.min(1.0));
                 }
@@ -210,41 +224,21 @@ fn springs(faces: &[[u32; 3]], x: &[[f64; 3]]) -> Vec<(usize, usize, f64)> {
     pairs.into_iter().map(length).collect()
 }
 
-/// `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
-fn vertices(c: &Contact, mesh: &Mesh) -> [u32; 4] {
-    match c.kind {
-        Kind::VertexFace => {
-            let [a, b, d] = mesh.faces()[c.b as usize];
-            [c.a, a, b, d]
-        }
-        Kind::EdgeEdge => {
-            let ([a, b], [d, e]) = (mesh.edges()[c.a as usize], mesh.edges()[c.b as usize]);
-            [a, b, d, e]
-        }
-    }
-}
-
-/// Moves the ends of the step apart along the direction in which the two features are nearest at
-/// the time of impact.
-fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
-    let ids = vertices(c, mesh).map(|v| v as usize);
-    let (t0, t1) = (ids.map(|v| x0[v]), ids.map(|v| x1[v]));
-    let (m, patch, n_first) = match c.kind {
-        Kind::VertexFace => (Motion::vertex_face(&t0, &t1, 0.0), Patch::Triangle, 1),
-        Kind::EdgeEdge => (Motion::edge_edge(&t0, &t1, 0.0), Patch::Parallelogram, 2),
-    };
-    let at = |x: &[[f64; 3]; 2]| lerp(x[0], x[1], c.toi);
-    let w = closest(at(&m.a), at(&m.b), at(&m.c), patch);
-    let length = dot(w, w).sqrt();
-    if length == 0.0 {
-        return;
-    }
-    // From the second feature to the first for vertex-face, from the first to the second for
-    // edge-edge.
-    let n = scale(w, if n_first == 1 { 1.0 / length } else { -1.0 / length });
-    let corners = m.corners(patch, 1);
-    let direction = scale(w, 1.0 / length);
-    let end = corners.iter().map(|&corner| dot(direction, corner)).fold(f64::INFINITY, f64::min);
+/// Moves the ends of the step apart along the normal at the time of impact.
+fn push_apart(
+    c: &Contact,
+    at: &ContactGeometry,
+    mesh: &Mesh,
+    x0: &[[f64; 3]],
+    x1: &mut [[f64; 3]],
+) {
+    let ids = c.vertices(mesh).map(|v| v as usize);
+    let (n, n_first) = (at.normal, c.kind.n_first());
+    let along = ids.map(|v| dot(n, x1[v]));
+    let first = along[..n_first].iter().copied().fold(f64::INFINITY, f64::min);
+    let second = along[n_first..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // How far apart they are at the end of the step.
+    let end = first - second;
     let lacking = PUSH_DISTANCE - end;
     if lacking <= 0.0 {
         return;

@@ -17,6 +17,9 @@ pub struct Demo {
     /// Folder for the picture of the last frame and the plots; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "ccd-demo")]
     out: PathBuf,
+    /// What the picture of the last frame shows
+    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
+    zoom: picture::Zoom,
     #[command(flatten)]
     backend: BackendOptions,
     #[command(flatten)]
@@ -46,9 +49,20 @@ impl Demo {
         }
         bar.finish_and_clear();
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
-        picture::write(&last, &cloth.mesh, &cloth.x, &cloth.contacts)?;
+        let frames = self.frames;
+        let title = format!("a cloth on a sphere, {frames} frames, on {}", cloth.place());
+        let [x0, x1] = &cloth.step;
+        let scene = picture::Scene {
+            title: &title,
+            mesh: &cloth.mesh,
+            x: [x0, x1],
+            contacts: &cloth.contacts,
+            zoom: self.zoom,
+        };
+        picture::write(&last, &scene)?;
         plot::write(
             &plots,
+            &title,
             "frame",
             [
                 ("collision detection, ms a frame", &times),

@@ -5,11 +5,13 @@ mod backend;
 mod bench;
 mod bodies;
 mod boxes;
+mod canvas;
 mod check;
 mod cloth;
 mod demo;
 mod frames;
 mod info;
+mod legend;
 mod manual;
 mod method;
 mod output;
@@ -120,6 +122,9 @@ struct StepOptions {
     /// Write a picture (check: the mesh with its contacts; sequence: times and contacts a frame)
     #[arg(long, value_name = "OUT.png")]
     picture: Option<PathBuf>,
+    /// What a picture of contacts shows
+    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
+    zoom: picture::Zoom,
     /// Exit with status 1 if there is a contact
     #[arg(long)]
     fail_on_contact: bool,

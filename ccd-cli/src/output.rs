@@ -119,6 +119,18 @@ pub fn thousands(n: usize) -> String {
     out
 }
 
+/// What a picture is of and where it was computed: the end of the first path, with the folders that
+/// say which scene it is, and the names of the others.
+pub fn title(files: &[&Path], place: &str) -> String {
+    let mut names = Vec::new();
+    for (i, path) in files.iter().enumerate() {
+        let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+        let kept = if i == 0 { 3 } else { 1 };
+        names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
+    }
+    format!("{} on {place}", names.join(" to "))
+}
+
 /// Prints an object as one line of JSON.
 pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;

@@ -1,41 +1,50 @@
 //! Line plots of numbers over frames, one above the other.
 
-use super::{Failure, in_file};
+use super::{Failure, in_file, legend};
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::path::Path;
 
 const WIDTH: u32 = 1200;
 const HEIGHT_EACH: u32 = 320;
+/// Above them: what was run on what.
+const TITLE: u32 = 44;
 const COLOURS: [RGBColor; 3] =
     [RGBColor(31, 90, 160), RGBColor(200, 40, 40), RGBColor(60, 130, 60)];
 
-/// Writes one plot per series, all over the same axis; each has its name and starts at 0.
+/// Writes one plot per series, all over the same axis; each has its name and starts at 0. `title`:
+/// the scene, and the backend that ran it.
 pub fn write<const N: usize>(
     path: &Path,
+    title: &str,
     axis: &str,
     series: [(&str, &[f64]); N],
 ) -> Result<(), Failure> {
-    let height = HEIGHT_EACH * N as u32;
-    let mut pixels = vec![255u8; (WIDTH * height * 3) as usize];
-    draw(&mut pixels, (WIDTH, height), axis, series).map_err(|e| in_file(path, e))?;
-    let image = image::RgbImage::from_raw(WIDTH, height, pixels)
-        .ok_or_else(|| in_file(path, "a picture of the wrong size"))?;
-    image.save_with_format(path, image::ImageFormat::Png).map_err(|e| in_file(path, e))
+    let size = (WIDTH, TITLE + HEIGHT_EACH * N as u32);
+    let mut pixels = vec![255u8; (size.0 * size.1 * 3) as usize];
+    draw(&mut pixels, size, title, axis, series).map_err(|e| in_file(path, e))?;
+    legend::save(path, size, pixels)
+}
+
+/// Lets texts be drawn: the font travels with the program, none need be installed.
+pub fn register() -> Result<(), &'static str> {
+    register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
+        .map_err(|_| "the font cannot be read")
 }
 
 fn draw<const N: usize>(
     pixels: &mut [u8],
     size: (u32, u32),
+    title: &str,
     axis: &str,
     series: [(&str, &[f64]); N],
 ) -> Result<(), Box<dyn std::error::Error>> {
-    // The font travels with the program: none need be installed.
-    register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
-        .map_err(|_| "the font cannot be read")?;
+    register()?;
     let root = BitMapBackend::with_buffer(pixels, size).into_drawing_area();
     root.fill(&WHITE)?;
-    for (k, (area, (name, values))) in root.split_evenly((N, 1)).iter().zip(series).enumerate() {
+    let (above, below) = root.split_vertically(TITLE);
+    above.draw(&Text::new(title.to_string(), (16, 14), ("sans-serif", 22).into_font()))?;
+    for (k, (area, (name, values))) in below.split_evenly((N, 1)).iter().zip(series).enumerate() {
         let top = values.iter().fold(0.0f64, |m, &v| m.max(v)).max(1e-9) * 1.08;
         let last = values.len().max(2) - 1;
         let mut chart = ChartBuilder::on(area)

@@ -7,7 +7,7 @@ use ccd::any::Session;
 use ccd::io::{Frame, read_frame};
 use clap::Args;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[derive(Args)]
@@ -116,16 +116,18 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
-        self.finish(&session, steps)
+        let ends = [&*frames[0], &*frames[frames.len() - 1]];
+        self.finish(&session, ends, steps)
     }
 
-    fn finish(&self, session: &Session, steps: Vec<Step>) -> Outcome {
+    fn finish(&self, session: &Session, ends: [&Path; 2], steps: Vec<Step>) -> Outcome {
         let summary = summarise(&steps);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
             let contacts: Vec<f64> =
                 steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
-            plot::write(path, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
+            let title = output::title(&ends, &session.place().to_string());
+            plot::write(path, &title, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
         let any = summary.contacts > 0;
         let place = session.place();

@@ -28,6 +28,9 @@ pub enum Error {
          the host, which does not see the paths that an application writes on the device"
     )]
     Codimensional,
+    /// Geometry of contacts was asked for where the last call left no list of them on the device.
+    #[error("there are no contacts on the device: call `step`, or `record`, before")]
+    NoContacts,
     /// A scheduler or a front was chosen for blocks.
     #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
     OfTrees {

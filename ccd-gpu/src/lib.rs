@@ -45,6 +45,6 @@ pub use device::Device;
 pub use error::Error;
 pub use growable_list::List;
 pub use recorder::Timing;
-pub use session::{Candidates, OnDevice, Session};
+pub use session::{Candidates, GeometryOnDevice, OnDevice, Session};
 pub use sort::Sorter;
 pub use wgpu;

@@ -36,6 +36,8 @@ pub enum Timing {
 pub struct Bench {
     device: Device,
     params: wgpu::Buffer,
+    /// Dispatches for which there are parameters.
+    most: u64,
     groups: HashMap<(Id, Vec<wgpu::Buffer>), wgpu::BindGroup>,
     timing: Timing,
     timer: Option<Timer>,
@@ -51,15 +53,17 @@ struct Timer {
 
 impl Bench {
     pub fn new(device: &Device) -> Result<Self, Error> {
+        Self::of(device, MAX_DISPATCHES)
+    }
+
+    /// For recordings of at most so many dispatches.
+    pub fn of(device: &Device, most: u64) -> Result<Self, Error> {
         use wgpu::BufferUsages as U;
-        let params = device.buffer(
-            "parameters",
-            PARAMS_STRIDE * MAX_DISPATCHES,
-            U::STORAGE | U::COPY_DST,
-        )?;
+        let params = device.buffer("parameters", PARAMS_STRIDE * most, U::STORAGE | U::COPY_DST)?;
         Ok(Self {
             device: device.clone(),
             params,
+            most,
             groups: HashMap::new(),
             timing: Timing::Off,
             timer: None,
@@ -297,12 +301,9 @@ impl Recorder<'_> {
     pub fn finish(mut self) -> Result<Vec<&'static str>, Error> {
         self.end_of_work();
         let bytes = self.params.len() as u64;
-        if bytes > PARAMS_STRIDE * MAX_DISPATCHES {
-            return Err(Error::TooLarge {
-                what: "parameters of dispatches",
-                bytes,
-                limit: PARAMS_STRIDE * MAX_DISPATCHES,
-            });
+        let limit = PARAMS_STRIDE * self.bench.most;
+        if bytes > limit {
+            return Err(Error::TooLarge { what: "parameters of dispatches", bytes, limit });
         }
         self.bench.device.queue().write_buffer(&self.bench.params, 0, &self.params);
         if let Some(timer) = &self.bench.timer

@@ -53,6 +53,17 @@ pub struct OnDevice<'a> {
     pub earliest: [&'a wgpu::Buffer; 2],
 }
 
+/// The contacts of a step with their geometry where a device has them. Valid until the session's
+/// next call.
+#[derive(Clone, Debug)]
+pub struct GeometryOnDevice<'a> {
+    /// As in [`OnDevice::contacts`], room included: what its header says counts here.
+    pub contacts: &'a List,
+    /// Record `i` is a [`TouchGeometry`](ccd_core::layout::TouchGeometry) of entry `i`; without a
+    /// header. Records behind the last contact are left as they were.
+    pub geometry: &'a wgpu::Buffer,
+}
+
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -226,6 +237,28 @@ impl Session {
             lists: b.lists().into_vec(),
             earliest: b.earliest.each_ref(),
         })
+    }
+
+    /// Records what writes point, normal, weights and vertices of every contact on the device that
+    /// the last [`Session::record`] or [`Session::step`] has listed there, in the order of that
+    /// list; nothing is read back. See
+    /// [`contact_geometry`](ccd_core::narrow_phase::contact_geometry) for the rules.
+    ///
+    /// Into the encoder of [`Session::record`] after it, or, after [`Session::step`], into any.
+    /// Submit the encoder before the session's next call. Computed in `f64` where the device has it
+    /// and else in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
+    /// time and so no geometry.
+    ///
+    /// # Errors
+    /// [`Error::NoContacts`] if the last call was another, which lists no contacts; no memory for
+    /// 64 bytes a contact.
+    pub fn record_geometry(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<GeometryOnDevice<'_>, Error> {
+        let Frames { buffers, geometry, .. } = &mut self.frames;
+        let geometry = geometry.record(&self.device, buffers, &self.options, encoder)?;
+        Ok(GeometryOnDevice { contacts: &buffers.contacts, geometry })
     }
 
     #[inline(never)]

@@ -11,6 +11,7 @@ mod codimensional;
 mod descent;
 mod emulated;
 mod failures;
+mod geometry;
 mod grazing;
 mod intervals;
 mod kept_order;

@@ -3,7 +3,7 @@
 //! degenerate.
 
 use super::{Points, config, points};
-use ccd::{ContactGeometry, Kind};
+use ccd::{ContactGeometry, EdgeEdge, Kind, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_core::narrow_phase::contact_geometry::contact_geometry;
 use proptest::prelude::*;
 
@@ -113,8 +113,38 @@ fn general() -> impl Strategy<Value = Points> {
     prop::array::uniform4(prop::array::uniform3(-1.0..1.0f64))
 }
 
+/// At the time of a certain contact features are as near as they may be, and approach unless they
+/// were in contact from the start.
+fn check_contact(kind: Kind, t0: &Points, t1: &Points, min_distance: f64) {
+    let (t0, t1) = (*t0, *t1);
+    let verdict = match kind {
+        Kind::VertexFace => ccd::vertex_face(&VertexFace { t0, t1 }, min_distance),
+        _ => ccd::edge_edge(&EdgeEdge { t0, t1 }, min_distance),
+    };
+    let Verdict::Hit { toi } = verdict else { return };
+    let g = of(kind, &t0, &t1, toi);
+    let text = || format!("{kind:?} {t0:?} {t1:?} {toi:?} {min_distance}: {g:?}");
+    let fastest = (0..4).map(|i| length(sub(t1[i], t0[i]))).fold(0.0, f64::max);
+    let moved = 2.0 * fastest * TOI_TOLERANCE + 1e-12;
+    assert!(g.distance <= min_distance + moved, "{}", text());
+    if toi > 0.0 {
+        assert!(g.distance >= min_distance - 1e-9, "{}", text());
+        let speed = dot(velocity(kind, &g, &t0, &t1), g.normal);
+        // Nearest points are apart by some rounding, and so is what they move along it.
+        assert!(min_distance == 0.0 || speed < 1e-3, "{speed} {}", text());
+    }
+}
+
 proptest! {
     #![proptest_config(config(20_000, 5))]
+
+    #[test]
+    fn at_a_time_of_impact_features_are_near(
+        kind in kind(), t0 in points(), t1 in points(), distance in 0.001..0.3f64
+    ) {
+        check_contact(kind, &t0, &t1, 0.0);
+        check_contact(kind, &t0, &t1, distance);
+    }
 
     #[test]
     fn nearest_points_weights_and_normal(
@@ -151,5 +181,97 @@ proptest! {
         prop_assert_eq!((want.weights, want.normal), (got.weights, got.normal));
         prop_assert_eq!(want.point.map(|c| c * 2f64.powi(exponent)), got.point);
         prop_assert_eq!(want.distance * 2f64.powi(exponent), got.distance);
+    }
+}
+
+/// Features that move by `by` (of `a` alone) in the step: point, normal and weights at time `t`.
+fn check_case(
+    kind: Kind,
+    x: Points,
+    by: [f64; 3],
+    t: f64,
+    (point, normal, weights): ([f64; 3], [f64; 3], [f64; 4]),
+) {
+    for exponent in [0, 330, -330, -1060] {
+        let unit = 2f64.powi(exponent);
+        let t0 = x.map(|p| p.map(|c| c * unit));
+        let mut t1 = t0;
+        for p in &mut t1[..kind.n_first()] {
+            *p = std::array::from_fn(|k| p[k] + by[k] * unit);
+        }
+        let g = of(kind, &t0, &t1, t);
+        let text = || format!("{kind:?} {x:?} {by:?} in units of 2^{exponent}: {g:?}");
+        assert!(length(sub(g.normal, normal)) < 1e-12, "{}", text());
+        assert!((0..4).all(|i| (g.weights[i] - weights[i]).abs() < 1e-12), "{}", text());
+        // Coordinates below the smallest normal number are rounded.
+        let off = sub(g.point, point.map(|c| c * unit)).map(|c| c.abs());
+        assert!(off.iter().all(|&c| c <= 1e-12 * unit + 1e-323), "{}", text());
+    }
+}
+
+#[test]
+fn what_is_degenerate_has_the_answer_that_is_stated() {
+    use Kind::{EdgeEdge as Ee, VertexFace as Vf};
+    let face = |v: [f64; 3]| [v, [0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let (up, down, still) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0; 3]);
+    let inside = [1.0, 0.5, 0.25, 0.25];
+    // On the face: against its velocity, and at rest as the vertices of the face go round.
+    check_case(Vf, face([1.0, 1.0, 0.0]), still, 0.5, ([1.0, 1.0, 0.0], up, inside));
+    check_case(Vf, face([1.0, 1.0, 1.0]), [0.0, 0.0, -2.0], 0.5, ([1.0, 1.0, 0.0], up, inside));
+    check_case(Vf, face([1.0, 1.0, -1.0]), [0.0, 0.0, 2.0], 0.5, ([1.0, 1.0, 0.0], down, inside));
+    // In the plane of the face, against its side and its corner from outside; and along it.
+    let left = [-1.0, 0.0, 0.0];
+    let side = [1.0, 0.5, 0.0, 0.5];
+    check_case(Vf, face([-1.0, 2.0, 0.0]), [2.0, 0.0, 0.0], 0.5, ([0.0, 2.0, 0.0], left, side));
+    let corner = [1.0, 1.0, 0.0, 0.0];
+    check_case(Vf, face([-1.0, 0.0, 0.0]), [2.0, 0.0, 0.0], 0.5, ([0.0; 3], left, corner));
+    check_case(Vf, face([0.5, 1.0, 0.0]), [1.0, 0.0, 0.0], 0.5, ([1.0, 1.0, 0.0], up, inside));
+    // Beside the face, at a distance.
+    let beside = [-1.5, 2.0, 0.0];
+    check_case(Vf, face([-3.0, 2.0, 0.0]), still, 1.0, (beside, left, side));
+    // A face without an area, that is hit and that is not.
+    let line = |v| [v, [0.0; 3], [2.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
+    let half = [1.0, 0.5, 0.5, 0.0];
+    check_case(Vf, line([1.0, 0.0, 1.0]), [0.0, 0.0, -2.0], 0.5, ([1.0, 0.0, 0.0], up, half));
+    // A face that is a point.
+    let point = |v| [v, [0.0; 3], [0.0; 3], [0.0; 3]];
+    check_case(Vf, point([0.0, 0.0, 2.0]), still, 0.0, (up, up, corner));
+    check_case(Vf, point([0.0; 3]), still, 0.0, ([0.0; 3], [1.0, 0.0, 0.0], corner));
+    check_case(Vf, point([0.0, 0.0, 1.0]), [0.0, 0.0, -1.0], 1.0, ([0.0; 3], up, corner));
+
+    // Edges that cross.
+    let cross = |z: f64| [[-1.0, 0.0, z], [1.0, 0.0, z], [0.0, -1.0, 0.0], [0.0, 3.0, 0.0]];
+    let weights = [0.5, 0.5, 0.75, 0.25];
+    check_case(Ee, cross(1.0), [0.0, 0.0, -2.0], 0.5, ([0.0; 3], up, weights));
+    check_case(Ee, cross(-1.0), [0.0, 0.0, 2.0], 0.5, ([0.0; 3], down, weights));
+    check_case(Ee, cross(0.0), still, 0.5, ([0.0; 3], up, weights));
+    check_case(Ee, cross(2.0), still, 0.5, ([0.0, 0.0, 1.0], up, weights));
+    // Parallel ones: the middle of where they overlap.
+    let along = |z: f64| [[0.0, 0.0, z], [4.0, 0.0, z], [6.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+    let middle = [0.25, 0.75, 0.25, 0.75];
+    check_case(Ee, along(1.0), [0.0, 0.0, -2.0], 0.5, ([3.0, 0.0, 0.0], up, middle));
+    check_case(Ee, along(2.0), still, 0.0, ([3.0, 0.0, 1.0], up, middle));
+    // End to end on one line.
+    let line = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]];
+    let ends = [0.0, 1.0, 1.0, 0.0];
+    check_case(Ee, line, [2.0, 0.0, 0.0], 0.5, ([2.0, 0.0, 0.0], left, ends));
+}
+
+/// Whatever is given: a unit normal, weights in the patch.
+#[test]
+fn no_input_makes_no_normal() {
+    let values = [0.0, 1.0, -1.0, 5e-324, 1e-300, 1e100, -1e308, f64::INFINITY, f64::NAN];
+    let mut random = ccd_testkit::generate::Random::new(3);
+    for i in 0..20_000 {
+        let mut pick = || values[random.below(9) as usize];
+        let mut four = || std::array::from_fn(|_| std::array::from_fn(|_| pick()));
+        let (t0, t1): (Points, Points) = (four(), four());
+        let kind = if i % 2 == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+        let g = of(kind, &t0, &t1, pick());
+        assert!((length(g.normal) - 1.0).abs() < 1e-12, "{t0:?} {t1:?} {g:?}");
+        for side in [&g.weights[..kind.n_first()], &g.weights[kind.n_first()..]] {
+            assert!(side.iter().all(|w| (0.0..=1.0).contains(w)), "{t0:?} {t1:?} {g:?}");
+            assert!((side.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{t0:?} {t1:?} {g:?}");
+        }
     }
 }

@@ -308,6 +308,13 @@ macro_rules! kernels {
             /// Contacts in order.
             OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
                 { contacts: Read, order: Read, ordered: Write }
+            /// Point, normal and weights of contacts, in `f32`.
+            ContactGeometry = contact_geometry(64 threads, 0 barriers, f32, Params<Placing>)
+                { paths: Read, edges: Read, faces: Read, contacts: Read, geometry: Write }
+            /// Point, normal and weights of contacts, in `f64`.
+            ContactGeometryWide = contact_geometry_wide(64 threads, 0 barriers, f64, Params<Plain>)
+                { paths: Read, positions: Read, edges: Read, faces: Read, contacts: Read,
+                  geometry: Write }
             /// For tests: items that are counted whenever a worker takes them.
             StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
                 { words: Write, stacks: Write, counts: Write, status: Write }

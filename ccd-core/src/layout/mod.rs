@@ -5,7 +5,7 @@ mod params;
 
 pub use params::{
     Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
-    Params, Plain, Queries, SortPass, Stealing,
+    Params, Placing, Plain, Queries, SortPass, Stealing,
 };
 
 use crate::math::aabb::Aabb;
@@ -263,6 +263,35 @@ pub struct Touch {
     pub toi: [u32; 2],
 }
 
+/// How a contact of a device's list meets at its time of impact, as
+/// [`ContactGeometry`](crate::narrow_phase::contact_geometry::ContactGeometry) says; all in `f32`.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `point` | 0..12 |
+/// | `distance` | 12..16 |
+/// | `normal` | 16..28 |
+/// | `state` | 28..32 |
+/// | `weights` | 32..48 |
+/// | `vertices` | 48..64 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct TouchGeometry {
+    /// Halfway between the two nearest points, which are half of the distance along the normal from
+    /// it: that of `a` forward, that of `b` backward.
+    pub point: [f32; 3],
+    /// Between those points.
+    pub distance: f32,
+    /// Unit vector from `b` towards `a`.
+    pub normal: [f32; 3],
+    /// Of the contact, 0: certain, 1: undecided.
+    pub state: u32,
+    /// Of the vertices.
+    pub weights: [f32; 4],
+    /// `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+    pub vertices: [u32; 4],
+}
+
 /// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits
 /// and translators forget that.
 const TWO_32: u64 = 1 << 32;
@@ -295,4 +324,5 @@ const _: () = assert!(size_of::<WideNode>() == 64 && size_of::<Cluster>() == 32)
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Triangle>() == 32 && size_of::<NearTest>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);
+const _: () = assert!(size_of::<TouchGeometry>() == 64);
 const _: () = assert!(size_of::<Node>() == 32 && size_of::<Branch>() == 16);

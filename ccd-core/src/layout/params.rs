@@ -115,6 +115,16 @@ pub struct Plain {
     unused: u32,
 }
 
+/// How coordinates of paths become those of the input: multiplied by the unit, then moved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Placing {
+    /// What was subtracted from those of the input.
+    pub origin: [f32; 3],
+    /// The unit of paths, a power of two; where `f32` has none so large, the greatest number.
+    pub unit: f32,
+}
+
 /// What kernels of the block tree are told: where its nodes are, and which of them a dispatch is
 /// about.
 ///

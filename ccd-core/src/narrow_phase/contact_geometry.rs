@@ -77,8 +77,7 @@ pub fn contact_geometry<R: Real>(
 
     // From the patch to the vector: for edges that is from the first to the second.
     let sign = if matches!(patch, Patch::Triangle) { one } else { -one };
-    let moved = |x: &[[R; 3]; 2]| sub(x[1], x[0]);
-    let velocity = sub(sub(moved(&m.a), scale(moved(&m.b), s)), scale(moved(&m.c), r));
+    let velocity = sub(sub(moved(m.a), scale(moved(m.b), s)), scale(moved(m.c), r));
     let normal = spread.normal(&near, sign, scale(velocity, sign), &m);
 
     let x =
@@ -128,10 +127,11 @@ impl<R: Real> Spread<R> {
     fn new(m: &Motion<R>, [a, b, c]: [[R; 3]; 3], unit: R) -> Self {
         let [ma, mb, mc] = m.magnitudes();
         let sixteen = R::UNIT * R::splat(16.0);
-        let noise = ((ma + mb + mc) * sixteen + m.error * R::splat(4.0)) * unit;
+        let input = m.error * R::splat(4.0);
+        let noise = ((ma + mb + mc) * sixteen + input) * unit;
         let n = cross(b, c);
-        let side_error = |x: R| (x * sixteen + m.error * R::splat(4.0)) * unit;
-        let area_error = side_error(mb) * max_abs(c) + side_error(mc) * max_abs(b);
+        let (b_error, c_error) = (mb * sixteen + input, mc * sixteen + input);
+        let area_error = b_error * unit * max_abs(c) + c_error * unit * max_abs(b);
         let length = root(dot(n, n));
         let area = if length > area_error { length } else { R::splat(0.0) };
         Self { a, b, c, n, area, area_error, noise }
@@ -309,6 +309,11 @@ fn within<R: Real>(x: R, most: R) -> R {
     }
 }
 
+/// What moves from the first to the second.
+fn moved<R: Real>(x: [[R; 3]; 2]) -> [R; 3] {
+    sub(x[1], x[0])
+}
+
 fn nearer<R: Real>(p: Nearest<R>, q: Nearest<R>) -> Nearest<R> {
     if q.length < p.length { q } else { p }
 }
@@ -320,8 +325,9 @@ fn mix<R: Real>(p: [R; 3], q: [R; 3], t: R) -> [R; 3] {
 
 /// The corner of the face opposite to its longest side, 0 to 2, at time `t`.
 fn widest<R: Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], t: R) -> u32 {
-    let side = |i: usize, j: usize| sum_abs(mix(sub(t0[i], t0[j]), sub(t1[i], t1[j]), t));
-    let (at_0, at_1, at_2) = (side(2, 3), side(3, 1), side(1, 2));
+    let at_0 = sum_abs(mix(sub(t0[3], t0[2]), sub(t1[3], t1[2]), t));
+    let at_1 = sum_abs(mix(sub(t0[1], t0[3]), sub(t1[1], t1[3]), t));
+    let at_2 = sum_abs(mix(sub(t0[2], t0[1]), sub(t1[2], t1[1]), t));
     if at_0 >= at_1 && at_0 >= at_2 {
         0
     } else if at_1 >= at_2 {

@@ -132,7 +132,7 @@ pub fn edge_edge_wide(
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-fn wide_ends(
+pub(super) fn wide_ends(
     ids: [u32; 4],
     frame: &Frame,
     paths: &[Path],

@@ -16,3 +16,4 @@ pub mod intersection;
 pub mod query;
 pub mod relative_motion;
 pub mod separating_direction;
+pub mod touch_geometry;

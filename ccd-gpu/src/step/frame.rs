@@ -2,6 +2,7 @@
 //! when they were too short.
 
 use super::buffers::Buffers;
+use super::contact_geometry::Geometry;
 use super::contact_order::{self, ContactOrder};
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
@@ -35,6 +36,8 @@ pub struct Frames {
     /// last time.
     at_once: u32,
     order: KeptOrder,
+    /// Of the contacts on the device.
+    pub geometry: Geometry,
 }
 
 /// What a frame gave.
@@ -65,6 +68,7 @@ impl Frames {
             expected: 0,
             at_once: 0,
             order: KeptOrder::default(),
+            geometry: Geometry::default(),
         })
     }
 
@@ -79,12 +83,14 @@ impl Frames {
         self.bench = Bench::new(device)?;
         self.readback = Readback::default();
         self.order.forget();
+        self.geometry = Geometry::default();
         Ok(())
     }
 
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();
+        self.geometry.listed = false;
         for list in self.buffers.lists_mut().into_vec() {
             *list = list.resized(device, entries)?;
         }
@@ -128,6 +134,7 @@ impl Frames {
         if self.buffers.source.triangles().is_some_and(TrianglePairs::certifies) {
             return Err(Error::PathsUnseen);
         }
+        self.geometry.listed = false;
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
         // Nobody knows what becomes of the encoder.
@@ -141,6 +148,7 @@ impl Frames {
             buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
             recorder.finish().map(|_| ())
         })??;
+        self.geometry.listed = true;
         Ok(buffers)
     }
 
@@ -152,9 +160,13 @@ impl Frames {
         goal: Goal,
         contacts: &mut Vec<Contact>,
     ) -> Result<Found, Error> {
+        self.geometry.listed = false;
         loop {
             match self.attempt(device, options, goal, contacts)? {
-                Some(found) => return Ok(found),
+                Some(found) => {
+                    self.geometry.listed = goal == Goal::Contacts;
+                    return Ok(found);
+                }
                 None => self.grown += 1,
             }
         }

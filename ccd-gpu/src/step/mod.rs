@@ -3,6 +3,7 @@
 
 pub mod buffers;
 pub mod codimensional;
+pub mod contact_geometry;
 pub mod contact_order;
 pub mod cpu_fallback;
 pub mod frame;

@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::broad_phase::{placement, swept_box};
-use ccd_core::layout::{Frame, Path, split};
+use ccd_core::layout::{Frame, Path, Placing, split};
 use ccd_core::math::real::Real;
 use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::quantization::{Scan, Table, margin};
@@ -160,6 +160,12 @@ impl Positions {
     /// How far a coordinate of a path may be from the true one.
     pub fn path_error(&self) -> f32 {
         self.table.error
+    }
+
+    /// How coordinates of paths become those of positions.
+    pub fn placing(&self) -> Placing {
+        let origin = self.table.origin.map(|c| c as f32);
+        Placing { origin, unit: ((1.0 / self.table.scale) as f32).min(f32::MAX) }
     }
 
     /// Takes the paths that are there, which the caller has written, as exact.

@@ -1,0 +1,247 @@
+//! A small rasteriser: orthographic, with depth, shaded by the angle to the viewer.
+
+use ccd::geometry::vec3::{cross, dot, lerp, scale, sub};
+
+/// Size of what is drawn in pixels.
+pub const WIDTH: usize = 1280;
+pub const HEIGHT: usize = 880;
+/// Samples per pixel and axis.
+const SAMPLES: usize = 2;
+const ROW: usize = WIDTH * SAMPLES;
+const ROWS: usize = HEIGHT * SAMPLES;
+/// Distance of what is shown from the border, as a part of the picture.
+const BORDER: f64 = 0.04;
+/// Towards the viewer, and up.
+const VIEW: [f64; 3] = [0.45, 0.42, 0.79];
+const UP: [f64; 3] = [0.0, 1.0, 0.0];
+
+pub type Colour = [f64; 3];
+
+const BACKGROUND: Colour = [0.97, 0.97, 0.98];
+const FACE: Colour = [0.62, 0.68, 0.76];
+const BACK: Colour = [0.70, 0.66, 0.60];
+
+/// How a mark looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    Disc,
+    /// A square that is empty inside.
+    Square,
+    Ring,
+}
+
+impl Shape {
+    /// Whether it covers a place this far from its centre, in samples.
+    fn covers(self, [x, y]: [f64; 2], radius: f64) -> bool {
+        let (round, square) = (x.hypot(y), x.abs().max(y.abs()));
+        match self {
+            Shape::Disc => round <= radius,
+            Shape::Square => square <= 0.9 * radius && square >= 0.9 * radius - stroke(radius),
+            Shape::Ring => round <= radius && round >= radius - 5.0,
+        }
+    }
+}
+
+/// The width of the line of an empty mark.
+fn stroke(radius: f64) -> f64 {
+    (0.35 * radius).max(1.5)
+}
+
+/// From where the scene is seen, and which part.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    axes: [[f64; 3]; 3],
+    centre: [f64; 2],
+    /// Samples a unit of length.
+    zoom: f64,
+    /// Of what is shown.
+    extent: f64,
+}
+
+impl View {
+    /// What shows all of these points, and at least this length.
+    pub fn of(points: impl Iterator<Item = [f64; 3]>, least: f64) -> Self {
+        let view = unit(VIEW);
+        let right = unit(cross(UP, view));
+        let axes = [right, cross(view, right), view];
+        let (mut min, mut max) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in points {
+            for k in 0..3 {
+                let x = dot(p, axes[k]);
+                min[k] = min[k].min(x);
+                max[k] = max[k].max(x);
+            }
+        }
+        if !(min[0] <= max[0]) {
+            (min, max) = ([-1.0; 3], [1.0; 3]);
+        }
+        let sides: [f64; 3] = std::array::from_fn(|k| (max[k] - min[k]).max(least).max(1e-300));
+        let fit = |k: usize, n: usize| n as f64 * (1.0 - 2.0 * BORDER) / sides[k];
+        Self {
+            axes,
+            centre: [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1])],
+            zoom: fit(0, ROW).min(fit(1, ROWS)),
+            extent: sides.into_iter().fold(0.0, f64::max),
+        }
+    }
+
+    /// Pixels a unit of length.
+    pub fn scale(&self) -> f64 {
+        self.zoom / SAMPLES as f64
+    }
+
+    /// Sample coordinates and depth (greater is nearer) of a point.
+    fn project(&self, p: [f64; 3]) -> [f64; 3] {
+        let [right, up, view] = self.axes;
+        let x = (dot(p, right) - self.centre[0]) * self.zoom + 0.5 * ROW as f64;
+        let y = 0.5 * ROWS as f64 - (dot(p, up) - self.centre[1]) * self.zoom;
+        [x, y, dot(p, view)]
+    }
+}
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    scale(a, 1.0 / dot(a, a).sqrt())
+}
+
+pub struct Canvas {
+    view: View,
+    colour: Vec<Colour>,
+    depth: Vec<f64>,
+}
+
+/// The samples from `low` to `high` of `size`.
+fn range(low: f64, high: f64, size: usize) -> std::ops::Range<usize> {
+    let (low, high) = (low.max(0.0) as usize, (high.max(-1.0) + 1.0) as usize);
+    low.min(size)..high.min(size)
+}
+
+impl Canvas {
+    pub fn new(view: View) -> Self {
+        let n = ROW * ROWS;
+        Self { view, colour: vec![BACKGROUND; n], depth: vec![f64::NEG_INFINITY; n] }
+    }
+
+    /// A face, with thin dark lines along its sides where it is large enough.
+    pub fn triangle(&mut self, corners: [[f64; 3]; 3]) {
+        let n = cross(sub(corners[1], corners[0]), sub(corners[2], corners[0]));
+        let length = dot(n, n).sqrt();
+        let facing = if length > 0.0 { dot(n, self.view.axes[2]) / length } else { 0.0 };
+        let light = 0.35 + 0.65 * facing.abs();
+        let colour = scale(if facing >= 0.0 { FACE } else { BACK }, light);
+        let [a, b, c] = corners.map(|p| self.view.project(p));
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        if area == 0.0 {
+            return;
+        }
+        let over = |k: usize, size| range(a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k]), size);
+        for y in over(1, ROWS) {
+            for x in over(0, ROW) {
+                let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
+                let edge = |p: [f64; 3], q: [f64; 3]| {
+                    ((q[0] - p[0]) * (py - p[1]) - (q[1] - p[1]) * (px - p[0])) / area
+                };
+                let w = [edge(b, c), edge(c, a), edge(a, b)];
+                if w.iter().all(|&w| w >= 0.0) {
+                    let depth = w[0] * a[2] + w[1] * b[2] + w[2] * c[2];
+                    let i = y * ROW + x;
+                    if depth > self.depth[i] {
+                        self.depth[i] = depth;
+                        let side = w.iter().fold(1.0f64, |m, &w| m.min(w)) * area.abs().sqrt();
+                        let is_side = side < 0.8 && area.abs() > 150.0;
+                        self.colour[i] = if is_side { scale(colour, 0.75) } else { colour };
+                    }
+                }
+            }
+        }
+    }
+
+    /// A line of a width in samples, hidden by what is before it; or, with `over`, part of which
+    /// shows through.
+    pub fn line(&mut self, p: [f64; 3], q: [f64; 3], width: f64, colour: Colour, over: bool) {
+        let (a, b) = (self.view.project(p), self.view.project(q));
+        // The part of it that is in the picture.
+        let (mut from, mut to) = (0.0f64, 1.0f64);
+        for (k, size) in [(0, ROW), (1, ROWS)] {
+            let step = b[k] - a[k];
+            if step.abs() < 1e-9 {
+                continue;
+            }
+            let (s, t) = ((-width - a[k]) / step, (size as f64 + width - a[k]) / step);
+            (from, to) = (from.max(s.min(t)), to.min(s.max(t)));
+        }
+        if !(from <= to) {
+            return;
+        }
+        let (a, b) = (lerp(a, b, from), lerp(a, b, to));
+        let n = (b[0] - a[0]).abs().max((b[1] - a[1]).abs()).max(1.0).ceil();
+        let (radius, bias) = (0.5 * width, 1e-3 * self.view.extent);
+        for i in 0..=n as usize {
+            let [cx, cy, depth] = lerp(a, b, i as f64 / n);
+            for y in range(cy - radius, cy + radius, ROWS) {
+                for x in range(cx - radius, cx + radius, ROW) {
+                    let at = y * ROW + x;
+                    let off = (x as f64 + 0.5 - cx).hypot(y as f64 + 0.5 - cy);
+                    let seen = depth + bias >= self.depth[at];
+                    if off <= radius.max(0.71) && (seen || over && (x + y) % 4 == 0) {
+                        self.depth[at] = self.depth[at].max(depth);
+                        self.colour[at] = colour;
+                    }
+                }
+            }
+        }
+    }
+
+    /// A mark of a radius in samples; `hidden`: how much of it is seen where something is before
+    /// it.
+    pub fn mark(&mut self, at: [f64; 3], shape: Shape, radius: f64, colour: Colour, hidden: f64) {
+        let [cx, cy, depth] = self.view.project(at);
+        let bias = 0.004 * self.view.extent;
+        for y in range(cy - radius, cy + radius, ROWS) {
+            for x in range(cx - radius, cx + radius, ROW) {
+                let i = y * ROW + x;
+                if shape.covers([x as f64 + 0.5 - cx, y as f64 + 0.5 - cy], radius) {
+                    let opacity = if depth + bias >= self.depth[i] { 0.92 } else { hidden };
+                    self.colour[i] = lerp(self.colour[i], colour, opacity);
+                }
+            }
+        }
+    }
+
+    /// The picture: three bytes a pixel, row by row.
+    pub fn pixels(&self) -> Vec<u8> {
+        let mut out = Vec::with_capacity(WIDTH * HEIGHT * 3);
+        for y in 0..HEIGHT {
+            for x in 0..WIDTH {
+                let first = y * SAMPLES * ROW + x * SAMPLES;
+                for k in 0..3 {
+                    let row = |j: usize| -> f64 {
+                        (0..SAMPLES).map(|i| self.colour[first + j * ROW + i][k]).sum()
+                    };
+                    let sum: f64 = (0..SAMPLES).map(row).sum();
+                    out.push((sum / (SAMPLES * SAMPLES) as f64 * 255.0).clamp(0.0, 255.0) as u8);
+                }
+            }
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_far_beyond_the_picture_end() {
+        let view = View::of([[0.0; 3], [1.0; 3]].into_iter(), 0.0);
+        let mut canvas = Canvas::new(view);
+        let before = canvas.pixels();
+        canvas.line([-1e9, 50.0, 0.0], [1e9, 50.0, 0.0], 3.0, [0.0; 3], false);
+        assert_eq!(canvas.pixels(), before);
+        let middle = lerp([0.0; 3], [1.0; 3], 0.5);
+        canvas.line([-1e9, 0.5, 0.5], [1e9, 0.5, 0.5], 3.0, [0.0; 3], false);
+        canvas.mark(middle, Shape::Disc, 20.0, [1.0, 0.0, 0.0], 0.1);
+        let pixels = canvas.pixels();
+        let at = (HEIGHT / 2 * WIDTH + WIDTH / 2) * 3;
+        assert!(pixels != before && pixels[at] > 200 && pixels[at + 1] < 60);
+    }
+}

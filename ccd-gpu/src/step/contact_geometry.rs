@@ -1,0 +1,92 @@
+//! Point, normal and weights of the contacts on a device, written where they are.
+
+use super::buffers::Buffers;
+use crate::bind::{ContactGeometry, ContactGeometryWide};
+use crate::device::Device;
+use crate::error::Error;
+use crate::recorder::{Bench, Recorder};
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Dispatch, Frame, Params, Plain, TouchGeometry};
+use ccd_core::model::options::Options;
+use wgpu::BufferUsages as U;
+
+/// A record for each contact for which the list has room.
+#[derive(Default)]
+pub struct Geometry {
+    /// Whether the list of contacts on the device is that of the last call.
+    pub listed: bool,
+    /// Made when first asked for.
+    made: Option<Made>,
+}
+
+struct Made {
+    buffer: wgpu::Buffer,
+    room: u32,
+    /// What the recording needs: of its own, because a frame that the same encoder has is not
+    /// submitted yet.
+    bench: Bench,
+}
+
+impl Made {
+    fn new(device: &Device, room: u32) -> Result<Self, Error> {
+        let bytes = room as u64 * size_of::<TouchGeometry>() as u64;
+        let usage = U::STORAGE | U::COPY_SRC;
+        let buffer = device.buffer("geometry of contacts", bytes, usage)?;
+        Ok(Self { buffer, room, bench: Bench::of(device, 1)? })
+    }
+}
+
+impl Geometry {
+    /// Records what fills the buffer from the contacts that the last call listed, into an encoder
+    /// after it.
+    pub fn record(
+        &mut self,
+        device: &Device,
+        buffers: &Buffers,
+        options: &Options,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<&wgpu::Buffer, Error> {
+        if !self.listed {
+            return Err(Error::NoContacts);
+        }
+        let room = buffers.contacts.room();
+        let made = match self.made.take().filter(|made| made.room >= room) {
+            Some(made) => made,
+            None => Made::new(device, room)?,
+        };
+        let Made { buffer, bench, .. } = self.made.insert(made);
+        // Buffers of the frame may be others than the last time.
+        bench.forget();
+        let frame = buffers.describe(options);
+        device.guarded("geometry of contacts", 0, || -> Result<(), Error> {
+            let mut recorder = bench.record(encoder);
+            dispatch(&mut recorder, buffers, &frame, buffer, device.info().wide);
+            recorder.finish().map(|_| ())
+        })??;
+        Ok(buffer)
+    }
+}
+
+fn dispatch(
+    recorder: &mut Recorder,
+    buffers: &Buffers,
+    frame: &Frame,
+    geometry: &wgpu::Buffer,
+    wide: bool,
+) {
+    let frame = Frame { path_error: buffers.positions.path_error(), ..*frame };
+    let room_in = buffers.contacts.room();
+    let dispatch = Dispatch { room_in, ..Dispatch::default() };
+    let groups = buffers.groups.min(room_in.div_ceil(Id::ContactGeometry.threads()));
+    let (paths, positions) = (&buffers.positions.paths, &buffers.positions.wide);
+    let (edges, faces, contacts) = (&buffers.edges, &buffers.faces, buffers.contacts.buffer());
+    if wide {
+        let p = Params { frame, dispatch, own: Plain::default() };
+        let kernel = ContactGeometryWide { paths, positions, edges, faces, contacts, geometry };
+        recorder.dispatch(&kernel, &p, groups);
+    } else {
+        let p = Params { frame, dispatch, own: buffers.positions.placing() };
+        let kernel = ContactGeometry { paths, edges, faces, contacts, geometry };
+        recorder.dispatch(&kernel, &p, groups);
+    }
+}
