@@ -21,6 +21,7 @@ mod poison;
 mod queries;
 mod scalars;
 mod scenes;
+mod search;
 mod sequences;
 mod sorts;
 mod stealing;
@@ -116,6 +117,7 @@ fn main() {
             scalars::TESTS,
             failures::TESTS,
             scenes::TESTS,
+            search::TESTS,
             sequences::TESTS,
             tangential::TESTS,
             units::TESTS,
