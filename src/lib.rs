@@ -82,7 +82,7 @@ struct Readme;
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
-pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
 pub use ccd_core::model::exclusions::Exclusions;
 pub use ccd_core::model::mesh::Mesh;
@@ -93,6 +93,7 @@ pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
+pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
 pub use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
 };

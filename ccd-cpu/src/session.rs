@@ -104,7 +104,33 @@ impl Session {
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
     pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), false)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, false)?;
+        Ok(&self.report)
+    }
+
+    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
+    pub fn step_until<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        t_max: f64,
+    ) -> Result<&Report, Error> {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
+    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes are swept
+    /// for the window alone.
+    ///
+    /// # Errors
+    /// [`Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of [`Session::step`].
+    pub fn step_window<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        window: [f64; 2],
+    ) -> Result<&Report, Error> {
+        self.run(T::slices::<Points, 2>([x0, x1]), window, false)?;
         Ok(&self.report)
     }
 
@@ -117,8 +143,23 @@ impl Session {
         x0: &[[T; 3]],
         x1: &[[T; 3]],
     ) -> Result<Option<f64>, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), true)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, true)?;
         Ok(self.report.toi)
+    }
+
+    /// How much of the step is certainly free of contact: 1 if all of it is, else
+    /// [`Session::earliest_toi`], which may be 0.
+    ///
+    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
+    /// and separate that they neither come nearer than at the start nor touch again. At the time
+    /// itself there may be contact: what keeps some distance goes by
+    /// [`scaled_toi`](ccd_core::model::toi::scaled_toi) of it.
+    pub fn collision_free_step_size<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<f64, Error> {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
@@ -142,14 +183,14 @@ impl Session {
     /// Lists candidates.
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
-        let x = Positions::new(&self.mesh, given)?;
+        let x = Positions::new(&self.mesh, given, WHOLE)?;
         let Self { mesh, options, threads, prepared, method, listers, runs, codimensional, .. } =
             self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
             prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, &x, false);
+            let scene = prepared.scene(mesh, options, &x, WHOLE, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -171,10 +212,10 @@ impl Session {
         })
     }
 
-    /// Finds contacts, or only the earliest time of impact.
+    /// Finds contacts in a window of the step, or only the earliest time of impact.
     #[inline(never)]
-    fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
-        let mut x = Positions::new(&self.mesh, given)?;
+    fn run(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
+        let mut x = Positions::new(&self.mesh, given, window)?;
         let Self {
             mesh,
             options,
@@ -202,7 +243,7 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, &x, false),
+                    &prepared.scene(mesh, options, &x, window, false),
                     SAMPLE,
                     workers,
                     report,
@@ -212,7 +253,7 @@ impl Session {
                     && report.candidates.total() * SAMPLE as u64
                         > CANDIDATES_PER_FEATURE * n_features as u64
                 {
-                    x.until = bound;
+                    (x.until, x.again) = (bound, true);
                     prepare(threads, prepared, method, mesh, options, &x, report)?;
                 }
             }
@@ -220,7 +261,7 @@ impl Session {
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, &x, !earliest),
+                &prepared.scene(mesh, options, &x, window, !earliest),
                 1,
                 workers,
                 report,
@@ -233,7 +274,7 @@ impl Session {
                 let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
-                for contact in of.decide(threads, mesh, options, x.given) {
+                for contact in of.decide(threads, mesh, &options.search(window), x.given) {
                     report.add(contact, !earliest);
                 }
             }
@@ -281,6 +322,8 @@ pub fn earliest_toi<T: Coordinate>(
     Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
 }
 
+/// All times of a step.
+const WHOLE: [f64; 2] = [0.0, 1.0];
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
 /// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
@@ -302,7 +345,7 @@ fn prepare(
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
     let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
-    report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
+    report.rebuilt = rebuilt || (report.rebuilt && x.again);
     report.times.build += milliseconds(start);
     Ok(())
 }

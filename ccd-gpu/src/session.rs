@@ -10,10 +10,11 @@ use crate::growable_list::List;
 use crate::recorder::Timing;
 use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
-use crate::step::{Goal, cpu_fallback};
+use crate::step::{Goal, WHOLE, cpu_fallback};
 use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Kind, PerKind};
+use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Points, Precision};
@@ -163,22 +164,69 @@ impl Session {
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
     pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Contacts)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, Goal::Contacts)?;
+        Ok(&self.report)
+    }
+
+    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
+    pub fn step_until<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        t_max: f64,
+    ) -> Result<&Report, Error> {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
+    /// impact in units of the whole step: the first such time at or after `t_a`. Paths are cut to
+    /// the window, and boxes swept for it alone.
+    ///
+    /// # Errors
+    /// [`ccd_core::Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of
+    /// [`Session::step`].
+    pub fn step_window<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        window: [f64; 2],
+    ) -> Result<&Report, Error> {
+        self.run(T::slices::<Points, 2>([x0, x1]), window, Goal::Contacts)?;
         Ok(&self.report)
     }
 
     /// The earliest time of impact of the step, without the list of contacts: cheaper than
     /// [`Session::step`]. `None`: the whole step is free.
     ///
-    /// It is not later than the earliest contact, and rounded down to an `f32`.
+    /// It is not later than the earliest contact, and rounded down to an `f32`; with a tolerance
+    /// below 1e-7, which an `f32` cannot keep, it is not rounded, and costs as much as
+    /// [`Session::step`].
     pub fn earliest_toi<T: Coordinate>(
         &mut self,
         x0: &[[T; 3]],
         x1: &[[T; 3]],
     ) -> Result<Option<f64>, Error> {
-        let goal = self.frames.goal_of_earliest();
-        self.run(T::slices::<Points, 2>([x0, x1]), goal)?;
+        let exact = self.options.tolerance < 1e-7;
+        let goal = if exact { Goal::Contacts } else { self.frames.goal_of_earliest() };
+        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, goal)?;
+        if exact {
+            self.report.contacts.clear();
+            self.report.undecided = 0;
+        }
         Ok(self.report.toi)
+    }
+
+    /// How much of the step is certainly free of contact: 1 if all of it is, else
+    /// [`Session::earliest_toi`], which may be 0.
+    ///
+    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
+    /// and separate that they neither come nearer than at the start nor touch again.
+    pub fn collision_free_step_size<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<f64, Error> {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
@@ -194,7 +242,7 @@ impl Session {
     /// Lists candidates.
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.run(given, Goal::Candidates)?;
+        self.run(given, WHOLE, Goal::Candidates)?;
         let [vf, ee] = self.frames.read_candidates(&self.device, self.report.candidates)?;
         let [ve, vv] =
             self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
@@ -208,7 +256,7 @@ impl Session {
         x0: &[[T; 3]],
         x1: &[[T; 3]],
     ) -> Result<[&List; 2], Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Candidates)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, Goal::Candidates)?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
     }
@@ -262,7 +310,8 @@ impl Session {
     }
 
     #[inline(never)]
-    fn run(&mut self, given: Given, goal: Goal) -> Result<(), Error> {
+    fn run(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+        check_window(window)?;
         match given {
             Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
             Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
@@ -276,16 +325,17 @@ impl Session {
         self.report.contacts = contacts;
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;
-        let found = self.frames.run(&self.device, &self.options, goal, contacts)?;
+        let found = self.frames.run(&self.device, &self.options, (goal, window), contacts)?;
         self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        self.take(found, goal, given);
-        self.take_codimensional(goal, given)?;
+        self.take(found, (goal, window), given);
+        self.take_codimensional((goal, window), given)?;
         self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take(&mut self, found: Found, goal: Goal, given: Given) {
+    fn take(&mut self, found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
+        let search = &self.options.search(window);
         let report = &mut self.report;
         self.left_open = PerKind::new(found.open[0].len() as u64, found.open[1].len() as u64);
         report.rebuilt = found.sorted;
@@ -295,10 +345,10 @@ impl Session {
         report.front = self.frames.buffers.source.listed().and_then(PairSource::front);
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            let (mesh, distance) = (&self.mesh, self.options.min_distance);
+            let mesh = &self.mesh;
             match given {
-                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
-                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
+                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
             }
         }
         (report.toi, report.undecided) = cpu_fallback::summary(contacts);
@@ -318,7 +368,11 @@ impl Session {
     }
 
     /// Adds what belongs to nothing of a higher dimension to the report.
-    fn take_codimensional(&mut self, goal: Goal, given: Given) -> Result<(), Error> {
+    fn take_codimensional(
+        &mut self,
+        (goal, window): (Goal, [f64; 2]),
+        given: Given,
+    ) -> Result<(), Error> {
         let Self { mesh, options, codimensional: Some(of), report, .. } = self else {
             return Ok(());
         };
@@ -327,7 +381,7 @@ impl Session {
         (report.candidates.ve, report.candidates.vv) = (ve, vv);
         (report.filtered.ve, report.filtered.vv) = (ve, vv);
         if goal != Goal::Candidates {
-            of.contacts(mesh, options, given)
+            of.contacts(mesh, &options.search(window), given)
                 .for_each(|contact| report.add(contact, goal == Goal::Contacts));
         }
         Ok(())

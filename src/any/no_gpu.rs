@@ -82,6 +82,15 @@ impl Session {
         match *self {}
     }
 
+    pub fn step_window<T: Coordinate>(
+        &mut self,
+        _: &[[T; 3]],
+        _: &[[T; 3]],
+        _: [f64; 2],
+    ) -> Result<&Report, Error> {
+        match *self {}
+    }
+
     pub fn candidates<T: Coordinate>(
         &mut self,
         _: &[[T; 3]],

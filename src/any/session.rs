@@ -51,6 +51,48 @@ impl Session {
         }
     }
 
+    /// Every contact of a step up to a time: see [`crate::Session::step_until`].
+    pub fn step_until<T>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        t_max: f64,
+    ) -> Result<&Report, Error>
+    where
+        T: Coordinate,
+    {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact in a window of a step: see [`crate::Session::step_window`].
+    pub fn step_window<T>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        window: [f64; 2],
+    ) -> Result<&Report, Error>
+    where
+        T: Coordinate,
+    {
+        match self.0.run(|on| on.step_window(x0, x1, window).map(|_| ()), on_cpu)? {
+            Turn::Done(()) => {}
+            Turn::Cpu(on) => _ = on.step_window(x0, x1, window)?,
+        }
+        Ok(self.report())
+    }
+
+    /// How much of a step is certainly free: see [`crate::Session::collision_free_step_size`].
+    pub fn collision_free_step_size<T>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<f64, Error>
+    where
+        T: Coordinate,
+    {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
+    }
+
     /// All candidates of a step: see [`crate::Session::candidates`].
     pub fn candidates<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error>
     where

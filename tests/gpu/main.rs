@@ -23,6 +23,7 @@ mod poison;
 mod queries;
 mod scalars;
 mod scenes;
+mod search;
 mod sequences;
 mod sorts;
 mod stealing;
@@ -119,6 +120,7 @@ fn main() {
             failures::TESTS,
             codimensional::TESTS,
             scenes::TESTS,
+            search::TESTS,
             sequences::TESTS,
             tangential::TESTS,
             units::TESTS,

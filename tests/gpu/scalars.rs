@@ -195,7 +195,7 @@ fn check_layouts(device: &Device) {
         fill(probe::PARAMS_WORDS, 0x100),
         fill(8, 0x1008),
         fill(4, 0x2004),
-        fill(6, 0x3006),
+        fill(7, 0x3007),
         fill(2, 0x4002),
     ]
     .concat();

@@ -1,6 +1,8 @@
 //! What kernels are told besides their buffers.
 
-use super::MAX_LEVELS;
+use super::{MAX_LEVELS, split};
+use crate::math::real::Real;
+use crate::narrow_phase::search::Search;
 use bytemuck::{Pod, Zeroable};
 
 /// What kernels are told besides their buffers: what is the same for a whole frame, what one
@@ -34,7 +36,10 @@ impl<A: Pod> Params<A> {
 /// | `start` | 16..32 | | `distance_bits` | 48..56 |
 /// | `margin` | 32..36 | | `origin` | 56..80 |
 /// | `path_error` | 36..40 | | `margin_bits` | 80..88 |
-/// | | | | `scale_bits` | 88..96 |
+/// | `tolerance` | 96..100 | | `scale_bits` | 88..96 |
+/// | `from` | 100..104 | | `tolerance_bits` | 108..116 |
+/// | `until` | 104..108 | | `from_bits` | 116..124 |
+/// | | | | `until_bits` | 124..132 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
@@ -62,6 +67,18 @@ pub struct Frame {
     /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`,
     /// low word first. See [`Table`](crate::model::quantization::Table).
     pub scale_bits: [u32; 2],
+    /// How early a certain time of impact may be; rounded down.
+    pub tolerance: f32,
+    /// First time that matters; rounded down.
+    pub from: f32,
+    /// Last time that matters; rounded up.
+    pub until: f32,
+    /// The same three as bits of `f64`, low words first.
+    pub tolerance_bits: [u32; 2],
+    /// First time that matters.
+    pub from_bits: [u32; 2],
+    /// Last time that matters.
+    pub until_bits: [u32; 2],
 }
 
 impl Frame {
@@ -77,6 +94,24 @@ impl Frame {
     pub const FLAG_KEEP: u32 = 16;
     /// Overlap that rounding may have made is looked at again, by the keys of the exact bounds.
     pub const FLAG_CONFIRM: u32 = 32;
+    /// Features may leave a contact that is there at the first time.
+    pub const FLAG_LEAVES: u32 = 64;
+    /// The first or the last time is no `f32`.
+    pub const FLAG_WINDOW_ROUNDED: u32 = 128;
+
+    /// With what its kernels look for besides the distance.
+    pub fn searching(mut self, search: &Search<f64>) -> Self {
+        let Search { tolerance, from, until, leaves, .. } = *search;
+        (self.tolerance, self.from) = (tolerance.round_down(), from.round_down());
+        self.until = until.round_up();
+        [self.tolerance_bits, self.from_bits, self.until_bits] =
+            [split(tolerance), split(from), split(until)];
+        self.flags &= !(Self::FLAG_LEAVES | Self::FLAG_WINDOW_ROUNDED);
+        self.flags |= if leaves { Self::FLAG_LEAVES } else { 0 };
+        let exact = self.from as f64 == from && self.until as f64 == until;
+        self.flags |= if exact { 0 } else { Self::FLAG_WINDOW_ROUNDED };
+        self
+    }
 
     /// Whether a flag is set.
     #[inline(always)]
@@ -313,12 +348,12 @@ pub struct ContactSort {
     pub pass: u32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 96);
+const _: () = assert!(size_of::<Frame>() == 132);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
 const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 20 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
-const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
-const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
+const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
+const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

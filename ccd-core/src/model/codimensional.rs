@@ -10,7 +10,10 @@ use crate::math::real::Real;
 use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
 use crate::model::quantization::margin;
-use crate::narrow_phase::codimensional::{VertexEdge, VertexVertex, vertex_edge, vertex_vertex};
+use crate::narrow_phase::codimensional::{
+    VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
+};
+use crate::narrow_phase::search::Search;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -90,18 +93,18 @@ pub fn contact<T: Real>(
     kind: Kind,
     pair: Pair,
     x: [&[[T; 3]]; 2],
-    min_distance: f64,
+    search: &Search<f64>,
 ) -> Option<Contact> {
     let [v, e0, e1, _] = mesh.vertices_of(kind, pair);
     let at = |time: usize, v: u32| x[time][v as usize].map(Real::to_f64);
-    let verdict = if kind == Kind::VertexEdge {
+    let answer = if kind == Kind::VertexEdge {
         let of = |time: usize| [at(time, v), at(time, e0), at(time, e1)];
-        vertex_edge(&VertexEdge { t0: of(0), t1: of(1) }, min_distance)
+        search_vertex_edge(&VertexEdge { t0: of(0), t1: of(1) }, search)
     } else {
         let of = |time: usize| [at(time, v), at(time, e0)];
-        vertex_vertex(&VertexVertex { t0: of(0), t1: of(1) }, min_distance)
+        search_vertex_vertex(&VertexVertex { t0: of(0), t1: of(1) }, search)
     };
-    Contact::of(kind, pair, verdict)
+    Contact::of(kind, pair, answer)
 }
 
 #[cfg(test)]

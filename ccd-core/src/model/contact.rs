@@ -1,8 +1,10 @@
 //! A contact between two features: which, how certain, when; and numbers by kind of pair.
 
 use crate::layout::{Pair, Touch, join};
+pub use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::query::Verdict;
 use crate::narrow_phase::relative_motion::Patch;
+use crate::narrow_phase::search::Answer;
 
 /// Which features touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,7 +41,8 @@ impl Kind {
 /// How certain a contact is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum State {
-    /// Certainly a contact; the time of impact is at most [`crate::TOI_TOLERANCE`] early.
+    /// Certainly a contact; the time of impact is at most the tolerance of the options early,
+    /// [`crate::TOI_TOLERANCE`] by default.
     Hit,
     /// Not decided: to be treated as a contact, may be none; certainly none before its time of
     /// impact.
@@ -60,23 +63,35 @@ pub struct Contact {
     pub b: u32,
     /// Time of impact in `[0, 1]`; never later than the first contact of the two features.
     pub toi: f64,
+    /// Whether the features come nearer there; certain unless unknown. By no means always known;
+    /// backends may differ in what they know.
+    pub approach: Approach,
 }
 
 impl Contact {
-    /// A contact of features `a` and `b`, as the fields of this type say.
+    /// A contact of features `a` and `b`, as the fields of this type say, of which nothing is known
+    /// about how they approach each other.
     pub const fn new(kind: Kind, state: State, a: u32, b: u32, toi: f64) -> Self {
-        Self { kind, state, a, b, toi }
+        Self { kind, state, a, b, toi, approach: Approach::Unknown }
     }
 
-    /// The contact that a verdict on a pair means; `None` for a miss.
+    /// With this [`Contact::approach`].
+    #[must_use]
+    pub const fn with_approach(mut self, approach: Approach) -> Self {
+        self.approach = approach;
+        self
+    }
+
+    /// The contact that an answer for a pair means; `None` for a miss.
     #[inline]
-    pub fn of(kind: Kind, pair: Pair, verdict: Verdict<f64>) -> Option<Self> {
-        let (state, toi) = match verdict {
+    pub fn of(kind: Kind, pair: Pair, answer: impl Into<Answer<f64>>) -> Option<Self> {
+        let answer = answer.into();
+        let (state, toi) = match answer.verdict {
             Verdict::Miss => return None,
             Verdict::Hit { toi } => (State::Hit, toi),
             Verdict::Undecided { toi } => (State::Undecided, toi),
         };
-        Some(Self::new(kind, state, pair.a, pair.b, toi))
+        Some(Self::new(kind, state, pair.a, pair.b, toi).with_approach(answer.approach))
     }
 }
 
@@ -85,7 +100,8 @@ impl From<&Touch> for Contact {
     fn from(touch: &Touch) -> Self {
         let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
         let state = if touch.state == 0 { State::Hit } else { State::Undecided };
-        Self::new(kind, state, touch.a, touch.b, join(touch.toi))
+        let approach = Approach::from_word(touch.approach);
+        Self::new(kind, state, touch.a, touch.b, join(touch.toi)).with_approach(approach)
     }
 }
 

@@ -1,5 +1,7 @@
 //! What can be wrong with input: what, where, and the value.
 
+use crate::narrow_phase::query::LEAST_TOLERANCE;
+
 /// Why input was refused. Nothing was computed from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -48,6 +50,18 @@ pub enum Error {
     MinDistance {
         /// The value given.
         value: f64,
+    },
+    /// A tolerance of times of impact that is out of its range, or NaN.
+    Tolerance {
+        /// The value given.
+        value: f64,
+    },
+    /// Times that are no window of a step: not `0 <= from <= until <= 1`.
+    Window {
+        /// The first time.
+        from: f64,
+        /// The last time.
+        until: f64,
     },
     /// A box with a NaN or with `min > max`.
     Box {
@@ -161,6 +175,12 @@ impl core::fmt::Display for Error {
             Error::MinDistance { value } => {
                 write!(f, "minimum distance is {value}; it must be finite and not negative")
             }
+            Error::Tolerance { value } => {
+                write!(f, "tolerance is {value}; it must be from {LEAST_TOLERANCE:e} to 1")
+            }
+            Error::Window { from, until } => {
+                write!(f, "times from {from} to {until}; they must be in order, and in [0, 1]")
+            }
             Error::Box { at, axis, min, max } => {
                 write!(f, "box {at} has {} from {min} to {max}", axis_name(axis))
             }
@@ -242,6 +262,20 @@ pub fn check_min_distance(value: f64) -> Result<(), Error> {
     } else {
         Err(Error::MinDistance { value })
     }
+}
+
+/// Checks a tolerance of times of impact.
+pub fn check_tolerance(value: f64) -> Result<(), Error> {
+    // Written so that NaN fails.
+    let fine = value >= LEAST_TOLERANCE && value <= 1.0;
+    if fine { Ok(()) } else { Err(Error::Tolerance { value }) }
+}
+
+/// Checks the first and the last time of a window of a step.
+pub fn check_window([from, until]: [f64; 2]) -> Result<(), Error> {
+    // Written so that NaN fails.
+    let fine = from >= 0.0 && from <= until && until <= 1.0;
+    if fine { Ok(()) } else { Err(Error::Window { from, until }) }
 }
 
 /// Checks a setting that must be from `least` to `greatest`.

@@ -23,3 +23,4 @@ pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
 pub mod scheduling;
+pub mod toi;

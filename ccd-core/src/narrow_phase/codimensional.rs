@@ -11,9 +11,11 @@
 
 use crate::math::expansion::{Expansion, is_safe};
 use crate::math::vec3::{cross, max_abs, sub};
+use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::conservative_advancement::{Advance, advance};
-use crate::narrow_phase::query::{TOI_TOLERANCE, Verdict, at_distance, in_unit};
+use crate::narrow_phase::query::{Verdict, at_distance, in_unit};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::search::{Answer, Search};
 use core::cmp::Ordering::{Greater, Less};
 
 /// A segment and a point are parallelograms without an area.
@@ -53,18 +55,28 @@ pub struct VertexVertex<T> {
 /// assert!(matches!(verdict, Verdict::Hit { toi } if toi <= 0.5 && toi > 0.5 - 1e-6));
 /// ```
 pub fn vertex_edge(q: &VertexEdge<f64>, min_distance: f64) -> Verdict<f64> {
-    let VertexEdge { t0, t1 } = q;
-    let b = [sub(t0[2], t0[1]), sub(t1[2], t1[1])];
-    let motion = of([sub(t0[0], t0[1]), sub(t1[0], t1[1])], b);
-    solve(&motion, min_distance, &|t| touches_edge(q, t))
+    search_vertex_edge(q, &Search::whole(min_distance)).verdict
 }
 
 /// Decides a vertex-vertex query. See [`vertex_edge`] for what is accepted.
 pub fn vertex_vertex(q: &VertexVertex<f64>, min_distance: f64) -> Verdict<f64> {
+    search_vertex_vertex(q, &Search::whole(min_distance)).verdict
+}
+
+/// The same as [`vertex_edge`], of the times and with the tolerance of a search.
+pub fn search_vertex_edge(q: &VertexEdge<f64>, search: &Search<f64>) -> Answer<f64> {
+    let VertexEdge { t0, t1 } = q;
+    let b = [sub(t0[2], t0[1]), sub(t1[2], t1[1])];
+    let motion = of([sub(t0[0], t0[1]), sub(t1[0], t1[1])], b);
+    solve(&motion, search, &|t| touches_edge(q, t))
+}
+
+/// The same as [`vertex_vertex`], of the times and with the tolerance of a search.
+pub fn search_vertex_vertex(q: &VertexVertex<f64>, search: &Search<f64>) -> Answer<f64> {
     let VertexVertex { t0, t1 } = q;
     let motion = of([sub(t0[0], t0[1]), sub(t1[0], t1[1])], [[0.0; 3]; 2]);
     let edge = VertexEdge { t0: [t0[0], t0[1], t0[1]], t1: [t1[0], t1[1], t1[1]] };
-    solve(&motion, min_distance, &|t| touches_edge(&edge, t))
+    solve(&motion, search, &|t| touches_edge(&edge, t))
 }
 
 fn of(a: [[f64; 3]; 2], b: [[f64; 3]; 2]) -> Motion<f64> {
@@ -72,17 +84,22 @@ fn of(a: [[f64; 3]; 2], b: [[f64; 3]; 2]) -> Motion<f64> {
 }
 
 /// `touches`: whether the features certainly touch at a time.
-fn solve(m: &Motion<f64>, min_distance: f64, touches: &dyn Fn(f64) -> bool) -> Verdict<f64> {
-    let (m, distance) = in_unit(m, min_distance);
-    if distance > 0.0 {
-        return at_distance(&m, PATCH, distance);
+fn solve(m: &Motion<f64>, search: &Search<f64>, touches: &dyn Fn(f64) -> bool) -> Answer<f64> {
+    let (m, min_distance) = in_unit(m, search.min_distance);
+    if min_distance > 0.0 {
+        return at_distance(&m, PATCH, &Search { min_distance, ..*search });
     }
-    let Advance::Stuck(toi) = advance(&m, PATCH, 0.0, 1.0, 0.0) else { return Verdict::Miss };
-    let soon = |t: &f64| *t >= toi && *t <= 1.0 && *t - toi <= TOI_TOLERANCE;
-    if [toi, 1.0].into_iter().chain(times(&m)).filter(soon).any(touches) {
-        Verdict::Hit { toi }
+    let Search { from, until, tolerance, .. } = *search;
+    let Advance::Stuck(toi) = advance(&m, PATCH, from, until, 0.0, tolerance) else {
+        return Answer::of(Verdict::Miss);
+    };
+    let soon = |t: &f64| *t >= toi && *t <= until && *t - toi <= tolerance;
+    if [toi, until].into_iter().chain(times(&m)).filter(soon).any(touches) {
+        // It certainly is apart until the time of impact.
+        let approach = if toi > from { Approach::Approaching } else { Approach::Unknown };
+        Answer { verdict: Verdict::Hit { toi }, approach }
     } else {
-        Verdict::Undecided { toi }
+        Answer::of(Verdict::Undecided { toi })
     }
 }
 
@@ -150,6 +167,7 @@ fn touches_edge(q: &VertexEdge<f64>, t: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::narrow_phase::query::TOI_TOLERANCE;
     use std::vec::Vec;
 
     fn random(seed: &mut u32, n: u32) -> f64 {

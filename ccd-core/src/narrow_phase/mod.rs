@@ -1,5 +1,6 @@
 //! One vertex against one face, or two edges: filters first, then a certified verdict.
 
+pub mod approach;
 pub mod cascade;
 pub mod closest_point;
 #[cfg(any(feature = "alloc", test))]
@@ -15,5 +16,6 @@ pub mod distance;
 pub mod intersection;
 pub mod query;
 pub mod relative_motion;
+pub mod search;
 pub mod separating_direction;
 pub mod touch_geometry;

@@ -16,6 +16,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::{Points, Precision, Slices};
 use ccd_core::model::quantization::margin;
 use ccd_core::model::report::TriangleCounts;
+use ccd_core::narrow_phase::search::Search;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
@@ -35,6 +36,8 @@ pub struct Scene<'a> {
     /// The minimum distance in that unit, rounded up.
     pub table_distance: f32,
     pub min_distance: f64,
+    /// What queries look for.
+    pub search: Search<f64>,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
     /// Keep contacts, or only the least time of impact.

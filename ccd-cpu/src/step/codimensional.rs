@@ -12,6 +12,7 @@ use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Precision;
+use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Error};
 
 /// Finds such pairs, and keeps its buffers between steps.
@@ -85,21 +86,20 @@ impl Codimensional {
         &mut self,
         threads: &Threads,
         mesh: &Mesh,
-        options: &Options,
+        search: &Search<f64>,
         given: Given,
     ) -> impl Iterator<Item = Contact> + use<'_> {
         let Self { pairs: [ve, vv], found, .. } = self;
         found.clear();
         found.resize(ve.len() + vv.len(), None);
-        let distance = options.min_distance;
         threads.fill(found, |i| {
             let (kind, pair) = match ve.get(i) {
                 Some(&pair) => (Kind::VertexEdge, pair),
                 None => (Kind::VertexVertex, vv[i - ve.len()]),
             };
             match given {
-                Precision::F32(x) => contact(mesh, kind, pair, x, distance),
-                Precision::F64(x) => contact(mesh, kind, pair, x, distance),
+                Precision::F32(x) => contact(mesh, kind, pair, x, search),
+                Precision::F64(x) => contact(mesh, kind, pair, x, search),
             }
         });
         found.iter().copied().flatten()

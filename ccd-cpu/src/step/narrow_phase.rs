@@ -11,8 +11,9 @@ use ccd_core::model::contact::{Contact, Kind, PerKind};
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::search::Answer;
 use ccd_core::narrow_phase::{cascade, decide};
-use ccd_core::{Num, Real, Verdict};
+use ccd_core::{Num, Real};
 use std::time::{Duration, Instant};
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
@@ -69,11 +70,11 @@ impl Worker {
     }
 
     fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
-        let verdict = match scene.given {
+        let answer = match scene.given {
             Precision::F32(x) => decide(scene, kind, pair, x),
             Precision::F64(x) => decide(scene, kind, pair, x),
         };
-        let Some(contact) = Contact::of(kind, pair, verdict) else { return };
+        let Some(contact) = Contact::of(kind, pair, answer) else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
         if scene.keep_contacts {
             self.contacts.push(contact);
@@ -81,9 +82,9 @@ impl Worker {
     }
 }
 
-/// The verdict on a pair, from positions as given, in `f64`.
-fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Verdict<f64> {
-    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, scene.min_distance)
+/// The answer for a pair, from positions as given, in `f64`.
+fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Answer<f64> {
+    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, &scene.search)
 }
 
 impl Take for Worker {

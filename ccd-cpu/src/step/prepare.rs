@@ -10,7 +10,9 @@ use crate::step::leaves::Leaves;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
+use ccd_core::math::vec3::max_abs;
 use ccd_core::model::bodies::Bodies;
+use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
@@ -22,26 +24,32 @@ use ccd_core::{Aabb, Error, Real};
 /// building costs about a tenth of a step, and traversal grows with looseness.
 pub const MAX_LOOSENESS: f64 = 1.15;
 
-/// Positions of a step, of which only the times up to `until` matter.
+/// Positions of a step, of which only the times from `from` to `until` matter.
 #[derive(Clone, Copy)]
 pub struct Positions<'a> {
     pub given: Given<'a>,
+    pub from: f64,
     pub until: f64,
+    /// Whether a pass over all of these times came before: then less time matters now.
+    pub again: bool,
 }
 
 impl<'a> Positions<'a> {
-    /// Of the whole step: one for every vertex of `mesh` at both ends.
-    pub fn new(mesh: &Mesh, given: Given<'a>) -> Result<Self, Error> {
+    /// One for every vertex of `mesh` at both ends of the step, of which the times of a window
+    /// matter.
+    pub fn new(mesh: &Mesh, given: Given<'a>, window: [f64; 2]) -> Result<Self, Error> {
+        check_window(window)?;
         match given {
             Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
             Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
         }
-        Ok(Self { given, until: 1.0 })
+        let [from, until] = window;
+        Ok(Self { given, from, until, again: false })
     }
 
     /// Whether the whole step matters.
     pub fn whole(&self) -> bool {
-        self.until >= 1.0
+        self.from <= 0.0 && self.until >= 1.0
     }
 }
 
@@ -49,19 +57,23 @@ impl<'a> Positions<'a> {
 struct Ends<'a, T> {
     x0: &'a [[T; 3]],
     x1: &'a [[T; 3]],
+    from: f64,
     until: f64,
 }
 
 impl<T: Real> Ends<'_, T> {
     /// Whether the whole step matters.
     fn whole(&self) -> bool {
-        self.until >= 1.0
+        self.from <= 0.0 && self.until >= 1.0
     }
 
-    /// Position of vertex `i` at `until`, up to [`swept_box::end_error`].
-    fn end(&self, i: usize) -> [f64; 3] {
+    /// Positions of vertex `i` at `from` and at `until`, each up to [`swept_box::end_error`].
+    fn ends(&self, i: usize) -> [[f64; 3]; 2] {
         let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
-        if self.whole() { q } else { swept_box::end(p, q, self.until) }
+        [
+            if self.from <= 0.0 { p } else { swept_box::end(p, q, self.from) },
+            if self.until >= 1.0 { q } else { swept_box::end(p, q, self.until) },
+        ]
     }
 }
 
@@ -138,10 +150,14 @@ impl Prepared {
         options: &Options,
         x: &Positions,
     ) -> Result<(), Error> {
-        let until = x.until;
+        let Positions { from, until, .. } = *x;
         match x.given {
-            Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
-            Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
+            Precision::F32([x0, x1]) => {
+                self.vertices(threads, options, &Ends { x0, x1, from, until })
+            }
+            Precision::F64([x0, x1]) => {
+                self.vertices(threads, options, &Ends { x0, x1, from, until })
+            }
         }?;
         let vertices = &self.vertices.boxes;
         self.edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
@@ -164,12 +180,13 @@ impl Prepared {
         Ok(())
     }
 
-    /// What workers read of a step whose boxes and trees are there.
+    /// What workers read of a step whose boxes and trees are there, to find contacts in `window`.
     pub fn scene<'a>(
         &'a self,
         mesh: &'a Mesh,
         options: &'a Options,
         x: &Positions<'a>,
+        window: [f64; 2],
         keep_contacts: bool,
     ) -> Scene<'a> {
         let rounds_boxes = match x.given {
@@ -186,6 +203,7 @@ impl Prepared {
             table_error: self.units.error,
             table_distance: self.units.distance(options.min_distance),
             min_distance: options.min_distance,
+            search: options.search(window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
             keep_contacts,
         }
@@ -212,8 +230,7 @@ impl Prepared {
         let table = self.scan.table(x.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
         threads.fill(&mut self.table, |i| {
-            let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-            let (p, q) = (table.place(p), table.place(q));
+            let [p, q] = x.ends(i).map(|p| table.place(p));
             [p[0], p[1], p[2], 0.0, q[0], q[1], q[2], 0.0]
         });
         table
@@ -227,9 +244,8 @@ impl Prepared {
             threads.fill(boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
             threads.fill(boxes, |i| {
-                let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-                let largest = ccd_core::math::vec3::max_abs(p)
-                    .max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
+                let [p, q] = x.ends(i);
+                let largest = max_abs(x.x0[i].map(T::to_f64)).max(max_abs(x.x1[i].map(T::to_f64)));
                 swept_box::swept(p, q)
                     .inflated(margin.to_f64() + swept_box::end_error(largest))
                     .round_out()
@@ -238,8 +254,8 @@ impl Prepared {
     }
 
     /// Has the method take the boxes: in the order that it has, or in a new one if it has none yet
-    /// or has become too loose. Returns whether the order is new. Boxes of less than the whole
-    /// step say nothing about looseness and never bring a new order.
+    /// or has become too loose. Returns whether the order is new. Boxes of a time that was
+    /// shortened in a step say nothing about looseness and never bring a new order.
     pub fn leaves(
         &mut self,
         threads: &Threads,
@@ -248,15 +264,15 @@ impl Prepared {
         bodies: Option<&Bodies>,
         x: &Positions,
     ) -> Result<bool, Error> {
-        let whole = x.whole();
+        let first = !x.again;
         let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
         let any = bodies.is_some_and(Bodies::any_fixed);
         if let Some(triangles) = &mut self.triangles {
             // What is free during the whole step is free during a shorter one.
-            if whole {
+            if first {
                 triangles.certify(threads, mesh, x.given);
             }
-            return self.triangle_leaves(threads, method, any.then_some(&fixed), whole);
+            return self.triangle_leaves(threads, method, any.then_some(&fixed), first);
         }
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built || !method.order().outlasts_motion();
@@ -266,7 +282,7 @@ impl Prepared {
                 edges.refit(threads, method),
                 faces.refit(threads, method),
             ];
-            loose = whole && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
+            loose = first && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
             let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
@@ -293,7 +309,7 @@ impl Prepared {
         threads: &Threads,
         method: &mut Method,
         fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
-        whole: bool,
+        first: bool,
     ) -> Result<bool, Error> {
         let Self { vertices, edges, faces, triangles, table, built, .. } = self;
         let of =
@@ -302,7 +318,7 @@ impl Prepared {
         leaves.sweep(threads, of.vertices);
         let mut loose = !*built || !method.order().outlasts_motion();
         if !loose {
-            loose = leaves.refit(threads, method) > MAX_LOOSENESS && whole;
+            loose = leaves.refit(threads, method) > MAX_LOOSENESS && first;
         }
         if loose {
             leaves.build(threads, method, fixed)?;

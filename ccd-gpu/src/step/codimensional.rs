@@ -12,6 +12,7 @@ use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Precision};
+use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Real};
 
 /// Finds such pairs.
@@ -78,14 +79,14 @@ impl Codimensional {
     pub fn contacts<'a>(
         &'a self,
         mesh: &'a Mesh,
-        options: &'a Options,
+        search: &'a Search<f64>,
         given: Given<'a>,
     ) -> impl Iterator<Item = Contact> + use<'a> {
         let kinds = [Kind::VertexEdge, Kind::VertexVertex].into_iter().zip(&self.pairs);
         kinds.flat_map(|(kind, pairs)| pairs.iter().map(move |&pair| (kind, pair))).filter_map(
             move |(kind, pair)| match given {
-                Precision::F32(x) => contact(mesh, kind, pair, x, options.min_distance),
-                Precision::F64(x) => contact(mesh, kind, pair, x, options.min_distance),
+                Precision::F32(x) => contact(mesh, kind, pair, x, search),
+                Precision::F64(x) => contact(mesh, kind, pair, x, search),
             },
         )
     }

@@ -6,7 +6,7 @@ use super::contact_geometry::Geometry;
 use super::contact_order::{self, ContactOrder};
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
-use super::{Goal, SAMPLE, cpu_fallback};
+use super::{Goal, SAMPLE, WHOLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
@@ -141,7 +141,7 @@ impl Frames {
         self.order.forget();
         self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
-        let frame = buffers.describe(options);
+        let frame = buffers.describe(options, WHOLE);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
             buffers.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
@@ -152,17 +152,17 @@ impl Frames {
         Ok(buffers)
     }
 
-    /// Runs frames until every list was long enough. Contacts of the device go to `contacts`.
+    /// Runs frames over a window of the step until every list was long enough. Contacts of the device go to `contacts`.
     pub fn run(
         &mut self,
         device: &Device,
         options: &Options,
-        goal: Goal,
+        (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Found, Error> {
         self.geometry.listed = false;
         loop {
-            match self.attempt(device, options, goal, contacts)? {
+            match self.attempt(device, options, (goal, window), contacts)? {
                 Some(found) => {
                     self.geometry.listed = goal == Goal::Contacts;
                     return Ok(found);
@@ -231,7 +231,7 @@ impl Frames {
         &mut self,
         device: &Device,
         options: &Options,
-        goal: Goal,
+        (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Option<Found>, Error> {
         let guess = self.plan_contacts(device, goal)?;
@@ -240,7 +240,7 @@ impl Frames {
         let kept = order.holds(self.buffers.n_boxes());
         let Self { buffers, bench, readback, .. } = self;
         buffers.keeps_order = kept;
-        let frame = buffers.describe(options);
+        let frame = buffers.describe(options, window);
         let mut plan = Plan::default();
         let wide = device.info().wide;
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };

@@ -32,5 +32,8 @@ impl Goal {
     }
 }
 
+/// All times of a step.
+pub const WHOLE: [f64; 2] = [0.0, 1.0];
+
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
 pub const SAMPLE: u32 = 64;
