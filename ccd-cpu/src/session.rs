@@ -1,6 +1,8 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
+mod rules;
+
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
@@ -10,6 +12,7 @@ use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
+use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
@@ -26,6 +29,7 @@ pub struct Session {
     options: Options,
     threads: Threads,
     prepared: Prepared,
+    selection: Selection,
     method: Method,
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
@@ -43,8 +47,12 @@ impl Session {
             return Err(Error::Method { name, backend: "cpu" });
         }
         let threads = Threads::new(options.threads)?;
+        let selection = Selection::new(&options)?;
+        let mut prepared = Prepared::new(&mesh, &options);
+        prepared.set_rules(&mesh, selection.rules.as_ref());
         Ok(Self {
-            prepared: Prepared::new(&mesh, &options),
+            prepared,
+            selection,
             mesh,
             options,
             threads,
@@ -135,12 +143,12 @@ impl Session {
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
         let x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, listers, runs, .. } = self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+        let Self { mesh, options, threads, prepared, selection, method, listers, runs, .. } = self;
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, &x, false);
+            prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
+            let scene = prepared.scene(mesh, options, selection, &x, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -164,14 +172,14 @@ impl Session {
     fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
         let mut x = Positions::new(&self.mesh, given)?;
         let Self { mesh, options, threads, prepared, method, workers, order, report, .. } = self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
         threads.enter(|| {
             let start = Instant::now();
             workers.resize_with(threads.count(), Worker::default);
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            prepare(threads, prepared, method, mesh, options, &x, report)?;
+            prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
                 // boxes for that time are worth it if there are many candidates.
@@ -179,7 +187,7 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, &x, false),
+                    &prepared.scene(mesh, options, selection, &x, false),
                     SAMPLE,
                     workers,
                     report,
@@ -190,14 +198,14 @@ impl Session {
                         > CANDIDATES_PER_FEATURE * n_features as u64
                 {
                     x.until = bound;
-                    prepare(threads, prepared, method, mesh, options, &x, report)?;
+                    prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                 }
             }
             detect(
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, &x, !earliest),
+                &prepared.scene(mesh, options, selection, &x, !earliest),
                 1,
                 workers,
                 report,
@@ -256,7 +264,7 @@ fn prepare(
     prepared: &mut Prepared,
     method: &mut Method,
     mesh: &Mesh,
-    options: &Options,
+    (options, selection): (&Options, &Selection),
     x: &Positions,
     report: &mut Report,
 ) -> Result<(), Error> {
@@ -264,7 +272,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
+    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())

@@ -1,6 +1,8 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
+mod rules;
+
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
@@ -202,7 +204,7 @@ impl Session {
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
     /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
-    /// are certified from positions on the host.
+    /// are certified from positions on the host. Whether what is fixed moves is not seen.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         let b = self.frames.record(&self.device, &self.options, encoder)?;
         Ok(OnDevice {
@@ -219,6 +221,12 @@ impl Session {
             Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
             Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
         }?;
+        if let Some(rules) = &self.frames.buffers.rules {
+            match given {
+                Precision::F32([x0, x1]) => rules.check_still(x0, x1),
+                Precision::F64([x0, x1]) => rules.check_still(x0, x1),
+            }?;
+        }
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;

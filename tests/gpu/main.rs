@@ -19,6 +19,7 @@ mod oriented;
 mod pairs;
 mod poison;
 mod queries;
+mod rules;
 mod scalars;
 mod scenes;
 mod sequences;
@@ -106,6 +107,7 @@ fn main() {
             builders::TESTS,
             kept_order::TESTS,
             listed::TESTS,
+            rules::TESTS,
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,

@@ -4,6 +4,7 @@
 mod separation;
 mod steps;
 mod swept_oriented;
+mod worlds;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_testkit::oracle::{self, Answer};

@@ -6,6 +6,7 @@ pub mod catalogue;
 pub mod contact;
 pub mod digest;
 pub mod error;
+pub mod groups;
 #[cfg(feature = "alloc")]
 pub mod mesh;
 pub mod method;
@@ -16,4 +17,6 @@ pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
+#[cfg(feature = "alloc")]
+pub mod rules;
 pub mod scheduling;

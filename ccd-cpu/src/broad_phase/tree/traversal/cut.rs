@@ -148,7 +148,7 @@ mod tests {
             let boxes: Vec<_> = (0..n).map(|i| Aabb::of_point([(i * i) as f32; 3])).collect();
             let mut source = TreeSource::new(TreeOptions::default()).unwrap();
             let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
-            leaves.build(&threads, &mut source, &boxes, None);
+            leaves.build(&threads, &mut source, &boxes, Marks::default());
             let tree = source.tree(0);
             for n_nodes in [1, 2, 7, 256, 1024] {
                 let mut cut = Cut::new(n_nodes, Descent::Larger);
