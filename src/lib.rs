@@ -85,6 +85,7 @@ pub use ccd_core::model::catalogue::{Catalogued, Row, every};
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
 pub use ccd_core::model::exclusions::Exclusions;
+pub use ccd_core::model::groups::Groups;
 pub use ccd_core::model::mesh::Mesh;
 pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,

@@ -11,7 +11,7 @@
 
 mod sequences;
 
-use crate::{Aabb, Mesh};
+use crate::{Aabb, Bodies, Mesh};
 pub use sequences::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 
 /// Pseudo-random numbers: [`pcg`] of a counter.
@@ -199,6 +199,22 @@ pub fn triangle_soup(n: usize, size: f64, seed: u32) -> Step {
     }
     let faces: Vec<[u32; 3]> = (0..n as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Step { mesh: Mesh::new(3 * n, &faces).expect("a valid soup"), x0, x1 }
+}
+
+/// So many copies of a step in one place, each a body in a world of its own: what the features of
+/// copy `i` are, have ids that follow those of the copies before.
+///
+/// # Panics
+/// If that are more vertices than a mesh may have.
+pub fn copies(step: &Step, n: usize) -> (Step, Bodies) {
+    let n_vertices = step.mesh.n_vertices();
+    let copy = |i: usize| move |f: &[u32; 3]| f.map(|v| v + (i * n_vertices) as u32);
+    let faces: Vec<_> = (0..n).flat_map(|i| step.mesh.faces().iter().map(copy(i))).collect();
+    let mesh = Mesh::new(n * n_vertices, &faces).expect("a valid mesh");
+    let body: Vec<u32> = (0..n * n_vertices).map(|v| (v / n_vertices) as u32).collect();
+    let worlds: Vec<u32> = (0..n as u32).collect();
+    let bodies = Bodies::new(&body, &[], true).with_worlds(&worlds);
+    (Step { mesh, x0: step.x0.repeat(n), x1: step.x1.repeat(n) }, bodies)
 }
 
 /// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.

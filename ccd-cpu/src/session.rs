@@ -1,6 +1,8 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
+mod rules;
+
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
@@ -11,6 +13,7 @@ use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
+use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Kind, PerKind, State};
@@ -28,6 +31,7 @@ pub struct Session {
     options: Options,
     threads: Threads,
     prepared: Prepared,
+    selection: Selection,
     method: Method,
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
@@ -46,9 +50,13 @@ impl Session {
             return Err(Error::Method { name, backend: "cpu" });
         }
         let threads = Threads::new(options.threads)?;
+        let selection = Selection::new(&options)?;
+        let mut prepared = Prepared::new(&mesh, &options);
+        prepared.set_rules(&mesh, selection.rules.as_ref());
         Ok(Self {
-            prepared: Prepared::new(&mesh, &options),
             codimensional: threads.enter(|| Codimensional::new(&mesh, &options))?,
+            prepared,
+            selection,
             mesh,
             options,
             threads,
@@ -184,13 +192,23 @@ impl Session {
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
         let x = Positions::new(&self.mesh, given, WHOLE)?;
-        let Self { mesh, options, threads, prepared, method, listers, runs, codimensional, .. } =
-            self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+        let Self {
+            mesh,
+            options,
+            threads,
+            prepared,
+            selection,
+            method,
+            listers,
+            runs,
+            codimensional,
+            ..
+        } = self;
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, &x, WHOLE, false);
+            prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
+            let scene = prepared.scene(mesh, options, selection, &x, WHOLE, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -206,7 +224,7 @@ impl Session {
                 order_runs(lists, runs);
             }
             match codimensional {
-                Some(of) => of.list(threads, mesh, options, x.given),
+                Some(of) => of.list(threads, mesh, (options, selection), x.given),
                 None => Ok(()),
             }
         })
@@ -228,14 +246,14 @@ impl Session {
             report,
             ..
         } = self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
         threads.enter(|| {
             let start = Instant::now();
             workers.resize_with(threads.count(), Worker::default);
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            prepare(threads, prepared, method, mesh, options, &x, report)?;
+            prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
                 // boxes for that time are worth it if there are many candidates.
@@ -243,7 +261,7 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, &x, window, false),
+                    &prepared.scene(mesh, options, selection, &x, window, false),
                     SAMPLE,
                     workers,
                     report,
@@ -254,14 +272,14 @@ impl Session {
                         > CANDIDATES_PER_FEATURE * n_features as u64
                 {
                     (x.until, x.again) = (bound, true);
-                    prepare(threads, prepared, method, mesh, options, &x, report)?;
+                    prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                 }
             }
             detect(
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, &x, window, !earliest),
+                &prepared.scene(mesh, options, selection, &x, window, !earliest),
                 1,
                 workers,
                 report,
@@ -270,7 +288,7 @@ impl Session {
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
             if let Some(of) = codimensional {
-                of.list(threads, mesh, options, x.given)?;
+                of.list(threads, mesh, (options, selection), x.given)?;
                 let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
@@ -336,7 +354,7 @@ fn prepare(
     prepared: &mut Prepared,
     method: &mut Method,
     mesh: &Mesh,
-    options: &Options,
+    (options, selection): (&Options, &Selection),
     x: &Positions,
     report: &mut Report,
 ) -> Result<(), Error> {
@@ -344,7 +362,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
+    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
     report.rebuilt = rebuilt || (report.rebuilt && x.again);
     report.times.build += milliseconds(start);
     Ok(())

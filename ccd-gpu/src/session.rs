@@ -1,6 +1,8 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
+mod rules;
+
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
@@ -273,7 +275,8 @@ impl Session {
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
     /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
     /// are certified from positions on the host, and for meshes with vertices of no edge that could
-    /// touch each other or an edge of no face, which are decided there.
+    /// touch each other or an edge of no face, which are decided there. Whether what is
+    /// fixed moves is not seen.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         if self.codimensional.is_some() {
             return Err(Error::Codimensional);
@@ -316,6 +319,12 @@ impl Session {
             Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
             Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
         }?;
+        if let Some(rules) = &self.frames.buffers.rules {
+            match given {
+                Precision::F32([x0, x1]) => rules.check_still(x0, x1),
+                Precision::F64([x0, x1]) => rules.check_still(x0, x1),
+            }?;
+        }
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;

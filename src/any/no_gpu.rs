@@ -1,7 +1,7 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{Aabb, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report, Scheduling};
+use crate::{Aabb, Bodies, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report, Scheduling};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -96,6 +96,22 @@ impl Session {
         _: &[[T; 3]],
         _: &[[T; 3]],
     ) -> Result<Candidates, Error> {
+        match *self {}
+    }
+
+    pub fn set_bodies(&mut self, _: Option<Bodies>) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_sleeping(&mut self, _: u32, _: bool) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_fixed(&mut self, _: u32, _: bool) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_fixed_motion(&mut self, _: bool) -> Result<(), Error> {
         match *self {}
     }
 

@@ -1,5 +1,7 @@
 //! A session on either backend.
 
+mod rules;
+
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
 use crate::{Coordinate, Mesh, Options, Report};
 

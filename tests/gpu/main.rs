@@ -21,6 +21,7 @@ mod oriented;
 mod pairs;
 mod poison;
 mod queries;
+mod rules;
 mod scalars;
 mod scenes;
 mod search;
@@ -109,6 +110,7 @@ fn main() {
             builders::TESTS,
             kept_order::TESTS,
             listed::TESTS,
+            rules::TESTS,
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,

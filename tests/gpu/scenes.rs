@@ -141,7 +141,8 @@ fn check_bodies(device: &Device) {
     let far: Vec<u32> = body.iter().map(|b| (b / 2) | ((b % 2) << 31)).collect();
     check_step(device, &step, Options::default().with_bodies(Bodies::new(&far, &[], false)));
     for self_contact in [false, true] {
-        let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
+        let bodies =
+            Some(Bodies::new(&body, &[true, false, true], self_contact).with_fixed_motion(true));
         check_step(device, &step, Options::default().with_bodies(bodies));
     }
 }

@@ -6,6 +6,7 @@ mod geometry;
 mod separation;
 mod steps;
 mod swept_oriented;
+mod worlds;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_testkit::oracle::{self, Answer};

@@ -127,7 +127,8 @@ fn fixed_bodies_do_not_touch_each_other() {
     let step = triangle_soup(200, 0.2, 11);
     let body: Vec<u32> = (0..600).map(|v| v / 3).collect();
     let fixed: Vec<bool> = (0..200).map(|b| b % 2 == 0).collect();
-    let options = Options::default().with_bodies(Bodies::new(&body, &fixed, true));
+    let options =
+        Options::default().with_bodies(Bodies::new(&body, &fixed, true).with_fixed_motion(true));
     let report = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
     let all = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
     let edge_body = |e: u32| body[step.mesh.edges()[e as usize][0] as usize];

@@ -246,6 +246,15 @@ macro_rules! kernels {
             /// Pairs of nodes to pairs of their children.
             NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
+            /// Bounds of each of many worlds, in six words each.
+            WorldBounds = world_bounds(256 threads, 0 barriers, f32, Params<Worlds>)
+                { boxes: Read, worlds: Read, bounds: Write }
+            /// Sort keys of boxes of many worlds, and their numbers.
+            WorldKeys = world_keys(256 threads, 0 barriers, f32, Params<Worlds>)
+                { boxes: Read, worlds: Read, bounds: Read, keys: Write, order: Write }
+            /// Pairs of nodes to pairs of their children that have a world in common.
+            NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, worlds: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
@@ -398,6 +407,7 @@ const _: () = assert!(Id::PairWorkers.threads() == crate::broad_phase::pair_work
 const _: () = assert!(Id::StealPairs.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::ResumeFront.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::NodePairsOfWorlds.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterEdgeEdge.threads() == crate::broad_phase::block_bvh::THREADS);

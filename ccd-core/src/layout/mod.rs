@@ -5,7 +5,7 @@ mod params;
 
 pub use params::{
     Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
-    Params, Placing, Plain, Queries, SortPass, Stealing,
+    Params, Placing, Plain, Queries, SortPass, Stealing, Worlds,
 };
 
 use crate::math::aabb::Aabb;

@@ -86,8 +86,8 @@ impl Frame {
     pub const FLAG_TOPOLOGY: u32 = 1;
     /// Bodies select pairs.
     pub const FLAG_BODIES: u32 = 2;
-    /// Features of one body are a pair, too.
-    pub const FLAG_SELF_CONTACT: u32 = 4;
+    /// There is a table of rules, see [`pair_rules`](crate::broad_phase::pair_rules).
+    pub const FLAG_RULES: u32 = 4;
     /// Paths are exact: there are no wider ones.
     pub const FLAG_EXACT: u32 = 8;
     /// Contacts are kept; else only the earliest time of impact.
@@ -325,6 +325,8 @@ pub struct Expansion {
     pub n_vf: u32,
     /// Which are orphans: from the first of these on, up to the second.
     pub orphans: [u32; 2],
+    /// Where the table of rules begins behind the regions.
+    pub rules: u32,
 }
 
 impl Expansion {
@@ -340,6 +342,15 @@ impl Expansion {
     }
 }
 
+/// What the kernels that sort boxes of many worlds are told; see
+/// [`worlds`](crate::broad_phase::worlds).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Worlds {
+    /// Bits of a key that are a world.
+    pub bits: u32,
+}
+
 /// What the keys of contacts depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -353,7 +364,8 @@ const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144)
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
 const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
-const _: () = assert!(size_of::<Expansion>() == 20 && size_of::<Stealing>() == 24);
+const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
+const _: () = assert!(size_of::<Worlds>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

@@ -90,6 +90,30 @@ pub enum Error {
         /// The two bodies.
         bodies: [u32; 2],
     },
+    /// A rule for a body that no vertex belongs to.
+    NoBody {
+        /// Its name.
+        body: u32,
+    },
+    /// A rule for a feature that the mesh does not have.
+    NoFeature {
+        /// `"vertex"`, `"edge"` or `"face"`.
+        element: &'static str,
+        /// Its id.
+        id: u32,
+        /// How many there are.
+        n: usize,
+    },
+    /// A vertex moves in a step, and its body is fixed or sleeps.
+    FixedMoves {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A filter of pairs where pairs are found on a device, which cannot call it.
+    Filter {
+        /// The backend.
+        backend: &'static str,
+    },
     /// A method that this backend does not have.
     Method {
         /// Its name.
@@ -189,6 +213,22 @@ impl core::fmt::Display for Error {
             }
             Error::MixedBodies { element, at, bodies } => {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
+            }
+            Error::NoBody { body } => write!(f, "a rule for body {body}, which has no vertex"),
+            Error::NoFeature { element, id, n } => {
+                write!(f, "a rule for {element} {id}; the mesh has {n}")
+            }
+            Error::FixedMoves { vertex } => {
+                write!(
+                    f,
+                    "vertex {vertex} moves, and its body is fixed or sleeps: wake it, or allow                      bodies that stand still to be moved"
+                )
+            }
+            Error::Filter { backend } => {
+                write!(
+                    f,
+                    "the {backend} cannot call a filter: exclude bodies or features by lists, or                      use the CPU"
+                )
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
             Error::NoPairsOfNodes { method } => {

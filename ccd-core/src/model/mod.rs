@@ -12,6 +12,7 @@ pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]
 pub mod exclusions;
+pub mod groups;
 #[cfg(feature = "alloc")]
 pub mod mesh;
 pub mod method;
@@ -22,5 +23,7 @@ pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
+#[cfg(feature = "alloc")]
+pub mod rules;
 pub mod scheduling;
 pub mod toi;

@@ -53,7 +53,7 @@ use ccd_core::{Aabb, Coordinate, Error, Real};
 use leaf_boxes::{LeafBoxes, Set};
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{PairSink, PairSource};
+use pair_source::{Marks, PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::time::Instant;
 
@@ -176,7 +176,7 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
             method.order().survey(threads, &[&side.boxes])?;
-            side.leaves.build(threads, method.order(), &side.boxes, None);
+            side.leaves.build(threads, method.order(), &side.boxes, Marks::default());
             let slack = slack(&side.boxes, &side.boxes);
             let sink = Listing::<true> { a: &side.leaves, b: &side.leaves, slack, confirm };
             times.build = milliseconds(start);
@@ -201,8 +201,8 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
             method.order().survey(threads, &[&a.boxes, &b.boxes])?;
-            a.leaves.build(threads, method.order(), &a.boxes, None);
-            b.leaves.build(threads, method.order(), &b.boxes, None);
+            a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            b.leaves.build(threads, method.order(), &b.boxes, Marks::default());
             let slack = slack(&a.boxes, &b.boxes);
             let sink = Listing::<false> { a: &a.leaves, b: &b.leaves, slack, confirm };
             times.build = milliseconds(start);

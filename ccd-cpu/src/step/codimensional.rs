@@ -5,6 +5,7 @@
 
 use crate::broad_phase::BroadPhase;
 use crate::step::candidates::Given;
+use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::layout::Pair;
 use ccd_core::model::codimensional::{Codimensional as Features, contact};
@@ -51,7 +52,7 @@ impl Codimensional {
         &mut self,
         threads: &Threads,
         mesh: &Mesh,
-        options: &Options,
+        (options, selection): (&Options, &Selection),
         given: Given,
     ) -> Result<(), Error> {
         let Self { features, broad_phase, vertices, edges, pairs, .. } = self;
@@ -74,7 +75,8 @@ impl Codimensional {
             out.clear();
             out.extend(found.iter().map(|at| features.pair(kind, at)).filter(|&pair| {
                 let [v, w, ..] = mesh.vertices_of(kind, pair);
-                options.bodies.as_ref().is_none_or(|bodies| bodies.wants(v, w))
+                selection.rules.as_ref().is_none_or(|rules| rules.wants(v, w))
+                    && selection.wants(kind, pair)
             }));
             out.sort_unstable_by_key(|pair| (pair.a, pair.b));
         }

@@ -9,6 +9,8 @@ pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;
+pub mod selection;
 pub mod stand_ins;
+pub mod still;
 pub mod triangle_leaves;
 pub mod triangle_pairs;

@@ -2,7 +2,8 @@
 
 use super::block_levels::Levels;
 use super::pair_source::boxes_of;
-use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, SceneBounds};
+use super::worlds::Worlds;
+use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -49,6 +50,8 @@ pub struct Tree {
     start: [List; 2],
     /// By kind and level below the start: pairs of nodes.
     pub pairs: [Vec<List>; 2],
+    /// If boxes are of several worlds.
+    pub worlds: Option<Worlds>,
 }
 
 impl Tree {
@@ -119,6 +122,7 @@ impl Tree {
             groups: groups(device),
             levels,
             nodes,
+            worlds: None,
         })
     }
 
@@ -134,19 +138,26 @@ impl Tree {
 
     /// What must be zero before [`Tree::sort`].
     pub fn clear_bounds(&self, recorder: &mut Recorder) {
-        recorder.clear(&self.bounds, 32);
+        match &self.worlds {
+            Some(worlds) => worlds.clear(recorder),
+            None => recorder.clear(&self.bounds, 32),
+        }
     }
 
-    /// Sorts all boxes by set and along the Morton curve. Of the bounds of all boxes, those of the
+    /// Sorts all boxes by set, by world, and along the Morton curve. Of the bounds of all boxes, those of the
     /// first `n_bounding` are enough.
     pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
         let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
-        let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
-        let p = Params { frame: *frame, dispatch, own: Plain::default() };
-        let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
-        recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
         let [keys, order] = self.sorted();
-        recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+        if let Some(worlds) = &self.worlds {
+            worlds.keys(recorder, frame, boxes, n_bounding, [keys, order]);
+        } else {
+            let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
+            let p = Params { frame: *frame, dispatch, own: Plain::default() };
+            let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
+            recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
+            recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+        }
         recorder.stage("sort");
         self.sort.run(recorder, n, 32, 0);
     }
@@ -196,13 +207,18 @@ impl Tree {
                 let lists = &self.pairs[kind as usize];
                 let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
                 let output = &lists[level as usize - 2];
-                let kernel = NodePairs {
-                    nodes: &self.nodes,
-                    input: input.buffer(),
-                    output: output.buffer(),
-                };
-                self.each_part(frame, Pass { kind, level, step: 1 }, input, output, |p| {
-                    recorder.dispatch(&kernel, p, self.groups.min(input.room()));
+                let (nodes, groups) = (&self.nodes, self.groups.min(input.room()));
+                let pass = Pass { kind, level, step: 1 };
+                self.each_part(frame, pass, input, output, |p| {
+                    let (input, output) = (input.buffer(), output.buffer());
+                    match &self.worlds {
+                        Some(Worlds { of_leaves: worlds, .. }) => recorder.dispatch(
+                            &NodePairsOfWorlds { nodes, worlds, input, output },
+                            p,
+                            groups,
+                        ),
+                        None => recorder.dispatch(&NodePairs { nodes, input, output }, p, groups),
+                    }
                 });
             }
         }

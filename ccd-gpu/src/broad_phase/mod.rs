@@ -15,6 +15,7 @@ mod scheduler;
 mod tree;
 mod upload;
 pub mod worker_counts;
+pub mod worlds;
 
 use crate::device::Device;
 use crate::error::Error;

@@ -13,6 +13,7 @@ use crate::growable_list::List;
 use ccd_core::layout::{Frame, Path, Touch};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::rules::Rules;
 use wgpu::BufferUsages as U;
 
 /// Everything on the device.
@@ -26,9 +27,11 @@ pub struct Buffers {
     pub shortened: wgpu::Buffer,
     pub edges: wgpu::Buffer,
     pub faces: wgpu::Buffer,
+    /// A word a vertex, then the table of rules.
     pub bodies: wgpu::Buffer,
     /// What kernels are told of bodies.
     body_flags: u32,
+    pub rules: Option<Rules>,
     /// Pairs that the filters leave, by kind.
     pub survivors: [List; 2],
     /// Pairs that `f32` leaves open, by kind.
@@ -60,17 +63,12 @@ impl Buffers {
             device.queue().write_buffer(&buffer, 0, bytes);
             Ok(buffer)
         };
-        let (bodies, body_flags) = options.bodies.as_ref().map_or((&[][..], 0), |bodies| {
-            (
-                bodies.words(),
-                Frame::FLAG_BODIES
-                    | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 },
-            )
-        });
+        let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
+        let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
-            source: Source::new(device, mesh, options, count)?,
+            source: Source::new(device, mesh, options, rules.as_ref(), count)?,
             count,
             groups: groups(device),
             positions: Positions::new(device, mesh.n_vertices())?,
@@ -81,8 +79,9 @@ impl Buffers {
             )?,
             edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
             faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
-            bodies: fixed("bodies", bytemuck::cast_slice(bodies))?,
+            bodies,
             body_flags,
+            rules,
             survivors: [
                 list("filtered vertex-face pairs", 2, features / 2)?,
                 list("filtered edge-edge pairs", 2, features)?,
@@ -103,6 +102,20 @@ impl Buffers {
             sample: fixed("numbers of a sample", &[0; 16])?,
             never: fixed("no time of impact", &[0xff; 16])?,
         })
+    }
+
+    /// Takes the bodies of these options; if that fails, all is as before.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+    ) -> Result<(), Error> {
+        let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
+        let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
+        self.source.set_bodies(device, mesh, options, rules.as_ref())?;
+        (self.bodies, self.body_flags, self.rules) = (bodies, body_flags, rules);
+        Ok(())
     }
 
     /// Vertices, edges and faces together.
@@ -152,4 +165,20 @@ impl Buffers {
         self.positions.describe(&mut frame, options.min_distance);
         frame.searching(&options.search(window))
     }
+}
+
+/// What kernels read of bodies, and the flags that say so.
+fn bodies_of(device: &Device, rules: Option<&Rules>) -> Result<(wgpu::Buffer, u32), Error> {
+    let (words, table) = rules.map_or((&[][..], &[][..]), |rules| (rules.words(), rules.table()));
+    let bytes = 4 * (words.len() + table.len()) as u64;
+    let buffer = device.buffer("bodies", bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+    let queue = device.queue();
+    queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+    queue.write_buffer(&buffer, 4 * words.len() as u64, bytemuck::cast_slice(table));
+    let flags = match rules {
+        None => 0,
+        Some(rules) if rules.has_table() => Frame::FLAG_BODIES | Frame::FLAG_RULES,
+        Some(_) => Frame::FLAG_BODIES,
+    };
+    Ok((buffer, flags))
 }

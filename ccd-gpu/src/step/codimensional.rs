@@ -67,7 +67,9 @@ impl Codimensional {
             out.extend(found.into_iter().filter(overlap).map(|at| features.pair(kind, at)).filter(
                 |&pair| {
                     let [v, w, ..] = mesh.vertices_of(kind, pair);
-                    options.bodies.as_ref().is_none_or(|bodies| bodies.wants(v, w))
+                    options.bodies.as_ref().is_none_or(|bodies| {
+                        bodies.wants(v, w) && !bodies.excludes(kind, pair.a, pair.b)
+                    })
                 },
             ));
             out.sort_unstable_by_key(|pair| (pair.a, pair.b));

@@ -87,6 +87,18 @@ impl Frames {
         Ok(())
     }
 
+    /// Takes the bodies of these options; the next frame sorts.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+    ) -> Result<(), Error> {
+        self.order.forget();
+        self.bench.forget();
+        self.buffers.set_bodies(device, mesh, options)
+    }
+
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();

@@ -10,6 +10,7 @@ use crate::bind::{
 use crate::broad_phase::block_bvh::{Pass, Tree, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
+use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -20,6 +21,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use ccd_core::model::rules::Rules;
 use std::ops::Range;
 
 /// The source of a session.
@@ -54,15 +56,19 @@ impl Source {
         device: &Device,
         mesh: &Mesh,
         options: &Options,
+        rules: Option<&Rules>,
         count: [u32; 3],
     ) -> Result<Self, Error> {
         let choice = options.broad_phase;
         let finder = match options.pipeline {
             Pipeline::Triangles(own) => {
-                Finder::Triangles(Box::new(TrianglePairs::new(device, mesh, options, own, count)?))
+                let pairs = TrianglePairs::new(device, mesh, options, own, (rules, count))?;
+                Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
+                let mut tree = Tree::new(device, count)?;
+                tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
+                return Ok(Self::Blocks(Box::new(tree)));
             }
             _ => Finder::Features(method::source(device, choice, options.scheduling, count)?),
         };
@@ -76,6 +82,24 @@ impl Source {
             ],
             groups: groups(device),
         }))
+    }
+
+    /// Takes other rules; the next frame sorts.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        rules: Option<&Rules>,
+    ) -> Result<(), Error> {
+        match self {
+            Self::Blocks(tree) => tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?,
+            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => {
+                triangles.set_bodies(device, mesh, options, rules)?;
+            }
+            Self::Listed(_) => {}
+        }
+        Ok(())
     }
 
     /// The boxes of all sets.

@@ -18,3 +18,4 @@ pub mod radix_tree;
 pub mod split_lists;
 mod stolen_batches;
 mod worker;
+pub mod worlds;
