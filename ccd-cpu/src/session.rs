@@ -11,18 +11,49 @@ use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
+use ccd_core::Error;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::precision::Points;
+use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
 use ccd_core::model::report::{Report, TriangleCounts};
-use ccd_core::{Coordinate, Error};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+mod changes;
+
 /// Continuous collision detection of one mesh over many steps.
+///
+/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
+/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
+/// functions change what a session was made with; the next step finds what a new session would.
+///
+/// ```
+/// use ccd_core::model::mesh::Mesh;
+/// use ccd_core::model::options::Options;
+/// use ccd_cpu::Session;
+/// use std::sync::Arc;
+///
+/// // Many sessions share one mesh.
+/// let mesh = Arc::new(Mesh::new(4, &[[0, 1, 2]])?);
+/// let mut sessions = Vec::new();
+/// for _ in 0..100 {
+///     sessions.push(Session::new(mesh.clone(), Options::default())?);
+/// }
+/// let before = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
+/// let mut after = before;
+/// after[3][1] = -1.0;
+/// for session in &mut sessions {
+///     let report = session.step(&before, &after)?;
+///     // The report has the mesh that its ids refer to, while it borrows the session.
+///     let contact = report.contacts[0];
+///     assert_eq!(report.mesh().faces()[contact.b as usize], [0, 1, 2]);
+/// }
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Session {
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     options: Options,
     threads: Threads,
     prepared: Prepared,
@@ -32,16 +63,25 @@ pub struct Session {
     runs: [Vec<Run>; 2],
     order: ContactOrder,
     report: Report,
+    gathered: Gathered,
 }
 
 impl Session {
-    /// A session for `mesh`.
-    pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
+    /// A session for `mesh`: a [`Mesh`], a reference to one, which is copied, or an `Arc` of one,
+    /// which is shared.
+    ///
+    /// # Errors
+    /// What [`Options::check`] refuses; [`Error::Method`] for what a CPU does not have;
+    /// [`Error::Threads`].
+    pub fn new(mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, Error> {
+        Self::of(mesh.into(), options)
+    }
+
+    #[inline(never)]
+    fn of(mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         let method = Method::new(options.broad_phase, options.scheduling)?;
-        if let Some(name) = options.pipeline.lacking("cpu") {
-            return Err(Error::Method { name, backend: "cpu" });
-        }
+        check_pipeline(&options)?;
         let threads = Threads::new(options.threads)?;
         Ok(Self {
             prepared: Prepared::new(&mesh, &options),
@@ -54,11 +94,12 @@ impl Session {
             runs: Default::default(),
             order: ContactOrder::default(),
             report: Report::default(),
+            gathered: Gathered::default(),
         })
     }
 
-    /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
@@ -99,8 +140,17 @@ impl Session {
     /// vertex of the mesh.
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
-    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), false)?;
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
+    /// their type says; [`Error::CrowdedCells`] and [`Error::TooMany`] where a method was chosen
+    /// that has such limits. The session stays as it was.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), false)?;
         Ok(&self.report)
     }
 
@@ -108,12 +158,15 @@ impl Session {
     /// [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Option<f64>, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), true)?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), true)?;
         Ok(self.report.toi)
     }
 
@@ -121,19 +174,44 @@ impl Session {
     /// that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Candidates<'_>, Error> {
-        self.list(T::slices::<Points, 2>([x0, x1]))?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates<'_>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.list(ends(x0, x1))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
         Ok(Candidates { vf, ee })
     }
 
     /// Lists candidates.
     #[inline(never)]
-    fn list(&mut self, given: Given) -> Result<(), Error> {
+    fn list(&mut self, ends: Ends) -> Result<(), Error> {
+        self.gather(ends, |this, given| this.list_given(given))
+    }
+
+    /// Finds contacts, or only the earliest time of impact.
+    #[inline(never)]
+    fn run(&mut self, ends: Ends, earliest: bool) -> Result<(), Error> {
+        self.gather(ends, |this, given| this.run_given(given, earliest))
+    }
+
+    /// Works on positions as slices.
+    fn gather(
+        &mut self,
+        ends: Ends,
+        work: impl FnOnce(&mut Self, Given) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut gathered = std::mem::take(&mut self.gathered);
+        let done = gathered.slices(ends).and_then(|given| work(self, given));
+        self.gathered = gathered;
+        done
+    }
+
+    fn list_given(&mut self, given: Given) -> Result<(), Error> {
         let x = Positions::new(&self.mesh, given)?;
         let Self { mesh, options, threads, prepared, method, listers, runs, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
@@ -159,9 +237,7 @@ impl Session {
         })
     }
 
-    /// Finds contacts, or only the earliest time of impact.
-    #[inline(never)]
-    fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
+    fn run_given(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
         let mut x = Positions::new(&self.mesh, given)?;
         let Self { mesh, options, threads, prepared, method, workers, order, report, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
@@ -171,6 +247,7 @@ impl Session {
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
+            report.set_mesh(mesh);
             prepare(threads, prepared, method, mesh, options, &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
@@ -213,6 +290,14 @@ impl Session {
     }
 }
 
+/// Refuses a pipeline that a CPU does not have.
+fn check_pipeline(options: &Options) -> Result<(), Error> {
+    match options.pipeline.lacking("cpu") {
+        Some(name) => Err(Error::Method { name, backend: "cpu" }),
+        None => Ok(()),
+    }
+}
+
 /// Candidates of a step; see [`Session::candidates`].
 #[derive(Clone, Copy, Debug)]
 pub struct Candidates<'a> {
@@ -223,25 +308,34 @@ pub struct Candidates<'a> {
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Coordinate>(
-    mesh: &Mesh,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    options: &Options,
-) -> Result<Report, Error> {
-    let mut session = Session::new(mesh.clone(), options.clone())?;
+///
+/// # Errors
+/// Those of [`Session::new`] and of [`Session::step`].
+pub fn step<A, B>(mesh: &Mesh, x0: &A, x1: &B, options: &Options) -> Result<Report, Error>
+where
+    A: AsPositions + ?Sized,
+    B: AsPositions<Scalar = A::Scalar> + ?Sized,
+{
+    let mut session = Session::new(mesh, options.clone())?;
     session.step(x0, x1)?;
     Ok(session.into_report())
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Coordinate>(
+///
+/// # Errors
+/// Those of [`Session::new`] and of [`Session::step`].
+pub fn earliest_toi<A, B>(
     mesh: &Mesh,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
+    x0: &A,
+    x1: &B,
     options: &Options,
-) -> Result<Option<f64>, Error> {
-    Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
+) -> Result<Option<f64>, Error>
+where
+    A: AsPositions + ?Sized,
+    B: AsPositions<Scalar = A::Scalar> + ?Sized,
+{
+    Session::new(mesh, options.clone())?.earliest_toi(x0, x1)
 }
 
 /// Of how many tasks one is sampled to bound the earliest time of impact.

@@ -229,6 +229,21 @@ impl Device {
         self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor))
     }
 
+    /// A buffer that was made for the same purpose, if it is there and large enough; else a new
+    /// one.
+    pub(crate) fn buffer_or(
+        &self,
+        old: Option<&wgpu::Buffer>,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, Error> {
+        match old {
+            Some(old) if old.size() >= bytes && old.usage().contains(usage) => Ok(old.clone()),
+            _ => self.buffer(what, bytes, usage),
+        }
+    }
+
     /// The pipeline of a kernel, compiled on first use.
     pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
         self.inner.pipelines[id as usize].get_or_init(|| {

@@ -43,6 +43,11 @@ impl Bodies {
         &self.words
     }
 
+    /// The body of each vertex, by the numbers given.
+    pub fn body_of_vertex(&self) -> &[u32] {
+        &self.body_of_vertex
+    }
+
     /// Whether features of one body are looked at.
     pub fn self_contact(&self) -> bool {
         self.self_contact

@@ -6,6 +6,8 @@ use crate::narrow_phase::relative_motion::Patch;
 
 /// Which features touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind {
     /// Vertex `a`, face `b`.
     VertexFace,
@@ -26,6 +28,8 @@ impl Kind {
 
 /// How certain a contact is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum State {
     /// Certainly a contact; the time of impact is at most [`crate::TOI_TOLERANCE`] early.
     Hit,
@@ -36,6 +40,7 @@ pub enum State {
 
 /// A contact between two features.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Contact {
     /// Vertex-face or edge-edge.
@@ -79,6 +84,7 @@ impl From<&Touch> for Contact {
 
 /// A number for each kind of pair.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct PerKind {
     /// Vertex-face.

@@ -2,6 +2,8 @@
 
 /// Why input was refused. Nothing was computed from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate is NaN, infinite, or beyond [`Error::MAX_COORDINATE`].
@@ -34,6 +36,46 @@ pub enum Error {
         expected: usize,
         /// Positions that were given.
         found: usize,
+    },
+    /// Positions in bytes with a stride that is shorter than a position.
+    Stride {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The stride given, in bytes.
+        stride: usize,
+        /// Bytes of a position.
+        least: usize,
+    },
+    /// Positions beyond the bytes that they are to be read from.
+    Bytes {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The first vertex whose position does not end within the bytes.
+        vertex: usize,
+        /// Where it would end.
+        end: usize,
+        /// Bytes that there are.
+        found: usize,
+    },
+    /// A vertex of a body for which there is no matrix.
+    Pose {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the vertex.
+        vertex: usize,
+        /// Its body.
+        body: u32,
+        /// How many matrices there are.
+        n_poses: usize,
+    },
+    /// A matrix of a body that is not affine.
+    Projection {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the matrix.
+        body: usize,
+        /// Its last row, which must be 0, 0, 0, 1.
+        row: [f64; 4],
     },
     /// More elements than 32-bit ids can name.
     TooMany {
@@ -154,6 +196,30 @@ impl core::fmt::Display for Error {
             }
             Error::VertexCount { time, expected, found } => {
                 write!(f, "t{time} has {found} vertices, the mesh has {expected}")
+            }
+            Error::Stride { time, stride, least } => {
+                write!(f, "t{time} has a stride of {stride} bytes; a position takes {least}")
+            }
+            Error::Bytes { time, vertex, end, found } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} ends at byte {end}, but there are {found} bytes"
+                )
+            }
+            Error::Pose { time, vertex, body, n_poses } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} is of body {body}, \
+                     but there are {n_poses} matrices (0 to {})",
+                    n_poses.saturating_sub(1)
+                )
+            }
+            Error::Projection { time, body, row } => {
+                write!(
+                    f,
+                    "the matrix of body {body} at t{time} has the last row {row:?}; \
+                     it must be 0, 0, 0, 1"
+                )
             }
             Error::TooMany { element, count, limit } => {
                 write!(f, "{count} {element}: at most {limit} are possible")

@@ -5,6 +5,8 @@ use super::error::{Error, check_setting};
 
 /// How a broad phase finds overlapping boxes; all methods give the same set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum BroadPhaseMethod {
     /// Every box against every other: what all else is compared with.
@@ -35,6 +37,8 @@ pub enum BroadPhaseMethod {
 /// assert_eq!(tree, TreeOptions::default());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct TreeOptions {
     /// How it is built.
@@ -47,6 +51,8 @@ pub struct TreeOptions {
 
 /// How a binary tree over boxes is built.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Builder {
     /// From sorted Morton codes, every node by itself [Karras 2012].
@@ -90,6 +96,8 @@ impl Builder {
 
 /// How pairs are found in a binary tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Traversal {
     /// A query per box, in the order of input, by a function that calls itself.
@@ -123,6 +131,8 @@ impl Traversal {
 
 /// How a pair of nodes that overlap is expanded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[repr(u32)]
 pub enum Descent {
     /// The larger of the two into its children.
@@ -134,6 +144,8 @@ pub enum Descent {
 
 /// What bounds the nodes of a binary tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Volume {
     /// Boxes along the axes.

@@ -4,6 +4,8 @@
 pub mod bodies;
 pub mod catalogue;
 pub mod contact;
+#[cfg(feature = "serde")]
+mod data;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]
@@ -12,6 +14,7 @@ pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
 pub mod pipeline;
+pub mod positions;
 pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]

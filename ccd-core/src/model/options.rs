@@ -16,6 +16,8 @@ use super::scheduling::Scheduling;
 /// assert_eq!(options.min_distance, 0.001);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Options {
     /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or

@@ -3,6 +3,8 @@
 
 /// What pairs a step looks for first; contacts do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Pipeline {
     /// Pairs of features: vertices against faces, edges against edges.
@@ -22,6 +24,8 @@ pub enum Pipeline {
 /// assert!(few.orphans && few.cones);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct TriangleOptions {
     /// Skip triangles that share a vertex, and test what only they would test from a list made once
