@@ -5,22 +5,27 @@ use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::milliseconds;
-use crate::step::candidates::{Given, Scene};
+use crate::step::candidates::Given;
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
 use ccd_core::Error;
-use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
-use ccd_core::model::report::{Report, TriangleCounts};
+use ccd_core::model::report::Report;
+use passes::{collect, detect, least_toi};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 mod changes;
+mod once;
+mod passes;
+
+pub use once::{Candidates, earliest_toi, step};
 
 /// Continuous collision detection of one mesh over many steps.
 ///
@@ -298,46 +303,6 @@ fn check_pipeline(options: &Options) -> Result<(), Error> {
     }
 }
 
-/// Candidates of a step; see [`Session::candidates`].
-#[derive(Clone, Copy, Debug)]
-pub struct Candidates<'a> {
-    /// Vertex, face.
-    pub vf: Pairs<'a>,
-    /// Two edges, the lesser id first.
-    pub ee: Pairs<'a>,
-}
-
-/// Every contact of one step, with no session to keep: see [`Session::step`].
-///
-/// # Errors
-/// Those of [`Session::new`] and of [`Session::step`].
-pub fn step<A, B>(mesh: &Mesh, x0: &A, x1: &B, options: &Options) -> Result<Report, Error>
-where
-    A: AsPositions + ?Sized,
-    B: AsPositions<Scalar = A::Scalar> + ?Sized,
-{
-    let mut session = Session::new(mesh, options.clone())?;
-    session.step(x0, x1)?;
-    Ok(session.into_report())
-}
-
-/// The earliest time of impact of one step: see [`Session::earliest_toi`].
-///
-/// # Errors
-/// Those of [`Session::new`] and of [`Session::step`].
-pub fn earliest_toi<A, B>(
-    mesh: &Mesh,
-    x0: &A,
-    x1: &B,
-    options: &Options,
-) -> Result<Option<f64>, Error>
-where
-    A: AsPositions + ?Sized,
-    B: AsPositions<Scalar = A::Scalar> + ?Sized,
-{
-    Session::new(mesh, options.clone())?.earliest_toi(x0, x1)
-}
-
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
 /// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
@@ -362,66 +327,4 @@ fn prepare(
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())
-}
-
-/// The least time of impact that any worker found.
-fn least_toi(workers: &[Worker]) -> Option<f64> {
-    workers.iter().filter_map(|w| w.toi).reduce(f64::min)
-}
-
-/// Finds and decides all candidates, or those of every `part`-th task.
-fn detect(
-    threads: &Threads,
-    method: &mut Method,
-    prepared: &Prepared,
-    scene: &Scene,
-    part: usize,
-    workers: &mut [Worker],
-    report: &mut Report,
-) {
-    let start = Instant::now();
-    let narrow = |workers: &[Worker]| workers.iter().map(|w| w.narrow).sum::<Duration>();
-    let before = narrow(workers);
-    // If a sample came before, the last pass counts.
-    workers.iter_mut().for_each(Worker::restart_counts);
-    if prepared.triangles.is_some() {
-        expand(None, threads, method, prepared, scene, part, workers);
-    } else {
-        find(Kind::VertexFace, threads, method, prepared, scene, part, workers);
-        find(Kind::EdgeEdge, threads, method, prepared, scene, part, workers);
-    }
-    count(workers, report, prepared.triangles.is_some());
-    let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
-    report.times.narrow += narrow;
-    report.times.traverse += (milliseconds(start) - narrow).max(0.0);
-}
-
-/// Adds up what the workers counted.
-fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
-    let (mut candidates, mut filtered) = (PerKind::default(), PerKind::default());
-    let mut counts = TriangleCounts::default();
-    for worker in workers {
-        candidates = candidates.plus(worker.candidates);
-        filtered = filtered.plus(worker.filtered);
-        counts = counts.plus(worker.triangles);
-    }
-    (report.candidates, report.filtered) = (candidates, filtered);
-    report.triangles = triangles.then_some(counts);
-}
-
-/// Joins the workers' contacts.
-fn collect(workers: &mut [Worker], report: &mut Report) {
-    let start = Instant::now();
-    let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
-    report.contacts.reserve(total);
-    for worker in workers.iter_mut() {
-        report.contacts.extend_from_slice(&worker.contacts);
-        // Whichever worker finds them next time, there is room.
-        worker.contacts.clear();
-        worker.contacts.reserve(total + total / 8);
-    }
-    report.toi = least_toi(workers);
-    report.undecided =
-        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
-    report.times.narrow += milliseconds(start);
 }

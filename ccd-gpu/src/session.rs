@@ -142,7 +142,7 @@ impl Session {
     /// What each call times on the device from now on.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] where the device has no timestamps; what it refuses.
+    /// What the device refuses. Where it has no timestamps, nothing is timed.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.frames.bench.set_timing(timing)
     }

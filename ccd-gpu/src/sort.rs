@@ -89,6 +89,9 @@ pub struct Sorter {
 
 impl Sorter {
     /// Room for `n` pairs.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
         let source =
             |what| device.buffer(what, 4 * n as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST);
@@ -104,6 +107,9 @@ impl Sorter {
     }
 
     /// Sorts; returns the sorted keys and values.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),
@@ -130,6 +136,9 @@ impl Sorter {
     }
 
     /// Sorts the last input once more; milliseconds by kernel, if the device has timestamps.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn again(&mut self) -> Result<Vec<(&'static str, f64)>, Error> {
         let Self { device, bench, sort, source, n } = self;
         let [keys, values] = sort.half(0);

@@ -24,6 +24,19 @@ use std::sync::Arc;
 pub struct Session(Either<crate::Session, gpu::Session>);
 
 /// Candidates of a step: pairs of features whose swept boxes overlap.
+///
+/// ```
+/// use ccd::any::{Backend, Session};
+/// use ccd::{Mesh, Options, Pair};
+///
+/// let (choice, mesh) = (Backend::Cpu.choose(0)?, Mesh::new(4, &[[0, 1, 2]])?);
+/// let mut session = Session::new(&choice, mesh, Options::default())?;
+/// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 0.0, 0.2]];
+/// let candidates = session.candidates(&x, &x)?;
+/// assert_eq!(candidates.vf.iter().next(), Some(Pair { a: 3, b: 0 }));
+/// assert!(candidates.ee.is_empty());
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 pub struct Candidates<'a> {
     /// Vertex, face.
     pub vf: Pairs<'a>,

@@ -7,6 +7,7 @@
 
 mod builder_twin;
 mod builders;
+mod changes;
 mod descent;
 mod emulated;
 mod failures;
@@ -104,6 +105,7 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            changes::TESTS,
             kept_order::TESTS,
             listed::TESTS,
             triangles::TESTS,

@@ -71,6 +71,9 @@ impl Bodies {
     }
 
     /// Checks that there is a body for every vertex and that no element joins two.
+    ///
+    /// # Errors
+    /// [`Error::BodyCount`]; [`Error::MixedBodies`].
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         if self.body_of_vertex.len() != mesh.n_vertices() {
             return Err(Error::BodyCount {

@@ -5,6 +5,13 @@ use crate::narrow_phase::query::Verdict;
 use crate::narrow_phase::relative_motion::Patch;
 
 /// Which features touch.
+///
+/// ```
+/// use ccd_core::model::contact::Kind;
+///
+/// // In this order contacts come.
+/// assert!(Kind::VertexFace < Kind::EdgeEdge);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -83,6 +90,13 @@ impl From<&Touch> for Contact {
 }
 
 /// A number for each kind of pair.
+///
+/// ```
+/// use ccd_core::model::contact::PerKind;
+///
+/// let sum = PerKind::new(3, 4).plus(PerKind::new(1, 1));
+/// assert_eq!((sum.vf, sum.ee, sum.total()), (4, 5, 9));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -1,6 +1,16 @@
 //! What can be wrong with input: what, where, and the value.
 
 /// Why input was refused. Nothing was computed from it.
+///
+/// ```
+/// use ccd_core::Error;
+/// use ccd_core::model::mesh::Mesh;
+///
+/// let error = Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]).unwrap_err();
+/// assert!(matches!(error, Error::Index { at: 1, vertex: 7, .. }));
+/// let text = "face 1 refers to vertex 7, but there are 3 vertices (0 to 2)";
+/// assert_eq!(error.to_string(), text);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -267,6 +277,9 @@ impl core::fmt::Display for Error {
 impl core::error::Error for Error {}
 
 /// Checks that every coordinate is finite and at most [`Error::MAX_COORDINATE`].
+///
+/// # Errors
+/// [`Error::Coordinate`] with the first one that is not.
 pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), Error> {
     for (vertex, p) in x.iter().enumerate() {
         for (axis, c) in p.iter().enumerate() {
@@ -283,6 +296,9 @@ pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), E
 
 /// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are
 /// 31 bits.
+///
+/// # Errors
+/// [`Error::TooMany`] and [`Error::Box`].
 pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> Result<(), Error> {
     let (count, limit) = (boxes.len() as u64, Error::MAX_ELEMENTS);
     if count > limit {
@@ -302,6 +318,9 @@ pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> R
 }
 
 /// Checks a minimum distance.
+///
+/// # Errors
+/// [`Error::MinDistance`] unless it is from 0 to [`Error::MAX_COORDINATE`].
 pub fn check_min_distance(value: f64) -> Result<(), Error> {
     if value >= 0.0 && value <= Error::MAX_COORDINATE {
         Ok(())
@@ -311,6 +330,9 @@ pub fn check_min_distance(value: f64) -> Result<(), Error> {
 }
 
 /// Checks a setting that must be from `least` to `greatest`.
+///
+/// # Errors
+/// [`Error::Setting`].
 pub fn check_setting(
     name: &'static str,
     value: u32,

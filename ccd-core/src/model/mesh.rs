@@ -37,12 +37,20 @@ impl Mesh {
         Self { n_vertices: 0, faces: Vec::new(), edges: Vec::new(), n_degenerate: 0 };
 
     /// A mesh of `n_vertices` vertices and these faces; edges are derived.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
         Self::with_edges(n_vertices, faces, &[])
     }
 
     /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges
     /// count once.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face or edge that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn with_edges(
         n_vertices: usize,
         faces: &[[u32; 3]],
@@ -102,6 +110,9 @@ impl Mesh {
     }
 
     /// Checks that there is a position for every vertex at both ends of a step.
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`].
     pub fn check_positions<T>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
         let expected = self.n_vertices;
         for (time, found) in [(0, x0.len()), (1, x1.len())] {

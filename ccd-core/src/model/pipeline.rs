@@ -2,6 +2,14 @@
 //! [`catalogue`](super::catalogue).
 
 /// What pairs a step looks for first; contacts do not depend on it.
+///
+/// ```
+/// use ccd_core::model::options::Options;
+/// use ccd_core::model::pipeline::Pipeline;
+///
+/// let options = Options::default().with_pipeline(Pipeline::TRIANGLES);
+/// assert_ne!(options.pipeline, Pipeline::Features);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

@@ -27,6 +27,14 @@ pub struct Times {
 /// [`Report::filtered`]. The numbers are the same on every backend and by every method; where only
 /// the earliest time was asked for, a CPU counts its last pass, over a shorter time, a GPU all of
 /// the step.
+///
+/// ```
+/// use ccd_core::model::report::TriangleCounts;
+///
+/// let mut counts = TriangleCounts::default();
+/// (counts.pairs, counts.represented, counts.orphans) = (4, 20, 2);
+/// assert_eq!((counts.all_tests(), counts.box_tests()), (60, 22));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -68,6 +76,13 @@ impl TriangleCounts {
 }
 
 /// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
+///
+/// ```
+/// use ccd_core::model::report::FrontCounts;
+///
+/// let both = FrontCounts::new(100, 90, 1600).plus(FrontCounts::new(50, 0, 800));
+/// assert_eq!((both.pairs, both.begun, both.bytes), (150, 90, 2400));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
