@@ -67,11 +67,11 @@ fn hold_back(
     x1: &mut [[f64; 3]],
 ) -> Result<usize, ccd::Error> {
     let mut first = None;
-    for round in 0.. {
+    for round in 0..200 {
         let report = session.step(x0, &*x1)?;
-        first.get_or_insert(report.contacts.len());
+        let first = *first.get_or_insert(report.contacts.len());
         if report.contacts.is_empty() {
-            break;
+            return Ok(first);
         }
         for c in &report.contacts {
             for v in report.mesh().vertices_of(c.kind, Pair { a: c.a, b: c.b }) {
@@ -81,7 +81,7 @@ fn hold_back(
             }
         }
     }
-    Ok(first.unwrap_or(0))
+    panic!("no free step in 200 rounds")
 }
 
 /// The cloth above the sphere, its vertices first.

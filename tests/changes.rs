@@ -123,6 +123,8 @@ fn options_change() {
     }
     assert!(counts.windows(2).filter(|two| two[0] != two[1]).count() > 10, "{counts:?}");
 
+    let options = Options::default().with_threads(1).with_bodies(bodies[1].clone());
+    session.set_options(options).unwrap();
     // A mesh with bodies: both at once, and none of either if they do not fit.
     let why = session.set_mesh(&step.mesh).unwrap_err();
     assert!(matches!(why, Error::BodyCount { found: 180, .. }), "{why}");

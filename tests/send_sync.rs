@@ -93,6 +93,8 @@ are!(
     scenes::Step,
 );
 
+const TRAITS: [&str; 6] = ["AsPositions", "Catalogued", "Coordinate", "Matrix", "Point", "Real"];
+
 /// What is here is what there is: every type that the library's root exports has a line above.
 #[test]
 fn every_type_at_the_root_is_named() {
@@ -102,7 +104,7 @@ fn every_type_at_the_root_is_named() {
     let mut n = 0;
     for word in exports.flat_map(|part| part.split(|c: char| !c.is_alphanumeric() && c != '_')) {
         let is_type = word.starts_with(char::is_uppercase) && word.contains(char::is_lowercase);
-        let is_trait = ["AsPositions", "Catalogued", "Coordinate", "Real"].contains(&word);
+        let is_trait = TRAITS.contains(&word);
         if is_type && !is_trait {
             let named = [format!("::{word},"), format!("::{word}<")];
             assert!(named.iter().any(|name| here.contains(name)), "{word} is not asserted");
