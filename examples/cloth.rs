@@ -75,8 +75,9 @@ fn hold_back(
         }
         for c in &report.contacts {
             for v in report.mesh().vertices_of(c.kind, Pair { a: c.a, b: c.b }) {
-                // Undecided pairs are held back as all others. After some rounds: not at all.
-                let part = if round < 6 { 0.5 * c.toi } else { 0.0 };
+                // Undecided pairs are held back as all others. What is near stays where it is, so
+                // that it never comes so near that rounding cannot tell; after some rounds, all do.
+                let part = if round < 6 && c.toi > 0.1 { 0.5 * c.toi } else { 0.0 };
                 x1[v as usize] = lerp(x0[v as usize], x1[v as usize], part);
             }
         }

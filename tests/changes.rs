@@ -52,7 +52,7 @@ fn methods() -> impl Iterator<Item = (BroadPhaseMethod, Scheduling)> {
 
 /// All of one session, one change after the other.
 fn check_changes(threads: usize) {
-    let (small, large) = (crumpled_sheet(8, 1), crumpled_sheet(20, 2));
+    let (small, large) = (crumpled_sheet(8, 1), crumpled_sheet(16, 2));
     let soup = triangle_soup(60, 0.3, 5);
     let none =
         Step { mesh: Mesh::new(2, &[]).unwrap(), x0: vec![[0.0; 3]; 2], x1: vec![[1.0; 3]; 2] };

@@ -56,6 +56,7 @@ are!(
     ccd::geometry::Patch,
     positions::Ends<'static>,
     positions::PositionView<'static, f32>,
+    positions::Precision<u8, u8>,
 );
 are!(
     any::Backend,

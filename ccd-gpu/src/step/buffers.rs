@@ -111,7 +111,7 @@ impl Buffers {
                 list(|old| &old.candidates[0], "vertex-face candidates", 2, 0)?,
                 list(|old| &old.candidates[1], "edge-edge candidates", 2, 0)?,
             ],
-            order: None,
+            order: old.and_then(|old| old.order.clone()),
             to_order: 0,
             keeps_order: false,
             earliest: [
