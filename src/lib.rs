@@ -35,6 +35,8 @@
 //! | frame after frame of one mesh | [`Session`] |
 //! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
 //! | contact at a distance | [`Options::min_distance`] |
+//! | positions in a vertex buffer, `glam`, posed bodies | [`positions`] |
+//! | another mesh, distance or options between steps | [`Session::set_mesh`], and its like |
 //! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
 //! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
 //! | where a mesh goes through itself at one moment | [`intersections`] |
@@ -53,7 +55,8 @@
 //!
 //! # Features
 //! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
-//! scenes.
+//! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
+//! reports as data.
 #![deny(unsafe_code)]
 
 pub mod any;
@@ -68,6 +71,14 @@ pub mod geometry {
     pub use ccd_core::math::vec3;
     pub use ccd_core::narrow_phase::closest_point::closest;
     pub use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+}
+
+/// Positions as a session takes them: slices as they are, and what is gathered into slices first.
+pub mod positions {
+    pub use ccd_core::model::positions::{
+        AsPositions, Ends, Matrix, Point, Posed, PositionView, Strided, ends,
+    };
+    pub use ccd_core::model::precision::Precision;
 }
 
 /// The GPU backend: [`gpu::Device`], [`gpu::Session`].
@@ -92,6 +103,7 @@ pub use ccd_core::model::method::{
 };
 pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
 pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};

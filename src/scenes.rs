@@ -15,6 +15,14 @@ use crate::{Aabb, Bodies, Mesh};
 pub use sequences::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 
 /// Pseudo-random numbers: [`pcg`] of a counter.
+///
+/// ```
+/// use ccd::scenes::Random;
+///
+/// let (mut one, mut same) = (Random::new(7), Random::new(7));
+/// assert_eq!(one.point(), same.point());
+/// assert_ne!(one.bits(), one.bits());
+/// ```
 #[derive(Clone, Debug)]
 pub struct Random(u32);
 
@@ -105,6 +113,13 @@ fn cube_root(x: f64) -> f64 {
 }
 
 /// A mesh with its positions at both ends of a step.
+///
+/// ```
+/// let step = ccd::scenes::crumpled_sheet(10, 1);
+/// let report = ccd::step(&step.mesh, &step.x0, &step.x1, &ccd::Options::default())?;
+/// assert!(!report.contacts.is_empty());
+/// # Ok::<(), ccd::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// Topology.

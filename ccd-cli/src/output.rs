@@ -5,6 +5,7 @@ use ccd::{Contact, Kind, Mesh, PerKind, Report, State};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
 macro_rules! say {
@@ -61,6 +62,12 @@ pub struct MeshSize {
 impl From<&Mesh> for MeshSize {
     fn from(mesh: &Mesh) -> Self {
         Self { vertices: mesh.n_vertices(), edges: mesh.edges().len(), faces: mesh.faces().len() }
+    }
+}
+
+impl From<&Arc<Mesh>> for MeshSize {
+    fn from(mesh: &Arc<Mesh>) -> Self {
+        Self::from(&**mesh)
     }
 }
 

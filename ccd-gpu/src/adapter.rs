@@ -13,6 +13,15 @@ pub enum Path {
 }
 
 /// What is wanted of a device.
+///
+/// ```
+/// use ccd_gpu::{DeviceOptions, Path};
+///
+/// let mut options = DeviceOptions::default();
+/// options.adapter = Some("llvmpipe".into());
+/// options.path = Some(Path::Wgsl);
+/// # assert_ne!(options, DeviceOptions::default());
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
     /// A part of the adapter's name, in any case; `None`: the one that wgpu prefers, and the

@@ -9,6 +9,14 @@ use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock};
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// println!("{}", device.info());
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 #[derive(Clone)]
 pub struct Device {
     inner: Arc<Inner>,
@@ -39,6 +47,9 @@ impl Device {
     }
 
     /// Opens a device. Blocks until it is there.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with what was looked for and what there is; what the device refuses.
     pub fn open(options: &DeviceOptions) -> Result<Self, Error> {
         pollster::block_on(Self::open_async(options))
     }
@@ -89,6 +100,10 @@ impl Device {
 
     /// Uses a device that an application owns; see [`Device::features`]. The application keeps its
     /// callbacks for errors and for the loss of the device.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] for a device through OpenGL, one with less than the limits of WebGPU,
+    /// or a path that it does not have.
     pub fn from_wgpu(
         device: wgpu::Device,
         queue: wgpu::Queue,
@@ -178,6 +193,9 @@ impl Device {
     }
 
     /// Whether kernels may pass data from one workgroup to another inside a dispatch, or why not.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with the reason.
     pub fn check_native(&self) -> Result<(), Error> {
         let info = self.info();
         match info.path {
@@ -227,6 +245,21 @@ impl Device {
             mapped_at_creation: false,
         };
         self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor))
+    }
+
+    /// A buffer that was made for the same purpose, if it is there and large enough; else a new
+    /// one.
+    pub(crate) fn buffer_or(
+        &self,
+        old: Option<&wgpu::Buffer>,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, Error> {
+        match old {
+            Some(old) if old.size() >= bytes && old.usage().contains(usage) => Ok(old.clone()),
+            _ => self.buffer(what, bytes, usage),
+        }
     }
 
     /// The pipeline of a kernel, compiled on first use.

@@ -1,9 +1,6 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
-mod rules;
-
-use crate::broad_phase::method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
 use crate::device::Device;
@@ -13,26 +10,47 @@ use crate::recorder::Timing;
 use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, WHOLE, cpu_fallback};
-use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::precision::{Given, Points, Precision};
+use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
+use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::narrow_phase::decide;
+use std::sync::Arc;
 use std::time::Instant;
 
+mod changes;
+mod rules;
+
 /// Continuous collision detection of one mesh over many steps, on a GPU.
+///
+/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
+/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
+/// functions change what a session was made with; the next step finds what a new session would.
+///
+/// ```no_run
+/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_gpu::{Device, DeviceOptions, Session};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
+/// let mut session = Session::new(&device, mesh, Options::default())?;
+/// let report = session.step(&[[0.0f32; 3]; 4], &[[1.0; 3]; 4])?;
+/// println!("{} contacts of {:?}", report.contacts.len(), report.mesh());
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 pub struct Session {
     device: Device,
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     options: Options,
     frames: Frames,
     codimensional: Option<Codimensional>,
     report: Report,
     left_open: PerKind,
+    gathered: Gathered,
 }
 
 /// Results where a device has them, for work that goes on there. Valid until the session's next
@@ -82,14 +100,23 @@ pub struct Candidates {
 }
 
 impl Session {
-    /// A session for `mesh` on `device`.
-    pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
-        options.check(&mesh)?;
-        method::check(options.broad_phase)?;
-        method::check_scheduling(options.broad_phase, options.scheduling)?;
-        if let Some(name) = options.pipeline.lacking("gpu") {
-            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
-        }
+    /// A session for `mesh` on `device`: a [`Mesh`], a reference to one, which is copied, or an
+    /// `Arc` of one, which is shared.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with what [`Options::check`] refuses or a GPU does not have;
+    /// [`Error::OfTrees`]; what the device refuses.
+    pub fn new(
+        device: &Device,
+        mesh: impl Into<Arc<Mesh>>,
+        options: Options,
+    ) -> Result<Self, Error> {
+        Self::of(device, mesh.into(), options)
+    }
+
+    #[inline(never)]
+    fn of(device: &Device, mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
+        changes::check(&mesh, &options)?;
         Ok(Self {
             frames: Frames::new(device, &mesh, &options)?,
             codimensional: Codimensional::new(device, &mesh, &options)?,
@@ -98,10 +125,14 @@ impl Session {
             options,
             report: Report::default(),
             left_open: PerKind::default(),
+            gathered: Gathered::default(),
         })
     }
 
     /// Goes on with another device, after the last one was lost.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
         self.frames.move_to(device, &self.mesh, &self.options)?;
         self.codimensional = Codimensional::new(device, &self.mesh, &self.options)?;
@@ -109,8 +140,8 @@ impl Session {
         Ok(())
     }
 
-    /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
@@ -131,6 +162,9 @@ impl Session {
     }
 
     /// What each call times on the device from now on.
+    ///
+    /// # Errors
+    /// What the device refuses. Where it has no timestamps, nothing is timed.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.frames.bench.set_timing(timing)
     }
@@ -143,6 +177,9 @@ impl Session {
 
     /// What each worker did in the last call, those of one kind of pairs after those of the other;
     /// empty where the scheduler has no workers.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
         self.frames.worker_counts(&self.device)
     }
@@ -159,24 +196,37 @@ impl Session {
 
     /// Makes room for so many entries in every list, more or less than there is: less makes the
     /// next step grow them, more spares it that.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
     pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
         self.frames.reserve(&self.device, entries)
     }
 
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
-    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, Goal::Contacts)?;
+    ///
+    /// # Errors
+    /// [`Error::Input`] with what is wrong with positions; what the device refuses. The session
+    /// stays usable, after [`Error::Lost`] on another device.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, Goal::Contacts)?;
         Ok(&self.report)
     }
 
     /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
-    pub fn step_until<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-        t_max: f64,
-    ) -> Result<&Report, Error> {
+    ///
+    /// # Errors
+    /// Those of [`Session::step_window`].
+    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
         self.step_window(x0, x1, [0.0, t_max])
     }
 
@@ -187,13 +237,12 @@ impl Session {
     /// # Errors
     /// [`ccd_core::Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of
     /// [`Session::step`].
-    pub fn step_window<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-        window: [f64; 2],
-    ) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), window, Goal::Contacts)?;
+    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), window, Goal::Contacts)?;
         Ok(&self.report)
     }
 
@@ -203,14 +252,17 @@ impl Session {
     /// It is not later than the earliest contact, and rounded down to an `f32`; with a tolerance
     /// below 1e-7, which an `f32` cannot keep, it is not rounded, and costs as much as
     /// [`Session::step`].
-    pub fn earliest_toi<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Option<f64>, Error> {
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
         let exact = self.options.tolerance < 1e-7;
         let goal = if exact { Goal::Contacts } else { self.frames.goal_of_earliest() };
-        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, goal)?;
+        self.run(ends(x0, x1), WHOLE, goal)?;
         if exact {
             self.report.contacts.clear();
             self.report.undecided = 0;
@@ -223,28 +275,34 @@ impl Session {
     ///
     /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
     /// and separate that they neither come nearer than at the start nor touch again.
-    pub fn collision_free_step_size<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<f64, Error> {
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
         Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Candidates, Error> {
-        self.list(T::slices::<Points, 2>([x0, x1]))
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.list(ends(x0, x1))
     }
 
     /// Lists candidates.
     #[inline(never)]
-    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.run(given, WHOLE, Goal::Candidates)?;
+    fn list(&mut self, ends: Ends) -> Result<Candidates, Error> {
+        self.run(ends, WHOLE, Goal::Candidates)?;
         let [vf, ee] = self.frames.read_candidates(&self.device, self.report.candidates)?;
         let [ve, vv] =
             self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
@@ -253,18 +311,21 @@ impl Session {
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
-    pub fn candidates_on_device<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<[&List; 2], Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), WHOLE, Goal::Candidates)?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates_on_device<A, B>(&mut self, x0: &A, x1: &B) -> Result<[&List; 2], Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, Goal::Candidates)?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
     }
 
     /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per
-    /// vertex. May be written by copies and by kernels.
+    /// vertex. May be written by copies and by kernels. Another mesh may bring another buffer.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.frames.buffers.positions.paths
     }
@@ -277,6 +338,10 @@ impl Session {
     /// are certified from positions on the host, and for meshes with vertices of no edge that could
     /// touch each other or an edge of no face, which are decided there. Whether what is
     /// fixed moves is not seen.
+    ///
+    /// # Errors
+    /// [`Error::PathsUnseen`] with normal cones, [`Error::Codimensional`] for such meshes; what the
+    /// device refuses.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         if self.codimensional.is_some() {
             return Err(Error::Codimensional);
@@ -313,7 +378,15 @@ impl Session {
     }
 
     #[inline(never)]
-    fn run(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+    fn run(&mut self, ends: Ends, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+        let mut gathered = std::mem::take(&mut self.gathered);
+        let given = gathered.slices(ends).map_err(Error::from);
+        let done = given.and_then(|given| self.run_given(given, window, goal));
+        self.gathered = gathered;
+        done
+    }
+
+    fn run_given(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
         check_window(window)?;
         match given {
             Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
@@ -332,6 +405,7 @@ impl Session {
         contacts.clear();
         self.report = Report::default();
         self.report.contacts = contacts;
+        self.report.set_mesh(&self.mesh);
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;
         let found = self.frames.run(&self.device, &self.options, (goal, window), contacts)?;

@@ -22,6 +22,9 @@ pub struct Frame {
 
 impl Frame {
     /// The topology of the frame.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::with_edges`].
     pub fn mesh(&self) -> Result<Mesh, crate::Error> {
         Mesh::with_edges(self.positions.len(), &self.faces, &self.edges)
     }
@@ -33,6 +36,11 @@ impl Frame {
 }
 
 /// Why a file could not be read.
+///
+/// ```
+/// let error = ccd::io::read_frame("nowhere.ply".as_ref()).unwrap_err();
+/// assert!(error.to_string().starts_with("nowhere.ply: "));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {kind}", path.display())]
 pub struct ReadError {
@@ -83,6 +91,19 @@ pub enum ReadErrorKind {
 
 /// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type) or an
 /// `.obj` file.
+///
+/// ```no_run
+/// use std::path::Path;
+///
+/// let before = ccd::io::read_frame(Path::new("before.ply"))?;
+/// let after = ccd::io::read_frame(Path::new("after.ply"))?;
+/// let mut session = ccd::Session::new(before.mesh()?, ccd::Options::default())?;
+/// println!("{:?}", session.earliest_toi(&before.positions, &after.positions)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`ReadError`] with the file and [`ReadErrorKind`] with what is wrong with it.
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let frame = match extension.as_deref() {

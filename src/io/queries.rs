@@ -32,6 +32,21 @@ pub struct Queries {
 /// Reads a query file. Whether it holds vertex-face or edge-edge queries is told by its path: the
 /// name of the file, or of the nearest folder, that contains `vertex-face`, `vf`, `edge-edge` or
 /// `ee`.
+///
+/// ```no_run
+/// use ccd::io::{Query, read_queries};
+/// use std::path::Path;
+///
+/// let file = read_queries(Path::new("queries/vertex-face/0.csv"))?;
+/// for (query, answer) in file.queries.iter().zip(&file.answers) {
+///     let Query::VertexFace(query) = query else { continue };
+///     println!("{:?}, the file says {answer}", ccd::vertex_face(query, 0.0));
+/// }
+/// # Ok::<(), ccd::io::ReadError>(())
+/// ```
+///
+/// # Errors
+/// [`ReadError`] with the file and what is wrong with it.
 pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
     read(path).map_err(|kind| ReadError { path: path.to_owned(), kind })
 }

@@ -7,6 +7,7 @@
 
 mod builder_twin;
 mod builders;
+mod changes;
 mod codimensional;
 mod descent;
 mod emulated;
@@ -108,6 +109,7 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            changes::TESTS,
             kept_order::TESTS,
             listed::TESTS,
             rules::TESTS,

@@ -12,6 +12,12 @@ use crate::math::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
+///
+/// ```
+/// use ccd_core::layout::Pair;
+///
+/// assert_eq!(Pair::ordered(7, 3), Pair { a: 3, b: 7 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Pod, Zeroable)]
 #[repr(C)]
 pub struct Pair {

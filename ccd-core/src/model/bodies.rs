@@ -110,6 +110,11 @@ impl Bodies {
         self
     }
 
+    /// The body of each vertex, by the numbers given.
+    pub fn body_of_vertex(&self) -> &[u32] {
+        &self.body_of_vertex
+    }
+
     /// With a body asleep or not: while it sleeps it is as one that is fixed.
     #[must_use]
     pub fn with_sleeping(mut self, body: u32, sleeping: bool) -> Self {
@@ -188,6 +193,13 @@ impl Bodies {
         for (of, &name) in self.of.iter_mut().zip(&self.names) {
             of.world = worlds.get(name as usize).copied().unwrap_or(0);
         }
+        self
+    }
+
+    /// With the world of one body, see [`Bodies::with_worlds`].
+    #[must_use]
+    pub fn with_world(mut self, body: u32, world: u32) -> Self {
+        self.change(body, |of| of.world = world);
         self
     }
 
@@ -315,6 +327,17 @@ impl Bodies {
     /// The name of the body of vertex `v`.
     pub fn name(&self, v: u32) -> u32 {
         self.body_of_vertex[v as usize]
+    }
+
+    #[cfg(feature = "serde")]
+    pub(super) fn names(&self) -> &[u32] {
+        &self.names
+    }
+
+    /// A body that a rule names and no vertex belongs to.
+    #[cfg(feature = "serde")]
+    pub(super) fn unknown(&self) -> Option<u32> {
+        self.unknown
     }
 
     pub(super) fn numbers(&self) -> &[u32] {

@@ -7,7 +7,16 @@ use crate::narrow_phase::relative_motion::Patch;
 use crate::narrow_phase::search::Answer;
 
 /// Which features touch.
+///
+/// ```
+/// use ccd_core::model::contact::Kind;
+///
+/// // In this order contacts come.
+/// assert!(Kind::VertexFace < Kind::EdgeEdge);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind {
     /// Vertex `a`, face `b`.
     VertexFace,
@@ -40,6 +49,8 @@ impl Kind {
 
 /// How certain a contact is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum State {
     /// Certainly a contact; the time of impact is at most the tolerance of the options early,
     /// [`crate::TOI_TOLERANCE`] by default.
@@ -51,6 +62,7 @@ pub enum State {
 
 /// A contact between two features.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Contact {
     /// Vertex-face or edge-edge.
@@ -106,7 +118,15 @@ impl From<&Touch> for Contact {
 }
 
 /// A number for each kind of pair.
+///
+/// ```
+/// use ccd_core::model::contact::PerKind;
+///
+/// let sum = PerKind::new(3, 4).plus(PerKind::new(1, 1));
+/// assert_eq!((sum.vf, sum.ee, sum.total()), (4, 5, 9));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct PerKind {
     /// Vertex-face.

@@ -3,7 +3,19 @@
 use crate::narrow_phase::query::LEAST_TOLERANCE;
 
 /// Why input was refused. Nothing was computed from it.
+///
+/// ```
+/// use ccd_core::Error;
+/// use ccd_core::model::mesh::Mesh;
+///
+/// let error = Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]).unwrap_err();
+/// assert!(matches!(error, Error::Index { at: 1, vertex: 7, .. }));
+/// let text = "face 1 refers to vertex 7, but there are 3 vertices (0 to 2)";
+/// assert_eq!(error.to_string(), text);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate is NaN, infinite, or beyond [`Error::MAX_COORDINATE`].
@@ -36,6 +48,46 @@ pub enum Error {
         expected: usize,
         /// Positions that were given.
         found: usize,
+    },
+    /// Positions in bytes with a stride that is shorter than a position.
+    Stride {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The stride given, in bytes.
+        stride: usize,
+        /// Bytes of a position.
+        least: usize,
+    },
+    /// Positions beyond the bytes that they are to be read from.
+    Bytes {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The first vertex whose position does not end within the bytes.
+        vertex: usize,
+        /// Where it would end.
+        end: usize,
+        /// Bytes that there are.
+        found: usize,
+    },
+    /// A vertex of a body for which there is no matrix.
+    Pose {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the vertex.
+        vertex: usize,
+        /// Its body.
+        body: u32,
+        /// How many matrices there are.
+        n_poses: usize,
+    },
+    /// A matrix of a body that is not affine.
+    Projection {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the matrix.
+        body: usize,
+        /// Its last row, which must be 0, 0, 0, 1.
+        row: [f64; 4],
     },
     /// More elements than 32-bit ids can name.
     TooMany {
@@ -193,6 +245,30 @@ impl core::fmt::Display for Error {
             Error::VertexCount { time, expected, found } => {
                 write!(f, "t{time} has {found} vertices, the mesh has {expected}")
             }
+            Error::Stride { time, stride, least } => {
+                write!(f, "t{time} has a stride of {stride} bytes; a position takes {least}")
+            }
+            Error::Bytes { time, vertex, end, found } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} ends at byte {end}, but there are {found} bytes"
+                )
+            }
+            Error::Pose { time, vertex, body, n_poses } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} is of body {body}, \
+                     but there are {n_poses} matrices (0 to {})",
+                    n_poses.saturating_sub(1)
+                )
+            }
+            Error::Projection { time, body, row } => {
+                write!(
+                    f,
+                    "the matrix of body {body} at t{time} has the last row {row:?}; \
+                     it must be 0, 0, 0, 1"
+                )
+            }
             Error::TooMany { element, count, limit } => {
                 write!(f, "{count} {element}: at most {limit} are possible")
             }
@@ -261,6 +337,9 @@ impl core::fmt::Display for Error {
 impl core::error::Error for Error {}
 
 /// Checks that every coordinate is finite and at most [`Error::MAX_COORDINATE`].
+///
+/// # Errors
+/// [`Error::Coordinate`] with the first one that is not.
 pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), Error> {
     for (vertex, p) in x.iter().enumerate() {
         for (axis, c) in p.iter().enumerate() {
@@ -277,6 +356,9 @@ pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), E
 
 /// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are
 /// 31 bits.
+///
+/// # Errors
+/// [`Error::TooMany`] and [`Error::Box`].
 pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> Result<(), Error> {
     let (count, limit) = (boxes.len() as u64, Error::MAX_ELEMENTS);
     if count > limit {
@@ -296,6 +378,9 @@ pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> R
 }
 
 /// Checks a minimum distance.
+///
+/// # Errors
+/// [`Error::MinDistance`] unless it is from 0 to [`Error::MAX_COORDINATE`].
 pub fn check_min_distance(value: f64) -> Result<(), Error> {
     if value >= 0.0 && value <= Error::MAX_COORDINATE {
         Ok(())
@@ -319,6 +404,9 @@ pub fn check_window([from, until]: [f64; 2]) -> Result<(), Error> {
 }
 
 /// Checks a setting that must be from `least` to `greatest`.
+///
+/// # Errors
+/// [`Error::Setting`].
 pub fn check_setting(
     name: &'static str,
     value: u32,

@@ -3,6 +3,7 @@
 /// Groups of a body: those that it is a member of, and those whose members it is looked at against;
 /// a bit a group, as rapier's interaction groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Groups {
     /// Groups that the body is a member of.
     pub memberships: u32,

@@ -6,6 +6,7 @@ use crate::model::contact::Kind;
 use crate::model::error::Error;
 use crate::narrow_phase::decide::{edge_edge_ids, vertex_face_ids};
 use crate::narrow_phase::distance::Distance;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
@@ -14,7 +15,18 @@ use alloc::vec::Vec;
 /// of the upper triangle of an adjacency matrix column by column, which published collision data
 /// uses. Their ids do not depend on the order of faces. A degenerate face (a vertex twice) is kept
 /// and counted; its sides that join a vertex with itself are no edges.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+///
+/// A session takes a `Mesh`, a `&Mesh` (a copy), or an `Arc<Mesh>`, which many sessions can share.
+/// Its `Debug` says how many vertices, edges and faces there are, not which.
+///
+/// ```
+/// use ccd_core::model::mesh::Mesh;
+///
+/// let square = Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?;
+/// assert_eq!(square.edges(), [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]);
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
+#[derive(Clone, Default, PartialEq, Eq)]
 pub struct Mesh {
     n_vertices: usize,
     faces: Vec<[u32; 3]>,
@@ -23,13 +35,24 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    pub(crate) const EMPTY: Self =
+        Self { n_vertices: 0, faces: Vec::new(), edges: Vec::new(), n_degenerate: 0 };
+
     /// A mesh of `n_vertices` vertices and these faces; edges are derived.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
         Self::with_edges(n_vertices, faces, &[])
     }
 
     /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges
     /// count once.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face or edge that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn with_edges(
         n_vertices: usize,
         faces: &[[u32; 3]],
@@ -109,6 +132,9 @@ impl Mesh {
     }
 
     /// Checks that there is a position for every vertex at both ends of a step.
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`].
     pub fn check_positions<T>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
         let expected = self.n_vertices;
         for (time, found) in [(0, x0.len()), (1, x1.len())] {
@@ -122,6 +148,21 @@ impl Mesh {
     /// Faces and given edges that name a vertex twice.
     pub fn n_degenerate(&self) -> usize {
         self.n_degenerate
+    }
+}
+
+impl core::fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let mut numbers = f.debug_struct("Mesh");
+        numbers.field("n_vertices", &self.n_vertices).field("n_edges", &self.edges.len());
+        numbers.field("n_faces", &self.faces.len()).finish_non_exhaustive()
+    }
+}
+
+/// A copy.
+impl From<&Mesh> for Arc<Mesh> {
+    fn from(mesh: &Mesh) -> Self {
+        Arc::new(mesh.clone())
     }
 }
 

@@ -8,6 +8,8 @@ pub mod codimensional;
 pub mod contact;
 #[cfg(feature = "alloc")]
 mod contact_on_mesh;
+#[cfg(feature = "serde")]
+mod data;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]
@@ -19,6 +21,7 @@ pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
 pub mod pipeline;
+pub mod positions;
 pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]

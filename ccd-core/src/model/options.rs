@@ -18,6 +18,8 @@ use crate::narrow_phase::search::Search;
 /// assert_eq!(options.min_distance, 0.001);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Options {
     /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or
@@ -135,6 +137,10 @@ impl Options {
     }
 
     /// Checks the options for steps of `mesh`.
+    ///
+    /// # Errors
+    /// [`Error::MinDistance`]; [`Error::Setting`] and [`Error::NoPairsOfNodes`] for a method and
+    /// its scheduling; what [`Bodies::check`] refuses.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
         check_tolerance(self.tolerance)?;

@@ -54,6 +54,8 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 #[repr(u32)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Approach {
     /// Certainly neither, or not certain.
     #[default]

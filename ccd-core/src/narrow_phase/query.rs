@@ -20,6 +20,14 @@ pub const TOI_TOLERANCE: f64 = 1e-6;
 pub const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// The answer of a query.
+///
+/// ```
+/// use ccd_core::Verdict;
+///
+/// // What a conservative caller may advance to.
+/// assert_eq!(Verdict::Undecided { toi: 0.25 }.toi(), Some(0.25));
+/// assert_eq!(Verdict::<f64>::Miss.toi(), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(u32)]
 pub enum Verdict<R> {
@@ -86,11 +94,33 @@ widen!(EdgeEdge);
 ///
 /// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or
 /// underflows in `R` is undecided, not wrong.
+///
+/// ```
+/// use ccd_core::{Verdict, VertexFace, vertex_face};
+///
+/// // A vertex falls through a triangle: half of the way down.
+/// let t0 = [[0.2, 1.0, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0f64]];
+/// let mut t1 = t0;
+/// t1[0][1] = -1.0;
+/// let Verdict::Hit { toi } = vertex_face(&VertexFace { t0, t1 }, 0.0) else { panic!() };
+/// assert!(toi <= 0.5 && toi > 0.5 - 1e-6);
+/// // A distance of 0.5 is reached earlier.
+/// let near = vertex_face(&VertexFace { t0, t1 }, 0.5).toi();
+/// assert!(near.is_some_and(|toi| toi <= 0.25 && toi > 0.25 - 1e-6));
+/// ```
 pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
     solve(&Motion::vertex_face(&q.t0, &q.t1, R::splat(0.0)), Patch::Triangle, min_distance)
 }
 
 /// Decides an edge-edge query in the arithmetic of `R`. See [`vertex_face`] for what is accepted.
+///
+/// ```
+/// use ccd_core::{EdgeEdge, Verdict, edge_edge};
+///
+/// let t0 = [[-1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];
+/// let t1 = [[-1.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];
+/// assert_eq!(edge_edge(&EdgeEdge { t0, t1 }, 0.0), Verdict::Miss);
+/// ```
 pub fn edge_edge<R: Real>(q: &EdgeEdge<R>, min_distance: R) -> Verdict<R> {
     solve(&Motion::edge_edge(&q.t0, &q.t1, R::splat(0.0)), Patch::Parallelogram, min_distance)
 }

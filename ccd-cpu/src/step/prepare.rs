@@ -161,7 +161,35 @@ impl Prepared {
     /// Takes other rules: the next call has an order of its own.
     pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
         self.still.set(mesh, rules);
+        self.forget_order();
+    }
+
+    /// The next step puts boxes in a new order, whatever was.
+    pub fn forget_order(&mut self) {
         self.built = false;
+    }
+
+    /// From now on steps of another mesh, or by another pipeline; buffers stay.
+    pub fn set_mesh(&mut self, mesh: &Mesh, options: &Options) {
+        self.forget_order();
+        match (options.pipeline, &mut self.triangles) {
+            (Pipeline::Triangles(own), Some(kept)) => {
+                kept.set_mesh(mesh, own, options.min_distance);
+            }
+            (Pipeline::Triangles(own), none) => {
+                *none = Some(TriangleLeaves::new(mesh, own, options.min_distance));
+            }
+            (_, triangles) => *triangles = None,
+        }
+    }
+
+    /// From now on another minimum distance. Boxes are swept with it in every step, and an order
+    /// holds for boxes of any size; only regions that are free without one are not with one.
+    pub fn set_min_distance(&mut self, mesh: &Mesh, options: &Options) {
+        if let (Pipeline::Triangles(own), Some(triangles)) = (options.pipeline, &mut self.triangles)
+        {
+            triangles.set_min_distance(mesh, own, options.min_distance);
+        }
     }
 
     /// Checks coordinates, fills the table and sweeps all boxes.

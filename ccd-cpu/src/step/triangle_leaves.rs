@@ -106,6 +106,22 @@ impl TriangleLeaves {
         }
     }
 
+    /// The same for another mesh; buffers of leaves stay.
+    pub fn set_mesh(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
+        let Self { triangles, orphans, regions, .. } = Self::new(mesh, options, min_distance);
+        (self.triangles, self.orphans, self.regions) = (triangles, orphans, regions);
+    }
+
+    /// Regions, if they are wanted and nothing is to keep a distance; or none.
+    pub fn set_min_distance(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
+        let cones = options.cones && min_distance == 0.0;
+        if !cones {
+            self.regions = None;
+        } else if self.regions.is_none() {
+            self.regions = Some(FreeRegions::new(mesh, &self.triangles));
+        }
+    }
+
     /// Boxes of all triangles.
     pub fn sweep(&mut self, threads: &Threads, vertices: &[Aabb<f32>]) {
         let corners = self.triangles.all_corners();

@@ -1,7 +1,7 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
 use super::block_levels::Levels;
-use super::pair_source::boxes_of;
+use super::pair_source::boxes_or;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
 use crate::device::Device;
@@ -57,15 +57,23 @@ pub struct Tree {
 impl Tree {
     /// Makes room for these numbers of boxes.
     pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
-        let mut tree = Self::sorted_only(device, count)?;
+        Self::reusing(device, count, None)
+    }
+
+    /// The same, with the buffers of another tree as far as they are large enough. That one may be
+    /// used again, if this fails.
+    pub fn reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
+        let mut tree = Self::sorted_reusing(device, count, old)?;
         let levels = &tree.levels;
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
             // A node overlaps some tens of others on real scenes; what does not fit makes the list
             // grow.
             (1..levels.start(kind))
                 .map(|level| {
-                    List::new(
+                    let old = old.and_then(|old| old.pairs[kind as usize].get(level as usize - 1));
+                    List::reusing(
                         device,
+                        old,
                         "pairs of nodes",
                         2,
                         levels
@@ -82,6 +90,10 @@ impl Tree {
 
     /// As [`Tree::new`], without room for a descent.
     pub fn sorted_only(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+        Self::sorted_reusing(device, count, None)
+    }
+
+    fn sorted_reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge {
@@ -90,7 +102,8 @@ impl Tree {
             limit,
         };
         let levels = Levels::new(count).ok_or(too_large)?;
-        let nodes = device.buffer(
+        let nodes = device.buffer_or(
+            old.map(|old| &old.nodes),
             "nodes of the tree",
             levels.total() as u64 * size_of::<Aabb>() as u64,
             U::STORAGE | U::COPY_DST | U::COPY_SRC,
@@ -109,14 +122,15 @@ impl Tree {
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
         Ok(Self {
-            boxes: boxes_of(device, count)?,
-            leaves: device.buffer(
+            boxes: boxes_or(device, count, old.map(|old| &old.boxes))?,
+            leaves: device.buffer_or(
+                old.map(|old| &old.leaves),
                 "leaves",
                 levels.padded(0) as u64 * size_of::<Leaf>() as u64,
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
-            sort: Sort::new(device, n as u32)?,
+            sort: Sort::reusing(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
             groups: groups(device),

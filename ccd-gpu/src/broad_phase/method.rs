@@ -22,6 +22,9 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
 
 /// Refuses a way to share out pairs of nodes that the method or this backend does not have, and
 /// says why.
+///
+/// # Errors
+/// [`Error::Input`] and [`Error::OfTrees`].
 pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
     choice.check(method)?;
     if let Some(name) = choice.lacking("gpu") {

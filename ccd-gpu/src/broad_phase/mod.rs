@@ -34,6 +34,18 @@ use worker_counts::WorkerCounts;
 ///
 /// Boxes are `f32`, closed, and each bound is at most 2.9e38 in size. A device may take a bound
 /// that is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
+///
+/// ```no_run
+/// use ccd_core::Aabb;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_gpu::{BroadPhase, Device, DeviceOptions};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let mut broad_phase = BroadPhase::new(&device, BroadPhaseMethod::default())?;
+/// let unit = Aabb { min: [0.0; 3], max: [1.0; 3] };
+/// assert_eq!(broad_phase.self_pairs(&[unit, unit])?.len(), 1);
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 pub struct BroadPhase {
     device: Device,
     method: BroadPhaseMethod,
@@ -54,12 +66,19 @@ struct Buffers {
 
 impl BroadPhase {
     /// A broad phase on `device`.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::scheduled`].
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
         Self::scheduled(device, method, Scheduling::default())
     }
 
     /// The same with work shared out in a way of its own. A front is written and never read: every
     /// call builds anew.
+    ///
+    /// # Errors
+    /// [`Error::Input`] and [`Error::OfTrees`] for what a GPU does not have; [`Error::Unavailable`]
+    /// for a scheduler that needs another path of the device; what the device refuses.
     pub fn scheduled(
         device: &Device,
         method: BroadPhaseMethod,
@@ -80,6 +99,9 @@ impl BroadPhase {
     }
 
     /// What each call times on the device from now on.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.bench.set_timing(timing)
     }
@@ -92,6 +114,9 @@ impl BroadPhase {
 
     /// What each worker did in the last call, those of one kind of pairs after those of the other;
     /// empty where the scheduler has no workers.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
         let Self { device, bench, readback, buffers, .. } = self;
         let Some(Buffers { source, .. }) = buffers else { return Ok(Vec::new()) };
@@ -99,12 +124,20 @@ impl BroadPhase {
     }
 
     /// All pairs of boxes that overlap, each once, the lesser index first.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
         let n = self.find([&[], boxes, &[]])?;
         self.read(n)
     }
 
     /// All pairs of a box of `a` with a box of `b` that overlap.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
         let n = self.find([a, &[], b])?;
         self.read(n)
@@ -112,6 +145,10 @@ impl BroadPhase {
 
     /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and
     /// the list that holds them until the next call.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs_on_device(&mut self, boxes: &[Aabb<f32>]) -> Result<(u32, &List), Error> {
         let n = self.find([&[], boxes, &[]])?;
         Ok((n, &self.pairs))
@@ -125,6 +162,9 @@ impl BroadPhase {
 
     /// Checks boxes and sends them to the device, by all threads of the host, and waits until they
     /// are there: [`BroadPhase::again`] then finds their pairs.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::self_pairs`].
     pub fn send_boxes(&mut self, boxes: &[Aabb<f32>]) -> Result<(), Error> {
         self.send([&[], boxes, &[]])?;
         self.device.queue().submit([]);
@@ -158,6 +198,9 @@ impl BroadPhase {
 
     /// The last call once more, with the boxes as they are on the device; returns the number of
     /// pairs.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::self_pairs`].
     pub fn again(&mut self) -> Result<u32, Error> {
         let Self { device, bench, readback, buffers, pairs, .. } = self;
         let Some(Buffers { count, source }) = buffers else { return Ok(0) };

@@ -122,9 +122,18 @@ pub fn frame_of(count: [u32; 3]) -> Frame {
 
 /// Room for the boxes of all sets.
 pub fn boxes_of(device: &Device, count: [u32; 3]) -> Result<wgpu::Buffer, Error> {
+    boxes_or(device, count, None)
+}
+
+/// The same, or a buffer that was that for other sets, if it is large enough.
+pub fn boxes_or(
+    device: &Device,
+    count: [u32; 3],
+    old: Option<&wgpu::Buffer>,
+) -> Result<wgpu::Buffer, Error> {
     let n: u64 = count.iter().map(|&c| c as u64).sum();
     let bytes = n * size_of::<Aabb>() as u64;
-    device.buffer("boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
+    device.buffer_or(old, "boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
 }
 
 /// The kinds of pairs that there can be between sets of so many boxes.

@@ -25,7 +25,7 @@ impl Session {
     ///
     /// [`ccd_core::Error::NoBody`] if no vertex belongs to it, or there are no bodies.
     pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), Error> {
-        self.change(body, |bodies| bodies.set_sleeping(body, sleeping))
+        self.change_body(body, |bodies| bodies.set_sleeping(body, sleeping))
     }
 
     /// From now on a body is fixed, or moves: see [`Bodies::with_fixed`].
@@ -34,7 +34,7 @@ impl Session {
     ///
     /// [`ccd_core::Error::NoBody`] if no vertex belongs to it, or there are no bodies.
     pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), Error> {
-        self.change(body, |bodies| bodies.set_fixed(body, fixed))
+        self.change_body(body, |bodies| bodies.set_fixed(body, fixed))
     }
 
     /// From now on bodies that are fixed or asleep may be moved by the caller, or not: see
@@ -61,7 +61,7 @@ impl Session {
         Err(ccd_core::Error::Filter { backend: "gpu" }.into())
     }
 
-    fn change(
+    fn change_body(
         &mut self,
         body: u32,
         change: impl FnOnce(&mut Bodies) -> Result<(), ccd_core::Error>,

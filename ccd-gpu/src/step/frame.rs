@@ -99,6 +99,16 @@ impl Frames {
         self.buffers.set_bodies(device, mesh, options)
     }
 
+    /// Goes on with another mesh or other options, in the buffers that are there as far as they are
+    /// large enough. The next frame sorts; nothing changes if this fails.
+    pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
+        self.buffers = Buffers::reusing(device, mesh, options, Some(&self.buffers))?;
+        self.bench.forget();
+        self.order.forget();
+        self.at_once = 0;
+        Ok(())
+    }
+
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();

@@ -51,14 +51,21 @@ enum Finder {
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
 impl Source {
-    /// Room for a mesh with these numbers of vertices, edges and faces.
-    pub fn new(
+    /// Room for a mesh with these numbers of vertices, edges and faces, with buffers of another
+    /// source: all of blocks, and lists of every other, as far as they are large enough. That one
+    /// may be used again, if this fails.
+    pub fn reusing(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
         rules: Option<&Rules>,
         count: [u32; 3],
+        old: Option<&Self>,
     ) -> Result<Self, Error> {
+        let old_tree = match old {
+            Some(Self::Blocks(tree)) => Some(&**tree),
+            _ => None,
+        };
         let choice = options.broad_phase;
         let finder = match options.pipeline {
             Pipeline::Triangles(own) => {
@@ -66,7 +73,7 @@ impl Source {
                 Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                let mut tree = Tree::new(device, count)?;
+                let mut tree = Tree::reusing(device, count, old_tree)?;
                 tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
                 return Ok(Self::Blocks(Box::new(tree)));
             }
@@ -74,14 +81,20 @@ impl Source {
         };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
         let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
-        Ok(Self::Listed(Listed {
+        let mut new = Self::Listed(Listed {
             finder,
             pairs: [
                 list("overlapping vertices and faces", count[2])?,
                 list("overlapping edges", count[1])?,
             ],
             groups: groups(device),
-        }))
+        });
+        if let Some(old @ Self::Listed(_)) = old {
+            for (list, old) in new.lists_mut().into_iter().zip(old.lists()) {
+                old.replace_shorter(list);
+            }
+        }
+        Ok(new)
     }
 
     /// Takes other rules; the next frame sorts.
