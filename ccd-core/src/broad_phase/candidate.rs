@@ -41,8 +41,8 @@ pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
 }
 
 /// Whether features of two bodies are looked at, as far as their words say: not if both stand
-/// still, and of one body only with self-contact. What [`pair_rules`](super::pair_rules) says besides is
-/// asked where there is a table.
+/// still, and of one body only with self-contact. What [`pair_rules`](super::pair_rules) says
+/// besides is asked where there is a table.
 ///
 /// A word is four times the number of a body, plus two with self-contact, plus one if it stands
 /// still: [`crate::model::rules::Rules::words`].
