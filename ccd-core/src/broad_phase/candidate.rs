@@ -40,9 +40,9 @@ pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
     b[0].is_one_of(a[0], a[1]) | b[1].is_one_of(a[0], a[1])
 }
 
-/// Whether features of two bodies are looked at, as far as their words say: not if both stand still,
-/// and of one body only with self-contact. What [`pair_rules`](super::pair_rules) says besides is
-/// asked where there is a table.
+/// Whether features of two bodies are looked at, as far as their words say: not if both stand
+/// still, and of one body only with self-contact. What [`pair_rules`](super::pair_rules) says
+/// besides is asked where there is a table.
 ///
 /// A word is four times the number of a body, plus two with self-contact, plus one if it stands
 /// still: [`crate::model::rules::Rules::words`].
@@ -64,7 +64,8 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
 /// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
 /// and a face, 1: two edges.
 ///
-/// `bodies`: a word per vertex, then, with [`Frame::FLAG_RULES`], the table of rules. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+/// `bodies`: a word per vertex, then, with [`Frame::FLAG_RULES`], the table of rules.
+/// `keys`: per vertex the bounds of its exact box, see [`bound_key`].
 #[inline(always)]
 pub fn wanted(
     frame: &Frame,

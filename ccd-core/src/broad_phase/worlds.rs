@@ -6,10 +6,10 @@
 //!   nodes:            [  0..0  |   0..1  |  1..2 |  2..2  ]
 //! ```
 //!
-//! Boxes are sorted by their world first, so the leaves below a node are of a range of worlds, which
-//! its first and its last leaf say. Two nodes whose ranges have no world in common are no pair: a
-//! fourth axis, beside the three of boxes. However many worlds lie in one place, a descent meets
-//! pairs of nodes of one world, and of neighbours where a node has leaves of two.
+//! Boxes are sorted by their world first, so the leaves below a node are of a range of worlds,
+//! which its first and its last leaf say. Two nodes whose ranges have no world in common are no
+//! pair: a fourth axis, beside the three of boxes. However many worlds lie in one place, a descent
+//! meets pairs of nodes of one world, and of neighbours where a node has leaves of two.
 
 use super::block_bvh::WIDTH;
 use super::morton_key::from_order_key;

@@ -297,13 +297,15 @@ impl core::fmt::Display for Error {
             Error::FixedMoves { vertex } => {
                 write!(
                     f,
-                    "vertex {vertex} moves, and its body is fixed or sleeps: wake it, or allow                      bodies that stand still to be moved"
+                    "vertex {vertex} moves, and its body is fixed or sleeps: wake it, or allow \
+                     bodies that stand still to be moved"
                 )
             }
             Error::Filter { backend } => {
                 write!(
                     f,
-                    "the {backend} cannot call a filter: exclude bodies or features by lists, or                      use the CPU"
+                    "the {backend} cannot call a filter: exclude bodies or features by lists, or \
+                     use the CPU"
                 )
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),

@@ -158,8 +158,8 @@ impl Tree {
         }
     }
 
-    /// Sorts all boxes by set, by world, and along the Morton curve. Of the bounds of all boxes, those of the
-    /// first `n_bounding` are enough.
+    /// Sorts all boxes by set, by world, and along the Morton curve. Of the bounds of all boxes,
+    /// those of the first `n_bounding` are enough.
     pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
         let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
         let [keys, order] = self.sorted();

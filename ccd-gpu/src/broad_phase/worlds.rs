@@ -1,5 +1,5 @@
-//! Worlds of boxes on a device: which box and which leaf is of which, sorts that put one world after
-//! the other, descents that leave out pairs of nodes without a common one.
+//! Worlds of boxes on a device: which box and which leaf is of which, sorts that put one world
+//! after the other, descents that leave out pairs of nodes without a common one.
 
 use super::block_levels::Levels;
 use crate::bind::{WorldBounds, WorldKeys};
