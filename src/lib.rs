@@ -41,7 +41,7 @@
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
 //! | respond to a contact | [`geometry`] |
-//! | read meshes and query files | `io` (feature `io`) |
+//! | read meshes, positions over time and query files | `io` (feature `io`) |
 //! | scenes that are the same everywhere | `scenes` (feature `scenes`) |
 //!
 //! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely
