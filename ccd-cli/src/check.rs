@@ -145,18 +145,8 @@ fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation
             contacts.vf, contacts.ee, report.undecided
         ),
     );
-    if report.undecided > 0 {
-        output::line("", "undecided: too close to tell in rounded numbers; treat as contacts");
-    }
-    let at_start = report.contacts.iter().filter(|c| c.toi == 0.0).count();
-    if at_start > 0 {
-        let why = if session.options().min_distance > 0.0 {
-            "the first frame is within the minimum distance"
-        } else {
-            "the first frame touches or passes through itself"
-        };
-        output::line("", format_args!("{at_start} of them at t = 0: {why}"));
-    }
+    let min_distance = session.options().min_distance;
+    output::explain(report.undecided, output::at_start(report), min_distance, "the first frame");
     match report.toi {
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none: the whole step is free"),

@@ -8,6 +8,7 @@ mod boxes;
 mod check;
 mod cloth;
 mod demo;
+mod environment;
 mod frames;
 mod info;
 mod manual;
@@ -86,17 +87,17 @@ enum Command {
 }
 
 /// What the columns of contacts mean.
-const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):\n  \
-    kind           vf (vertex a, face b) or ee (edges a < b)\n  \
-    a, b           features, all counted from 0: vertices as in the file; faces as triangles in\n                 \
-    the file's order, polygons cut into fans; edges sorted by their greater\n                 \
-    vertex, then by the other\n  \
-    toi, state     time of impact in [0, 1]; hit or undecided\n  \
-    v0 .. v3       vertices: that of a and those of face b, or those of a, then of b\n  \
-    polygon        the file's face, counted from 0, that face b is cut from; empty for ee\n  \
-    px py pz       where they meet at the time of impact\n  \
-    nx ny nz       unit normal there, from b to a\n  \
-    w0 .. w3       weights of v0 .. v3: the points on a and on b as sums of positions";
+const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
+  kind         vf (vertex a, face b) or ee (edges a < b)
+  a, b         features, all counted from 0: vertices as in the file; faces as
+               triangles in the file's order, polygons cut into fans; edges
+               sorted by their greater vertex, then by the other
+  toi, state   time of impact in [0, 1]; hit or undecided
+  v0 .. v3     vertices: that of a and those of face b, or those of a, then of b
+  polygon      the file's face, counted from 0, that face b is cut from; ee: empty
+  px py pz     where they meet at the time of impact
+  nx ny nz     unit normal there, from b to a
+  w0 .. w3     weights of v0 .. v3: points on a and on b as sums of positions";
 
 /// The coordinates that a step starts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -221,6 +222,7 @@ fn in_file(path: &std::path::Path, e: impl std::fmt::Display) -> Failure {
 type Outcome = Result<bool, Failure>;
 
 fn main() -> ExitCode {
+    environment::prepare();
     let cli = Cli::parse();
     let (outcome, fail_on_contact) = match &cli.command {
         Command::Check(c) => (c.run(), c.options.fail_on_contact),

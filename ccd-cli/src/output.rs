@@ -129,6 +129,26 @@ pub fn sentence(report: &Report) -> String {
     }
 }
 
+/// How many contacts there are at t = 0.
+pub fn at_start(report: &Report) -> u64 {
+    report.contacts.iter().filter(|c| c.toi == 0.0).count() as u64
+}
+
+/// Says what undecided contacts are and why there are contacts at t = 0, if there are any. `first`:
+/// the frame that the step starts from.
+pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
+    if undecided > 0 {
+        line("", "undecided: too close to tell in rounded numbers; treat as contacts");
+    }
+    if at_start > 0 {
+        let why = match min_distance > 0.0 {
+            true => "is within the minimum distance",
+            false => "touches or passes through itself",
+        };
+        line("", format_args!("{at_start} of them at t = 0: {first} {why}"));
+    }
+}
+
 /// A whole number with a comma between thousands.
 pub fn thousands(n: usize) -> String {
     let digits = n.to_string();

@@ -6,8 +6,8 @@ use ccd::{Contact, Kind, Mesh, State};
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-/// What contacts are between: a mesh, its positions at the start and at the end of the step, and the
-/// polygon of the file that each of its faces is a part of.
+/// What contacts are between: a mesh, its positions at the start and at the end of the step, and
+/// the polygon of the file that each of its faces is a part of.
 pub struct Step<'a> {
     pub mesh: &'a Mesh,
     pub x0: &'a [[f64; 3]],

@@ -42,6 +42,8 @@ pub struct Step {
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
+    /// Contacts at t = 0.
+    at_start: u64,
     toi: Option<f64>,
     rebuilt: bool,
     times_ms: TimesMs,
@@ -83,6 +85,7 @@ pub struct Summary {
     pub steps: usize,
     pub contacts: u64,
     undecided: u64,
+    at_start: u64,
     free_steps: usize,
     rebuilt: usize,
     median_ms: f64,
@@ -124,6 +127,7 @@ impl Sequence {
                 candidates: report.candidates.into(),
                 contacts: report.n_contacts().into(),
                 undecided: report.undecided,
+                at_start: output::at_start(report),
                 toi: report.toi,
                 rebuilt: report.rebuilt,
                 times_ms: TimesMs::new(load, report),
@@ -182,9 +186,12 @@ impl Sequence {
                 summary.steps, summary.free_steps, summary.contacts, summary.undecided
             );
             output::line("summary", text);
-            if summary.undecided > 0 {
-                output::line("", "undecided: too close to tell in rounded numbers");
-            }
+            output::explain(
+                summary.undecided,
+                summary.at_start,
+                self.options.min_distance,
+                "the frame before",
+            );
             backend::print_compilation(compilation);
             let ms = output::milliseconds;
             let text = format!("median {} a step on {place}", ms(summary.median_ms));
@@ -210,8 +217,11 @@ fn sentence(steps: &[Step]) -> String {
     match steps.iter().find_map(|step| step.toi.map(|toi| (step, toi))) {
         None => "No contact in any step.".into(),
         Some((step, toi)) => {
-            let (frame, name, percent) = (step.frame, name(step), output::percent(toi));
-            format!("First contact after {percent} of step {frame}, to {name}.")
+            let when = match toi {
+                0.0 => "at the start".into(),
+                _ => format!("after {}", output::percent(toi)),
+            };
+            format!("First contact {when} of step {}, to {}.", step.frame, name(step))
         }
     }
 }
@@ -229,6 +239,7 @@ pub fn summarise(steps: &[Step]) -> Summary {
         steps: steps.len(),
         contacts: steps.iter().map(|s| s.contacts.vf + s.contacts.ee).sum(),
         undecided: steps.iter().map(|s| s.undecided).sum(),
+        at_start: steps.iter().map(|s| s.at_start).sum(),
         free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
         rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
         median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),

@@ -76,7 +76,7 @@ impl fmt::Display for Info {
         )?;
         write!(
             f,
-            "            {} storage buffers a kernel, {} bytes of workgroup memory, \
+            "            {} storage buffers a kernel, {} bytes of workgroup memory,\n            \
              {} threads a workgroup, {} workgroups a dimension",
             l.max_storage_buffers_per_shader_stage,
             l.max_compute_workgroup_storage_size,

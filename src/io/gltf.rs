@@ -131,7 +131,7 @@ impl Reading<'_> {
         let frame = &mut self.frame;
         let n = order.len();
         match primitive.mode() {
-            Mode::Triangles if n % 3 == 0 => {
+            Mode::Triangles if n.is_multiple_of(3) => {
                 order.chunks_exact(3).for_each(|corners| frame.push_polygon(corners));
             }
             Mode::TriangleStrip => {
@@ -146,7 +146,7 @@ impl Reading<'_> {
                     frame.push_polygon(&[w[0], w[1], order[0]]);
                 }
             }
-            Mode::Lines if n % 2 == 0 => {
+            Mode::Lines if n.is_multiple_of(2) => {
                 frame.edges.extend(order.chunks_exact(2).map(|e| [e[0], e[1]]));
             }
             Mode::LineStrip | Mode::LineLoop => {

@@ -1,9 +1,10 @@
 //! OFF: the word `OFF`, the numbers of vertices, faces and edges, a line for each vertex, a line
 //! for each face. `#` starts a comment.
 //!
-//! Read here and not by a crate: the one that there is rounds to `f32`. The keywords `COFF`, `NOFF`,
-//! `CNOFF`, `STOFF` and so on put colours, normals or texture coordinates behind a vertex, which are
-//! not used; points in four or `n` dimensions (`4OFF`, `nOFF`) and binary files are refused.
+//! Read here and not by a crate: the one that there is rounds to `f32`. The keywords `COFF`,
+//! `NOFF`, `CNOFF`, `STOFF` and so on put colours, normals or texture coordinates behind a vertex,
+//! which are not used; points in four or `n` dimensions (`4OFF`, `nOFF`) and binary files are
+//! refused.
 
 use super::{Frame, ReadErrorKind, number, quote};
 use std::path::Path;

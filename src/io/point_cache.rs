@@ -1,8 +1,8 @@
 //! Positions over time without a mesh: NPY, NPZ, PC2 and MDD. Frames are read one at a time.
 //!
 //! - `.npy`: an array of NumPy, `(frames, n, 3)`; `.npz`: an archive with one such array.
-//! - `.pc2`: the point cache of 3ds Max and Blender, little-endian `f32`; `.mdd`: that of LightWave,
-//!   big-endian `f32`. Their times of frames are not used.
+//! - `.pc2`: the point cache of 3ds Max and Blender, little-endian `f32`; `.mdd`: that of
+//!   LightWave, big-endian `f32`. Their times of frames are not used.
 
 use super::{Frame, ReadError, ReadErrorKind, extension, npy, quote};
 use std::fs::File;
