@@ -77,9 +77,16 @@ pub fn compilation(session: &mut any::Session) -> Option<Compilation> {
 /// Says what kernels took to compile.
 pub fn print_compilation(compilation: Option<Compilation>) {
     let Some(Compilation { kernels, time, kept, .. }) = compilation else { return };
-    let ms = output::milliseconds(time.as_secs_f64() * 1e3);
-    let how = if kept { "taken from an earlier run, or compiled," } else { "compiled" };
-    output::line("kernels", format_args!("{kernels} {how} in {ms}"));
+    let seconds = time.as_secs_f64();
+    let time = match seconds < 0.1 {
+        true => output::milliseconds(seconds * 1e3),
+        false => format!("{seconds:.1} s"),
+    };
+    let text = match kept {
+        true => format!("{kernels} loaded or compiled in {time} (an earlier run kept some)"),
+        false => format!("{kernels} compiled in {time}"),
+    };
+    output::line("kernels", text);
 }
 
 /// Options of every command that works on either.
