@@ -45,8 +45,12 @@ struct Json<'a> {
 
 impl Check {
     pub fn run(&self) -> Outcome {
+        if self.lists_to_stdout() && !self.options.prints_text() {
+            let what = "two outputs go to standard output; `--candidates -` is one of them";
+            return Err(Failure(what.into()));
+        }
         let file = self.options.contact_file(false)?;
-        let listed = self.candidate_file()?;
+        let listed = self.candidates.as_deref().map(rows::CandidateFile::create).transpose()?;
         let start = Instant::now();
         let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
         let mesh = mesh_of(&self.t0, &t0)?;
@@ -93,15 +97,6 @@ impl Check {
 
     fn lists_to_stdout(&self) -> bool {
         self.candidates.as_deref().is_some_and(output::is_stdout)
-    }
-
-    /// Opens the file of candidates, if it is wanted.
-    fn candidate_file(&self) -> Result<Option<rows::CandidateFile<'_>>, Failure> {
-        if self.lists_to_stdout() && !self.options.prints_text() {
-            let what = "two outputs go to standard output; `--candidates -` is one of them";
-            return Err(Failure(what.into()));
-        }
-        self.candidates.as_deref().map(rows::CandidateFile::create).transpose()
     }
 }
 

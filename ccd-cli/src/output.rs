@@ -145,7 +145,7 @@ pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
             true => "is within the minimum distance",
             false => "touches or passes through itself",
         };
-        line("", format_args!("{at_start} of them at t = 0: {first} {why}"));
+        line("", format_args!("{at_start} at t = 0: {first} {why}"));
     }
 }
 

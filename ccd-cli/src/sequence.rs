@@ -190,7 +190,7 @@ impl Sequence {
                 summary.undecided,
                 summary.at_start,
                 self.options.min_distance,
-                "the frame before",
+                "the start",
             );
             backend::print_compilation(compilation);
             let ms = output::milliseconds;
@@ -271,7 +271,11 @@ fn print_head(session: &Session, share: Option<Share>) {
 }
 
 fn print(s: &Step) {
-    let toi = s.toi.map_or("-".into(), |t| format!("{t:.4e}"));
+    let toi = match s.toi {
+        None => "-".into(),
+        Some(0.0) => "0".into(),
+        Some(toi) => format!("{toi:.4e}"),
+    };
     let trees = if s.rebuilt { "built" } else { "refit" };
     output::say!(
         "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  {}",

@@ -147,7 +147,11 @@ pub fn kernels_are_kept() {
     std::fs::write(&kept[0], &whole[..whole.len() - 1]).unwrap();
     assert!(!run(&cache), "a file that is cut is not used");
     assert!(run(&cache), "and is replaced");
-    assert!(!run(Path::new("/dev/null/nowhere")));
+    // Where its folder cannot be made nothing is kept, and nothing is said.
+    let other = dir.path().join("other");
+    std::fs::create_dir(&other).unwrap();
+    std::fs::write(other.join("ccd"), "").unwrap();
+    assert!(!run(&other) && !run(&other));
 }
 
 /// Two frames of a crumpled grid of `n x n` vertices: contacts everywhere, none of them degenerate.
