@@ -15,9 +15,9 @@ pub enum Path {
 /// What is wanted of a device.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
-    /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0`), or a part
-    /// of its name, in any case; `None`: the one that wgpu prefers, and the environment variable
-    /// `CCD_ADAPTER` if it is set.
+    /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0`), or a
+    /// part of its name, in any case; `None`: the one that wgpu prefers, and the environment
+    /// variable `CCD_ADAPTER` if it is set.
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,

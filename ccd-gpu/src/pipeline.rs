@@ -85,9 +85,9 @@ impl Pipeline {
 pub fn cache(device: &wgpu::Device, stored: Option<&[u8]>) -> wgpu::PipelineCache {
     let descriptor =
         wgpu::PipelineCacheDescriptor { label: Some("ccd"), data: stored, fallback: true };
-    // SAFETY: the data are what `PipelineCache::get_data` gave for such an adapter and driver, whole
-    // and unchanged: `KernelFile::read` has compared length and digest. wgpu compares device and
-    // driver once more.
+    // SAFETY: the data are what `PipelineCache::get_data` gave for such an adapter and driver,
+    // whole and unchanged: `KernelFile::read` has compared length and digest. wgpu compares device
+    // and driver once more.
     #[allow(unsafe_code, reason = "wgpu does not check what drivers keep")]
     unsafe {
         device.create_pipeline_cache(&descriptor)
