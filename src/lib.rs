@@ -47,7 +47,7 @@
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
 //! | where two features touch, along which normal | [`Contact::geometry`]: [`ContactGeometry`] |
 //! | compute a response | [`geometry`] |
-//! | read meshes and query files | `io` (feature `io`) |
+//! | read meshes, positions over time and query files | `io` (feature `io`) |
 //! | scenes that are the same everywhere | `scenes` (feature `scenes`) |
 //!
 //! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely
