@@ -52,7 +52,7 @@ impl Check {
             file.write(0, &report.contacts)?;
         }
         if let Some(path) = &self.options.picture {
-            let title = output::title(&[&self.t0, &self.t1], &session.place().to_string());
+            let title = output::title(&[&self.t0, &self.t1], &session.place());
             let x = [&t0.positions[..], &t1.positions];
             let (contacts, zoom) = (&report.contacts, self.options.zoom);
             picture::write(path, &picture::Scene { title: &title, mesh, x, contacts, zoom })?;

@@ -1,6 +1,7 @@
 //! What commands print and write: text, JSON, CSV.
 
 use super::{Failure, in_file};
+use ccd::any::Place;
 use ccd::{Contact, Kind, Mesh, PerKind, Report, State};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
@@ -121,14 +122,14 @@ pub fn thousands(n: usize) -> String {
 
 /// What a picture is of and where it was computed: the end of the first path, with the folders that
 /// say which scene it is, and the names of the others.
-pub fn title(files: &[&Path], place: &str) -> String {
+pub fn title(files: &[&Path], place: &Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
         let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
         let kept = if i == 0 { 3 } else { 1 };
         names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
     }
-    format!("{} on {place}", names.join(" to "))
+    format!("{}; {}: {place}", names.join(" to "), place.backend().to_uppercase())
 }
 
 /// Prints an object as one line of JSON.

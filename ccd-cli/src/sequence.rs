@@ -126,7 +126,7 @@ impl Sequence {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
             let contacts: Vec<f64> =
                 steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
-            let title = output::title(&ends, &session.place().to_string());
+            let title = output::title(&ends, &session.place());
             plot::write(path, &title, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
         let any = summary.contacts > 0;

@@ -116,6 +116,7 @@ fn main() {
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
+            geometry::TESTS,
             scenes::TESTS,
             sequences::TESTS,
             tangential::TESTS,
