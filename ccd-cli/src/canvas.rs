@@ -90,6 +90,11 @@ impl View {
         self.zoom / SAMPLES as f64
     }
 
+    /// How many samples what is shown by another view takes in this one.
+    pub fn samples_of(&self, other: &Self) -> f64 {
+        other.extent * self.zoom
+    }
+
     /// Sample coordinates and depth (greater is nearer) of a point.
     fn project(&self, p: [f64; 3]) -> [f64; 3] {
         let [right, up, view] = self.axes;

@@ -4,7 +4,7 @@ use super::output::{self, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, Precision, StepOptions, backend, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, read_frame};
-use ccd::{Kind, Mesh, PerKind};
+use ccd::{Kind, Mesh};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -70,7 +70,7 @@ impl Check {
             file.write(0, &report.contacts, &step)?;
         }
         if let Some(path) = &self.options.picture {
-            let title = output::title(&[&self.t0, &self.t1], &session.place().to_string());
+            let title = output::title(&[&self.t0, &self.t1], &session.place());
             let x = [&t0.positions[..], &t1.positions];
             let (contacts, zoom) = (&report.contacts, self.options.zoom);
             picture::write(path, &picture::Scene { title: &title, mesh, x, contacts, zoom })?;
@@ -114,7 +114,7 @@ fn list_candidates(
         Precision::F64 => session.candidates(&t0.positions, &t1.positions)?,
         Precision::F32 => session.candidates(&t0.positions_f32(), &t1.positions_f32())?,
     };
-    for (kind, pairs) in [(Kind::VertexFace, found.vf), (Kind::EdgeEdge, found.ee)] {
+    for (kind, pairs) in Kind::ALL.into_iter().zip([found.vf, found.ee, found.ve, found.vv]) {
         file.write(kind, pairs.iter())?;
     }
     Ok(())
@@ -131,17 +131,11 @@ fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation
             format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()),
         );
     }
-    let PerKind { vf, ee, .. } = report.candidates;
-    output::line(
-        "candidates",
-        format_args!("{vf} vertex-face, {ee} edge-edge (swept boxes overlap)"),
-    );
+    let candidates = Counts::from(report.candidates);
+    output::line("candidates", format_args!("{candidates} (swept boxes overlap)"));
     output::line(
         "contacts",
-        format_args!(
-            "{} vertex-face, {} edge-edge ({} undecided)",
-            contacts.vf, contacts.ee, report.undecided
-        ),
+        format_args!("{} ({} undecided)", Counts::from(contacts), report.undecided),
     );
     let min_distance = session.options().min_distance;
     output::explain(report.undecided, output::at_start(report), min_distance, "the first frame");

@@ -59,7 +59,8 @@ impl Demo {
         bar.finish_and_clear();
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
         let frames = self.frames;
-        let title = format!("a cloth on a sphere, {frames} frames, on {}", cloth.place());
+        let (place, backend) = (cloth.place(), cloth.place().backend().to_uppercase());
+        let title = format!("a cloth on a sphere, {frames} frames; {backend}: {place}");
         let [x0, x1] = &cloth.step;
         let scene = picture::Scene {
             title: &title,

@@ -53,14 +53,14 @@ impl Legend<'_> {
     /// A bar of a round length.
     fn scale(&self, root: &Area) -> Result<(), Failed> {
         let length = round_length(150.0 / self.pixels_per_unit);
-        let (from, y) = (24, bottom(50));
+        let (from, y) = (24, bottom(56));
         let to = from + (length * self.pixels_per_unit).round() as i32;
         for [a, b] in
             [[(from, y), (to, y)], [(from, y - 6), (from, y + 6)], [(to, y - 6), (to, y + 6)]]
         {
             root.draw(&PathElement::new([a, b], INK.stroke_width(2)))?;
         }
-        write(root, &format!("{} (unit of the mesh)", number(length)), [from, bottom(14)], SIZE)
+        write(root, &format!("{} (unit of the mesh)", number(length)), [from, bottom(20)], SIZE)
     }
 
     fn marks(&self, root: &Area) -> Result<(), Failed> {
@@ -108,7 +108,9 @@ fn bottom(y: i32) -> i32 {
     (TOP as usize + HEIGHT) as i32 + y
 }
 
+/// A text whose letters begin at this place, some pixels below where the font begins.
 fn write(root: &Area, text: &str, [x, y]: [i32; 2], size: u32) -> Result<(), Failed> {
+    let y = y + size as i32 / 3;
     root.draw(&Text::new(text.to_string(), (x, y), ("sans-serif", size).into_font().color(&INK)))?;
     Ok(())
 }

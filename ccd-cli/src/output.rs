@@ -1,6 +1,7 @@
 //! What commands print and write: text, JSON, CSV.
 
 use super::{Failure, in_file};
+use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
@@ -38,16 +39,44 @@ pub fn line(name: &str, text: impl std::fmt::Display) {
     say!("{bold}{name:<11}{bold:#} {text}");
 }
 
-/// Numbers of both kinds of pairs.
+/// Numbers of the kinds of pairs; those of particles and rods where there are any.
 #[derive(Serialize, Deserialize)]
 pub struct Counts {
     pub vf: u64,
     pub ee: u64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub ve: u64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub vv: u64,
+}
+
+fn is_zero(n: &u64) -> bool {
+    *n == 0
+}
+
+impl Counts {
+    /// All together.
+    pub fn total(&self) -> u64 {
+        self.vf + self.ee + self.ve + self.vv
+    }
+}
+
+/// In words: `3 vertex-face, 4 edge-edge`, and the other kinds where there are any.
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} vertex-face, {} edge-edge", self.vf, self.ee)?;
+        for (n, kind) in [(self.ve, "vertex-edge"), (self.vv, "vertex-vertex")] {
+            if n > 0 {
+                write!(f, ", {n} {kind}")?;
+            }
+        }
+        Ok(())
+    }
 }
 
 impl From<PerKind> for Counts {
     fn from(n: PerKind) -> Self {
-        Self { vf: n.vf, ee: n.ee }
+        Self { vf: n.vf, ee: n.ee, ve: n.ve, vv: n.vv }
     }
 }
 
@@ -171,14 +200,14 @@ pub fn thousands(n: usize) -> String {
 
 /// What a picture is of and where it was computed: the end of the first path, with the folders that
 /// say which scene it is, and the names of the others.
-pub fn title(files: &[&Path], place: &str) -> String {
+pub fn title(files: &[&Path], place: &Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
         let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
         let kept = if i == 0 { 3 } else { 1 };
         names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
     }
-    format!("{} on {place}", names.join(" to "))
+    format!("{}; {}: {place}", names.join(" to "), place.backend().to_uppercase())
 }
 
 /// Prints an object as one line of JSON.

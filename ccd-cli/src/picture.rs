@@ -75,6 +75,7 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
         _ => View::of(x.iter().copied().chain(points), 0.0),
     };
 
+    let spread = view.samples_of(&View::of(marks.iter().map(|(_, at)| at.point), 0.0));
     let mut canvas = Canvas::new(view);
     for &face in mesh.faces() {
         canvas.triangle(face.map(|v| x[v as usize]));
@@ -86,7 +87,7 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     for v in particles {
         canvas.mark(x[v as usize], Shape::Disc, 5.0, ROD, 0.0);
     }
-    draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]));
+    draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]), spread);
 
     let n_undecided = marks.iter().filter(|(c, _)| c.state == State::Undecided).count();
     let mut text = format!("{} contacts", thousands(marks.len()));
@@ -111,10 +112,14 @@ fn draw_marks(
     scene: &Scene,
     marks: &[(&Contact, ContactGeometry)],
     [first, last]: [f64; 2],
+    spread: f64,
 ) {
     let n = marks.len().max(1) as f64;
-    // Few marks are large, many are small.
-    let radius = (14.0 - 2.0 * n.log10()).max(3.0);
+    // Few marks are large, many are small, and smaller where all are in one spot.
+    let mut radius = (14.0 - 2.0 * n.log10()).max(3.0);
+    if marks.len() > FEW {
+        radius = radius.min((0.02 * spread).max(2.0));
+    }
     // So that many marks behind a surface do not add up to one before it.
     let hidden = (300.0 / n).clamp(0.01, 0.25);
     let colour = |c: &Contact| colour_of((c.toi - first) / (last - first).max(1e-300));

@@ -79,13 +79,14 @@ impl<'a> ContactFile<'a> {
                 _ => None,
             };
             let (kind, state) = (kind(c.kind), state(c.state));
-            let [v0, v1, v2, v3] = c.vertices(step.mesh);
+            let n = n_vertices(c.kind);
+            let [v0, v1, v2, v3] = only(n, c.vertices(step.mesh).map(|v| v.to_string()));
             let at = c.geometry(step.mesh, step.x0, step.x1);
             let ([px, py, pz], [nx, ny, nz]) = (at.point, at.normal);
-            let [w0, w1, w2, w3] = at.weights;
+            let [w0, w1, w2, w3] = only(n, at.weights.map(|w| format!("{w:?}")));
             self.rows.row(format_args!(
                 "{frame}{kind},{},{},{:?},{state},{v0},{v1},{v2},{v3},{},\
-                 {px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?},{w0:?},{w1:?},{w2:?},{w3:?}",
+                 {px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?},{w0},{w1},{w2},{w3}",
                 c.a,
                 c.b,
                 c.toi,
@@ -94,6 +95,21 @@ impl<'a> ContactFile<'a> {
         }
         self.rows.flush()
     }
+}
+
+/// Vertices of a pair.
+fn n_vertices(kind: Kind) -> usize {
+    match kind {
+        Kind::VertexFace | Kind::EdgeEdge => 4,
+        Kind::VertexEdge => 3,
+        Kind::VertexVertex => 2,
+    }
+}
+
+/// The first `n`; the others are empty.
+fn only(n: usize, mut of: [String; 4]) -> [String; 4] {
+    of[n..].iter_mut().for_each(String::clear);
+    of
 }
 
 /// Candidates: kind, a, b, sorted so.
@@ -127,6 +143,8 @@ pub fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::VertexFace => "vf",
         Kind::EdgeEdge => "ee",
+        Kind::VertexEdge => "ve",
+        Kind::VertexVertex => "vv",
     }
 }
 

@@ -164,9 +164,8 @@ impl Sequence {
         let compilation = backend::compilation(session);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
-            let contacts: Vec<f64> =
-                steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
-            let title = output::title(&ends, &session.place().to_string());
+            let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
+            let title = output::title(&ends, &session.place());
             plot::write(path, &title, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
         let any = summary.contacts > 0;
@@ -245,7 +244,7 @@ pub fn summarise(steps: &[Step]) -> Summary {
     times.sort_unstable_by(f64::total_cmp);
     Summary {
         steps: steps.len(),
-        contacts: steps.iter().map(|s| s.contacts.vf + s.contacts.ee).sum(),
+        contacts: steps.iter().map(|s| s.contacts.total()).sum(),
         undecided: steps.iter().map(|s| s.undecided).sum(),
         at_start: steps.iter().map(|s| s.at_start).sum(),
         free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),

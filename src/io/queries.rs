@@ -63,13 +63,21 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
 /// Reads a file of queries of one kind.
 ///
 /// # Errors
-/// A row with other columns than six or seven, or than the first; a fraction that is no `f64`
+/// A kind of other pairs; a row with other columns than six or seven, or than the first; a fraction that is no `f64`
 /// exactly; an end within a query.
 pub fn read_queries_of(path: &Path, kind: Kind) -> Result<Queries, ReadError> {
     read(path, kind).map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
 fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
+    let query = match kind {
+        Kind::VertexFace => |t0, t1| Query::VertexFace(VertexFace { t0, t1 }),
+        Kind::EdgeEdge => |t0, t1| Query::EdgeEdge(EdgeEdge { t0, t1 }),
+        _ => {
+            let what = "query files hold vertex-face or edge-edge queries, of four points";
+            return Err(ReadErrorKind::Header(what.into()));
+        }
+    };
     let file = std::fs::File::open(path)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(file);
     let mut out = Queries::default();
@@ -107,10 +115,7 @@ fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
         if n_rows % 8 == 0 {
             let t0 = [points[0], points[1], points[2], points[3]];
             let t1 = [points[4], points[5], points[6], points[7]];
-            out.queries.push(match kind {
-                Kind::VertexFace => Query::VertexFace(VertexFace { t0, t1 }),
-                Kind::EdgeEdge => Query::EdgeEdge(EdgeEdge { t0, t1 }),
-            });
+            out.queries.push(query(t0, t1));
             if n_columns == 7 {
                 out.answers.push(answer);
             }

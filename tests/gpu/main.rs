@@ -123,6 +123,7 @@ fn main() {
             scalars::TESTS,
             failures::TESTS,
             codimensional::TESTS,
+            geometry::TESTS,
             scenes::TESTS,
             search::TESTS,
             sequences::TESTS,
