@@ -4,7 +4,7 @@
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
-use crate::clock::milliseconds;
+use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::{Given, Scene};
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
@@ -17,7 +17,7 @@ use ccd_core::model::options::Options;
 use ccd_core::model::precision::Points;
 use ccd_core::model::report::{Report, TriangleCounts};
 use ccd_core::{Coordinate, Error};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Continuous collision detection of one mesh over many steps.
 #[derive(Debug)]
