@@ -67,8 +67,8 @@ fn boxes(c: &mut Criterion) {
 
 fn steps(c: &mut Criterion) {
     let step = crumpled_sheet(100, 1);
-    let mut session = Session::new(step.mesh.clone(), Options { threads: 1, ..Options::default() })
-        .expect("valid options");
+    let mut session =
+        Session::new(step.mesh.clone(), Options::default().with_threads(1)).expect("valid options");
     let want = session.step(&step.x0, &step.x1).expect("a valid step").contacts.len();
     c.bench_function("step, crumpled sheet of 10,000 vertices", |b| {
         b.iter(|| {

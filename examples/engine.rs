@@ -185,11 +185,7 @@ fn read(
 
 /// A contact as the device writes it, in the words of the CPU.
 fn contact(touch: &Touch) -> Contact {
-    Contact {
-        kind: if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge },
-        state: if touch.state == 0 { State::Hit } else { State::Undecided },
-        a: touch.a,
-        b: touch.b,
-        toi: join(touch.toi),
-    }
+    let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+    let state = if touch.state == 0 { State::Hit } else { State::Undecided };
+    Contact::new(kind, state, touch.a, touch.b, join(touch.toi))
 }

@@ -41,7 +41,11 @@ fn count(
     scheduling: Scheduling,
 ) -> Vec<usize> {
     let step = crumpled_sheet(30, 1);
-    let options = Options { threads, broad_phase, pipeline, scheduling, ..Options::default() };
+    let options = Options::default()
+        .with_threads(threads)
+        .with_broad_phase(broad_phase)
+        .with_pipeline(pipeline)
+        .with_scheduling(scheduling);
     let mut session = Session::new(step.mesh, options).unwrap();
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);

@@ -25,11 +25,8 @@ fn candidates(session: &mut Session, x: [&[[f64; 3]]; 2]) -> [Digest; 2] {
 
 /// Every frame by every method; many of the steps begin at a front.
 fn check(name: &str, mesh: &Mesh, n_frames: usize, frame: impl Fn(usize) -> Vec<[f64; 3]>) {
-    let options = |broad_phase, scheduling| Options {
-        threads: 2,
-        broad_phase,
-        scheduling,
-        ..Options::default()
+    let options = |broad_phase, scheduling| {
+        Options::default().with_threads(2).with_broad_phase(broad_phase).with_scheduling(scheduling)
     };
     let session = |options| Session::new(mesh.clone(), options).expect("a session");
     // Rules of either kind: lifted in every other step, or now and then, or dropped.

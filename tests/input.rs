@@ -49,10 +49,10 @@ fn sizes_indices_and_distances_are_checked() {
         Error::VertexCount { time: 0, expected: 3, found: 2 }
     );
     for value in [-1.0, f64::NAN, f64::INFINITY] {
-        let error = session(Options { min_distance: value, ..Options::default() }).unwrap_err();
+        let error = session(Options::default().with_min_distance(value)).unwrap_err();
         assert!(matches!(error, Error::MinDistance { .. }), "{error}");
     }
-    let error = session(Options { threads: 100_000, ..Options::default() }).unwrap_err();
+    let error = session(Options::default().with_threads(100_000)).unwrap_err();
     assert_eq!(error, Error::Threads { count: 100_000, limit: 1024 });
     assert!(matches!(
         Mesh::new(1 << 31, &[]),
@@ -68,13 +68,13 @@ fn sizes_indices_and_distances_are_checked() {
 fn empty_meshes_have_no_contacts() {
     for threads in [1, 2] {
         let mut session =
-            Session::new(Mesh::new(0, &[]).unwrap(), Options { threads, ..Options::default() })
+            Session::new(Mesh::new(0, &[]).unwrap(), Options::default().with_threads(threads))
                 .unwrap();
         let none: [[f64; 3]; 0] = [];
         assert!(session.step(&none, &none).unwrap().contacts.is_empty());
         assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
         let mut points =
-            Session::new(Mesh::new(5, &[]).unwrap(), Options { threads, ..Options::default() })
+            Session::new(Mesh::new(5, &[]).unwrap(), Options::default().with_threads(threads))
                 .unwrap();
         assert!(points.step(&[[0.0f64; 3]; 5], &[[1.0; 3]; 5]).unwrap().contacts.is_empty());
     }

@@ -77,7 +77,7 @@ fn check<T: Coordinate>(mesh: &Mesh, x0: &Positions, x1: &Positions, d: f64) -> 
     let narrow = |x: &Positions| -> Vec<[T; 3]> { x.iter().map(|p| p.map(T::from_f64)).collect() };
     let (x0, x1) = (narrow(x0), narrow(x1));
     let wide = |x: &[[T; 3]]| -> Positions { x.iter().map(|p| p.map(|c| c.to_f64())).collect() };
-    let options = Options { min_distance: d, threads: 2, ..Options::default() };
+    let options = Options::default().with_min_distance(d).with_threads(2);
     let mut session = Session::new(mesh.clone(), options).expect("valid options");
     let report = session.step(&x0, &x1).expect("valid positions");
     let mut got: HashMap<_, _> =

@@ -114,8 +114,7 @@ fn check_min_distance(data: &Path, scene: &Scene) {
         x0.iter().fold(ccd::Aabb::of_point(x0[0]), |b, &p| b.union(&ccd::Aabb::of_point(p)));
     let diagonal = (0..3).map(|k| (bounds.max[k] - bounds.min[k]).powi(2)).sum::<f64>().sqrt();
     let d = 1e-3 * diagonal;
-    let mut session =
-        Session::new(mesh, Options { min_distance: d, ..Options::default() }).unwrap();
+    let mut session = Session::new(mesh, Options::default().with_min_distance(d)).unwrap();
     let report = session.step(x0, x1).unwrap().clone();
     let mesh = session.mesh();
     let open = report.contacts.iter().filter(|c| c.state == State::Undecided && c.toi > 0.0);
@@ -217,7 +216,7 @@ fn check_triangles(data: &Path, scene: &Scene) {
     let want = run(&t0, &t1, 2);
     for orphans in [false, true] {
         let pipeline = Pipeline::Triangles(TriangleOptions::default().orphans(orphans));
-        let options = Options { threads: 2, pipeline, ..Options::default() };
+        let options = Options::default().with_threads(2).with_pipeline(pipeline);
         let mesh = t0.mesh().unwrap();
         let got = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
         assert_eq!((got.candidates, got.filtered), (want.candidates, want.filtered), "{orphans}");
@@ -233,7 +232,7 @@ fn check_triangles(data: &Path, scene: &Scene) {
 }
 
 fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
-    let options = Options { threads, ..Options::default() };
+    let options = Options::default().with_threads(threads);
     ccd::step(&t0.mesh().unwrap(), &t0.positions, &t1.positions, &options).unwrap()
 }
 
@@ -345,8 +344,7 @@ fn check_debris_sequence(data: &Path) {
         })
         .collect();
     let mut session =
-        Session::new(frames[0].mesh().unwrap(), Options { threads: 2, ..Options::default() })
-            .unwrap();
+        Session::new(frames[0].mesh().unwrap(), Options::default().with_threads(2)).unwrap();
     let mut n_rebuilt = 0;
     for (i, pair) in frames.windows(2).enumerate() {
         let report = session.step(&pair[0].positions, &pair[1].positions).unwrap();
@@ -373,7 +371,7 @@ fn check_bodies(data: &Path) {
     let mesh = t0.mesh().unwrap();
     let all = run(&t0, &t1, 2);
     let bodies = ccd::Bodies::new(&body, &[], false);
-    let options = Options { bodies: Some(bodies), ..Options::default() };
+    let options = Options::default().with_bodies(bodies);
     let between = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
     let different = |c: &&Contact| match c.kind {
         Kind::VertexFace => body[c.a as usize] != body[mesh.faces()[c.b as usize][0] as usize],

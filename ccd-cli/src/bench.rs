@@ -52,14 +52,14 @@ fn millions(text: &str) -> Result<usize, String> {
 /// time of impact. Contacts are those of the CPU, whose steps are tested against exact arithmetic.
 const SHEET: Sheet = Sheet {
     n: 316,
-    candidates: PerKind { vf: 434_528, ee: 1_529_787 },
-    contacts: PerKind { vf: 8_077, ee: 33_665 },
+    candidates: PerKind::new(434_528, 1_529_787),
+    contacts: PerKind::new(8_077, 33_665),
     toi: 1.529_644_709_424_341_3e-5,
 };
 const SMALL_SHEET: Sheet = Sheet {
     n: 40,
-    candidates: PerKind { vf: 6_571, ee: 22_876 },
-    contacts: PerKind { vf: 108, ee: 499 },
+    candidates: PerKind::new(6_571, 22_876),
+    contacts: PerKind::new(108, 499),
     toi: 1.587_933_107_694_209_8e-3,
 };
 
@@ -190,7 +190,7 @@ impl Bench {
         };
         let timed = self.time(&mut session, None, |s| {
             let found = s.candidates(&x0, &x1)?;
-            let found = PerKind { vf: found.vf.len() as u64, ee: found.ee.len() as u64 };
+            let found = PerKind::new(found.vf.len() as u64, found.ee.len() as u64);
             same("candidates", found, want.candidates)
         })?;
         self.put(rows, &scene, "candidates", timed);
@@ -211,7 +211,11 @@ impl Bench {
     fn options(&self) -> Result<Options, Failure> {
         let (broad_phase, pipeline) = (self.method.method()?, self.method.pipeline()?);
         let (threads, scheduling) = (self.threads, self.method.scheduling()?);
-        Ok(Options { threads, broad_phase, pipeline, scheduling, ..Options::default() })
+        Ok(Options::default()
+            .with_threads(threads)
+            .with_broad_phase(broad_phase)
+            .with_pipeline(pipeline)
+            .with_scheduling(scheduling))
     }
 
     fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {
@@ -395,6 +399,6 @@ mod tests {
         let step = crumpled_sheet(SMALL_SHEET.n, SEED);
         let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let [vf, ee] = ccd_testkit::brute::candidates(&mesh, &x0, &x1);
-        assert_eq!(PerKind { vf: vf.len() as u64, ee: ee.len() as u64 }, SMALL_SHEET.candidates);
+        assert_eq!(PerKind::new(vf.len() as u64, ee.len() as u64), SMALL_SHEET.candidates);
     }
 }

@@ -84,14 +84,12 @@ impl Cloth {
             Session::new(
                 &choice,
                 mesh.clone(),
-                Options {
-                    min_distance,
-                    bodies,
-                    broad_phase,
-                    pipeline,
-                    scheduling,
-                    ..Options::default()
-                },
+                Options::default()
+                    .with_min_distance(min_distance)
+                    .with_bodies(bodies)
+                    .with_broad_phase(broad_phase)
+                    .with_pipeline(pipeline)
+                    .with_scheduling(scheduling),
             )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);

@@ -146,14 +146,13 @@ impl StepOptions {
 
     /// A session for a mesh where the options want it.
     fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
-        let options = ccd::Options {
-            min_distance: self.min_distance,
-            bodies: self.bodies.of(&mesh)?,
-            threads: self.threads,
-            broad_phase: self.method.method()?,
-            pipeline: self.method.pipeline()?,
-            scheduling: self.method.scheduling()?,
-        };
+        let options = ccd::Options::default()
+            .with_min_distance(self.min_distance)
+            .with_bodies(self.bodies.of(&mesh)?)
+            .with_threads(self.threads)
+            .with_broad_phase(self.method.method()?)
+            .with_pipeline(self.method.pipeline()?)
+            .with_scheduling(self.method.scheduling()?);
         Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
     }
 }

@@ -41,7 +41,7 @@ fn keys(contacts: &[Contact]) -> Vec<Key> {
 /// coarser arithmetic leaves open may come in addition.
 fn check_scale<R: Coordinate>(scale: f64, min_distance: f64, want: &[Key], want_toi: f64) {
     let (mesh, x0, x1) = soup(60);
-    let options = Options { threads: 1, min_distance: min_distance * scale, ..Options::default() };
+    let options = Options::default().with_threads(1).with_min_distance(min_distance * scale);
     let mut session = Session::new(mesh, options).expect("a session");
     let (x0, x1) = (scaled::<R>(&x0, scale), scaled::<R>(&x1, scale));
     let got = keys(&session.step(&x0, &x1).expect("a step").contacts);
@@ -70,7 +70,7 @@ fn check_scale<R: Coordinate>(scale: f64, min_distance: f64, want: &[Key], want_
 fn contacts_do_not_depend_on_the_unit() {
     for min_distance in [0.0, 0.01] {
         let (mesh, x0, x1) = soup(60);
-        let options = Options { threads: 1, min_distance, ..Options::default() };
+        let options = Options::default().with_threads(1).with_min_distance(min_distance);
         let mut session = Session::new(mesh, options).expect("a session");
         let want = keys(&session.step(&x0, &x1).expect("a step").contacts);
         let toi = session.earliest_toi(&x0, &x1).expect("a step").expect("a contact");
@@ -87,8 +87,7 @@ fn contacts_do_not_depend_on_the_unit() {
 #[test]
 fn contacts_in_f32_do_not_depend_on_the_unit() {
     let (mesh, x0, x1) = soup(60);
-    let mut session =
-        Session::new(mesh, Options { threads: 1, ..Options::default() }).expect("a session");
+    let mut session = Session::new(mesh, Options::default().with_threads(1)).expect("a session");
     let (y0, y1) = (scaled::<f32>(&x0, 1.0), scaled::<f32>(&x1, 1.0));
     let want = keys(&session.step(&y0, &y1).expect("a step").contacts);
     let toi = session.earliest_toi(&y0, &y1).expect("a step").expect("a contact");

@@ -145,13 +145,14 @@ fn methods() -> impl Iterator<Item = BroadPhaseMethod> {
 fn check_methods<T: Coordinate>(name: &str, scene: &Scene) {
     for bodies in [None, Some(scene.bodies.clone())] {
         for min_distance in [0.0, 0.01] {
-            let of = |broad_phase, threads, pipeline| Options {
-                min_distance,
-                threads,
-                bodies: bodies.clone(),
-                broad_phase,
-                pipeline,
-                scheduling: Default::default(),
+            let of = |broad_phase, threads, pipeline| {
+                Options::default()
+                    .with_min_distance(min_distance)
+                    .with_threads(threads)
+                    .with_bodies(bodies.clone())
+                    .with_broad_phase(broad_phase)
+                    .with_pipeline(pipeline)
+                    .with_scheduling(Default::default())
             };
             let features = Pipeline::Features;
             let want = run::<T>(scene, &of(BroadPhaseMethod::default(), 1, features));
@@ -205,14 +206,13 @@ fn sets_of_no_and_one_feature() {
     for method in methods() {
         for (faces, edges, want) in cases {
             let mesh = Mesh::with_edges(4, faces, edges).expect("a mesh");
-            let options = Options { threads: 1, broad_phase: method, ..Options::default() };
+            let options = Options::default().with_threads(1).with_broad_phase(method);
             let mut session = Session::new(mesh, options).expect("a session");
             let n = session.step(&x, &y).expect("a step").contacts.len();
             assert_eq!(n, want, "{method:?}, faces {faces:?}, edges {edges:?}");
         }
-        let mut none =
-            Session::new(Mesh::default(), Options { broad_phase: method, ..Options::default() })
-                .expect("a session");
+        let mut none = Session::new(Mesh::default(), Options::default().with_broad_phase(method))
+            .expect("a session");
         assert!(none.step::<f64>(&[], &[]).expect("a step").contacts.is_empty(), "{method:?}");
     }
 }
@@ -220,8 +220,9 @@ fn sets_of_no_and_one_feature() {
 #[test]
 fn comparisons_can_fail() {
     let scene = soup(60);
-    let of =
-        |method, bodies| Options { threads: 1, bodies, broad_phase: method, ..Options::default() };
+    let of = |method, bodies| {
+        Options::default().with_threads(1).with_bodies(bodies).with_broad_phase(method)
+    };
     let all = run::<f64>(&scene, &of(BroadPhaseMethod::TREE, None));
     // Bodies that do not move take pairs away, by every method.
     for method in methods() {

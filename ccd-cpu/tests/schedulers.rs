@@ -85,7 +85,7 @@ fn check(
     options: Options,
     what: &str,
 ) -> usize {
-    let default = Options { threads: 1, pipeline: options.pipeline, ..Options::default() };
+    let default = Options::default().with_threads(1).with_pipeline(options.pipeline);
     let mut other = Session::new(mesh.clone(), default).expect("a session");
     let mut session = Session::new(mesh.clone(), options).expect("a session");
     let mut begun = 0;
@@ -120,8 +120,10 @@ fn every_scheduler_and_front_finds_what_brute_force_finds() {
             for scheduling in Scheduling::every("cpu") {
                 for threads in [1, 2, 8] {
                     let what = format!("{broad_phase}, {scheduling}, {threads} threads, {speed}");
-                    let options =
-                        Options { threads, broad_phase, scheduling, ..Options::default() };
+                    let options = Options::default()
+                        .with_threads(threads)
+                        .with_broad_phase(broad_phase)
+                        .with_scheduling(scheduling);
                     let begun = check(&scene, &want, options, &what);
                     let may = scheduling.front != Front::Off;
                     assert!(if lasts && may { begun > 2 } else { may || begun == 0 }, "{what}");
@@ -137,7 +139,8 @@ fn triangles_are_paired_by_every_scheduler() {
     let want: Vec<_> = scene.1.windows(2).map(|x| brute(&scene.0, &x[0], &x[1])).collect();
     for scheduling in Scheduling::every("cpu") {
         let pipeline = Pipeline::TRIANGLES;
-        let options = Options { threads: 2, pipeline, scheduling, ..Options::default() };
+        let options =
+            Options::default().with_threads(2).with_pipeline(pipeline).with_scheduling(scheduling);
         check(&scene, &want, options, &format!("triangles, {scheduling}"));
     }
 }
@@ -151,7 +154,10 @@ fn rules_and_memory_give_fronts_up_and_lose_nothing() {
         let scheduling = Scheduling::default().scheduler(Scheduler::LazyStealing);
         let scheduling = scheduling.front(Front::On(front));
         let broad_phase = BroadPhaseMethod::Tree(tree);
-        let options = Options { threads: 2, broad_phase, scheduling, ..Options::default() };
+        let options = Options::default()
+            .with_threads(2)
+            .with_broad_phase(broad_phase)
+            .with_scheduling(scheduling);
         check(&scene, &want, options, &format!("{front:?}"))
     };
     let kept = FrontOptions::default().growth(u32::MAX).rebuild(1, 0);
@@ -166,7 +172,10 @@ fn rules_and_memory_give_fronts_up_and_lose_nothing() {
         let front = Front::On(FrontOptions::default().memory(memory));
         let broad_phase = BroadPhaseMethod::Tree(tree);
         let scheduling = Scheduling::default().front(front);
-        let options = Options { threads: 2, broad_phase, scheduling, ..Options::default() };
+        let options = Options::default()
+            .with_threads(2)
+            .with_broad_phase(broad_phase)
+            .with_scheduling(scheduling);
         Session::new(mesh.clone(), options).expect("a session")
     });
     for x in frames.windows(2) {
@@ -193,7 +202,10 @@ fn fronts_are_those_of_their_trees() {
     frames.splice(3..3, [far.clone(), far.clone(), far]);
     let scheduling = Scheduling::default().front(Front::ON);
     for broad_phase in methods() {
-        let options = Options { threads: 1, broad_phase, scheduling, ..Options::default() };
+        let options = Options::default()
+            .with_threads(1)
+            .with_broad_phase(broad_phase)
+            .with_scheduling(scheduling);
         let mut session = Session::new(mesh.clone(), options).expect("a session");
         let mut seen = Vec::new();
         for x in frames.windows(2) {

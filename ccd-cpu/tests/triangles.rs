@@ -86,12 +86,12 @@ fn with_cones(orphans: bool) -> Pipeline {
 fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, TriangleCounts) {
     let (mut n, mut seen) = (0, TriangleCounts::default());
     for min_distance in [0.0, 0.02] {
-        let of = |pipeline, threads| Options {
-            min_distance,
-            threads,
-            bodies: bodies.cloned(),
-            pipeline,
-            ..Options::default()
+        let of = |pipeline, threads| {
+            Options::default()
+                .with_min_distance(min_distance)
+                .with_threads(threads)
+                .with_bodies(bodies.cloned())
+                .with_pipeline(pipeline)
         };
         let (want, none) = run(mesh, x, of(Pipeline::Features, 1));
         assert_eq!(none, None);
@@ -117,7 +117,8 @@ fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, 
         }
         assert!(free[0] >= free[1], "{what}: {free:?}");
         n += want.contacts.len();
-        seen = seen.plus(TriangleCounts { free: free[1], ..counts });
+        seen = seen.plus(counts);
+        seen.free = seen.free - counts.free + free[1];
     }
     (n, seen)
 }
@@ -226,7 +227,7 @@ fn fans_have_no_orphan_sets() {
 #[test]
 fn comparisons_can_fail() {
     let (mesh, x) = folded(14, 1.0);
-    let of = |pipeline| Options { threads: 1, pipeline, ..Options::default() };
+    let of = |pipeline| Options::default().with_threads(1).with_pipeline(pipeline);
     let (want, _) = run(&mesh, &x, of(Pipeline::Features));
     // A face less.
     let fewer = Mesh::new(mesh.n_vertices(), &mesh.faces()[1..]).expect("a mesh");

@@ -18,6 +18,7 @@ const MAX_STAGES: u32 = 32;
 
 /// What timestamps of the device tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Timing {
     /// Nothing.
     #[default]

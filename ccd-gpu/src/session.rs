@@ -222,9 +222,10 @@ impl Session {
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
-        self.report =
-            Report { contacts: std::mem::take(&mut self.report.contacts), ..Report::default() };
-        self.report.contacts.clear();
+        let mut contacts = std::mem::take(&mut self.report.contacts);
+        contacts.clear();
+        self.report = Report::default();
+        self.report.contacts = contacts;
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;
         let found = self.frames.run(&self.device, &self.options, goal, contacts)?;
@@ -237,7 +238,7 @@ impl Session {
     /// Decides what the device left open, and makes the report.
     fn take(&mut self, found: Found, goal: Goal, given: Given) {
         let report = &mut self.report;
-        self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
+        self.left_open = PerKind::new(found.open[0].len() as u64, found.open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;

@@ -63,6 +63,7 @@ pub const FEWEST_FOR_GPU: usize = 20_000;
 
 /// What is to run the work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Backend {
     /// Threads of this machine.
     Cpu,

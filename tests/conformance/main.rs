@@ -63,7 +63,7 @@ fn main() {
             for &method in methods.iter().filter(|_| moves) {
                 let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
                 let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{method}/{place}"));
-                let options = Options { threads: 2, broad_phase: method, ..Options::default() };
+                let options = Options::default().with_threads(2).with_broad_phase(method);
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_contacts(&loaded, source, choice, options)
                 }));
@@ -77,8 +77,8 @@ fn main() {
                     choice,
                     move |choice| check_pairs(&loaded, source, choice, method, scheduling),
                 ));
-                let options = Options { threads: 2, broad_phase: method, ..Options::default() };
-                let options = Options { scheduling, ..options };
+                let options = Options::default().with_threads(2).with_broad_phase(method);
+                let options = options.with_scheduling(scheduling);
                 let name = format!("contacts/{name}/{place}");
                 trials.extend(moves.then(|| {
                     row_of(name, source, choice, move |choice| {
@@ -90,7 +90,7 @@ fn main() {
                 let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
                 let row = pipeline.row().name;
                 let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{row}/{place}"));
-                let options = Options { threads: 2, pipeline, ..Options::default() };
+                let options = Options::default().with_threads(2).with_pipeline(pipeline);
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_contacts(&loaded, source, choice, options)
                 }));

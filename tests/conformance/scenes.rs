@@ -117,7 +117,7 @@ pub fn load_motion(source: Source) -> Motion {
     match source {
         Source::Real(scene) => {
             let step = load_step(scene);
-            let options = Options { threads: 1, ..Options::default() };
+            let options = Options::default().with_threads(1);
             let one = ccd::step(&step.mesh, &step.x0, &step.x1, &options).expect("a valid step");
             let want = Want::Recorded(recorded_step(scene.name), one.contacts);
             Motion { step, want, undecided: scene.undecided }

@@ -95,7 +95,7 @@ fn check_input(device: &Device) {
         !session.step(&step.x0, &step.x1).unwrap().contacts.is_empty(),
         "the session does not go on"
     );
-    let options = Options { min_distance: -1.0, ..Options::default() };
+    let options = Options::default().with_min_distance(-1.0);
     assert!(matches!(
         Session::new(device, step.mesh, options),
         Err(Error::Input(ccd::Error::MinDistance { .. }))

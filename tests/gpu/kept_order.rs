@@ -79,7 +79,7 @@ fn check_small(device: &Device) {
     ];
     for (broad_phase, lasts) in methods {
         for pipeline in [Pipeline::default(), Pipeline::Triangles(TriangleOptions::default())] {
-            let options = Options { broad_phase, pipeline, ..Options::default() };
+            let options = Options::default().with_broad_phase(broad_phase).with_pipeline(pipeline);
             let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
             // From a place of their own to a common one.
             let x = |i: usize| -> Vec<[f64; 3]> {

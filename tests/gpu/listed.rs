@@ -106,9 +106,9 @@ fn check_steps(device: &Device) {
     let bodies = Some(Bodies::new(&body, &[true, false, true], true));
     let sheet = generate::crumpled_sheet(20, 3);
     for broad_phase in methods(device) {
-        let options = Options { broad_phase, ..Options::default() };
-        check_step(device, &soup, Options { bodies: bodies.clone(), ..options.clone() });
-        check_step(device, &sheet, Options { min_distance: 0.01, ..options.clone() });
+        let options = Options::default().with_broad_phase(broad_phase);
+        check_step(device, &soup, options.clone().with_bodies(bodies.clone()));
+        check_step(device, &sheet, options.clone().with_min_distance(0.01));
         let mut cpu = ccd::Session::new(sheet.mesh.clone(), Options::default()).unwrap();
         let mut gpu = Session::new(device, sheet.mesh.clone(), options).unwrap();
         let want = cpu.candidates(&sheet.x0, &sheet.x1).unwrap();
@@ -123,7 +123,7 @@ fn check_growth(device: &Device) {
     let step = generate::crumpled_sheet(24, 7);
     let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
     for broad_phase in methods(device) {
-        let options = Options { broad_phase, ..Options::default() };
+        let options = Options::default().with_broad_phase(broad_phase);
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
         session.reserve(8).unwrap();
         let got = session.step(&step.x0, &step.x1).unwrap().clone();

@@ -139,14 +139,10 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     // Names that differ in their highest bit alone.
     let far: Vec<u32> = body.iter().map(|b| (b / 2) | ((b % 2) << 31)).collect();
-    check_step(
-        device,
-        &step,
-        Options { bodies: Some(Bodies::new(&far, &[], false)), ..Options::default() },
-    );
+    check_step(device, &step, Options::default().with_bodies(Bodies::new(&far, &[], false)));
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
-        check_step(device, &step, Options { bodies, ..Options::default() });
+        check_step(device, &step, Options::default().with_bodies(bodies));
     }
 }
 
@@ -155,12 +151,12 @@ fn check_min_distance(device: &Device) {
     check_step(
         device,
         &generate::crumpled_sheet(24, 3),
-        Options { min_distance: 0.01, ..Options::default() },
+        Options::default().with_min_distance(0.01),
     );
     check_step(
         device,
         &generate::triangle_soup(200, 0.1, 9),
-        Options { min_distance: 0.003, ..Options::default() },
+        Options::default().with_min_distance(0.003),
     );
 }
 
@@ -294,7 +290,7 @@ pub fn check_negative_controls() {
         "another rounding passes as the same"
     );
     assert!(fails(&|r| r.candidates.ee += 1, false), "another number of candidates passes");
-    let extra = Contact { kind: Kind::VertexFace, state: State::Hit, a: 0, b: 0, toi: 0.5 };
+    let extra = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.5);
     assert!(
         fails(&|r| r.contacts.insert(0, extra), false),
         "a certain contact that is none passes"

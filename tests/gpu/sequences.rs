@@ -28,7 +28,7 @@ fn session(
     scheduling: Scheduling,
 ) -> Session {
     let broad_phase = BroadPhaseMethod::Tree(tree);
-    let options = Options { broad_phase, scheduling, ..Options::default() };
+    let options = Options::default().with_broad_phase(broad_phase).with_scheduling(scheduling);
     Session::new(device, scene.mesh.clone(), options).expect("a session")
 }
 
@@ -74,7 +74,7 @@ fn check_refused(device: &Device) {
     let mut n_refused = 0;
     for scheduling in Scheduling::every("gpu") {
         let broad_phase = BroadPhaseMethod::Tree(tree(Volume::Aabb));
-        let options = Options { broad_phase, scheduling, ..Options::default() };
+        let options = Options::default().with_broad_phase(broad_phase).with_scheduling(scheduling);
         let refused = Session::new(device, mesh.clone(), options).err().map(|e| e.to_string());
         let want = steals(scheduling) && device.info().path == Path::Wgsl;
         assert_eq!(refused.is_some(), want, "{scheduling}: {refused:?}");

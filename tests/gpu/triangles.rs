@@ -27,7 +27,7 @@ pub const TESTS: crate::Tests = &[
 
 fn triangles(orphans: bool, cones: bool) -> Options {
     let own = TriangleOptions::default().orphans(orphans).cones(cones);
-    Options { pipeline: Pipeline::Triangles(own), ..Options::default() }
+    Options::default().with_pipeline(Pipeline::Triangles(own))
 }
 
 /// Faces with corners near one another or twice, one of them twice, wires, vertices in nothing.
@@ -160,11 +160,11 @@ fn check_methods(device: &Device) {
     let (odd, sheet) = (odd_mesh(3), crumpled_sheet(16, 3));
     for broad_phase in methods(device) {
         for orphans in [false, true] {
-            let options = Options { broad_phase, ..triangles(orphans, false) };
+            let options = triangles(orphans, false).with_broad_phase(broad_phase);
             check_candidates(device, &odd, &Options::default(), &options);
             check_step(device, &odd, options);
         }
-        let options = Options { broad_phase, ..triangles(true, false) };
+        let options = triangles(true, false).with_broad_phase(broad_phase);
         check_candidates(device, &sheet, &Options::default(), &options);
     }
     check_step(device, &sheet, triangles(false, false));
@@ -177,8 +177,8 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     for (self_contact, orphans) in [(false, true), (true, false), (true, true)] {
         let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
-        let features = Options { bodies, min_distance: 0.003, ..Options::default() };
-        let options = Options { pipeline: triangles(orphans, true).pipeline, ..features.clone() };
+        let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
+        let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
         check_candidates(device, &step, &features, &options);
         check_step(device, &step, options);
     }
@@ -193,8 +193,8 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..2 * n).map(|v| v / n).collect();
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[false, true], self_contact));
-        let features = Options { bodies, ..Options::default() };
-        let options = Options { pipeline: Pipeline::TRIANGLES, ..features.clone() };
+        let features = Options::default().with_bodies(bodies);
+        let options = features.clone().with_pipeline(Pipeline::TRIANGLES);
         check_candidates(device, &sheet, &features, &options);
         check_step(device, &sheet, options);
     }
@@ -232,7 +232,7 @@ fn check_cones(device: &Device) {
     let mut encoder = device.wgpu().create_command_encoder(&Default::default());
     let refused = session.record(&mut encoder).map(|_| ());
     assert!(matches!(refused, Err(Error::PathsUnseen)), "{refused:?}");
-    let near = Options { min_distance: 0.001, ..options };
+    let near = options.with_min_distance(0.001);
     for options in [triangles(true, false), near] {
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
         session.record(&mut encoder).unwrap();
@@ -243,7 +243,7 @@ fn check_cones(device: &Device) {
 fn check_growth(device: &Device) {
     let step = crumpled_sheet(24, 7);
     for broad_phase in methods(device) {
-        let options = Options { broad_phase, ..triangles(true, false) };
+        let options = triangles(true, false).with_broad_phase(broad_phase);
         let want = ccd::step(&step.mesh, &step.x0, &step.x1, &triangles(true, false)).unwrap();
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
         session.reserve(8).unwrap();
@@ -272,13 +272,13 @@ fn check_many(device: &Device) {
     ];
     let x1 = x0.map(|[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]);
     let step = Step { mesh, x0: x0.to_vec(), x1: x1.to_vec() };
-    let options = Options { broad_phase: ccd::BroadPhaseMethod::TREE, ..triangles(false, false) };
+    let options = triangles(false, false).with_broad_phase(ccd::BroadPhaseMethod::TREE);
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let counts = session.step(&step.x0, &step.x1).unwrap().triangles.unwrap();
     assert_eq!(counts.pairs, 2 * n * (2 * n - 1) / 2);
     assert!(counts.pairs > 1 << 20);
     // So many neighbours have too many orphans to list: none is skipped.
-    let with_sets = Options { pipeline: Pipeline::TRIANGLES, ..options.clone() };
+    let with_sets = options.clone().with_pipeline(Pipeline::TRIANGLES);
     let mut other = Session::new(device, step.mesh.clone(), with_sets).unwrap();
     assert_eq!(other.step(&step.x0, &step.x1).unwrap().triangles, Some(counts));
     check_candidates(device, &step, &Options::default(), &options);

@@ -23,7 +23,7 @@ fn check_scale<T: Coordinate>(device: &Device, scale: f64, min_distance: f64) {
         x.iter().map(|p| p.map(|c| T::from_f64((c + 0.25) * scale))).collect()
     };
     let (x0, x1) = (at(&step.x0), at(&step.x1));
-    let options = Options { min_distance: min_distance * scale, threads: 1, ..Options::default() };
+    let options = Options::default().with_min_distance(min_distance * scale).with_threads(1);
     let mut cpu = ccd::Session::new(step.mesh.clone(), options.clone()).expect("a session");
     let mut gpu = Session::new(device, step.mesh.clone(), options).expect("a session");
     let want = cpu.step(&x0, &x1).expect("a step").clone();

@@ -14,13 +14,9 @@ fn n_certain(contacts: &[Contact]) -> usize {
 fn steps_equal_brute_force() {
     for seed in 0..6 {
         for step in [crumpled_sheet(24, seed), triangle_soup(300, 0.15, seed)] {
-            let report = ccd::step(
-                &step.mesh,
-                &step.x0,
-                &step.x1,
-                &Options { threads: 2, ..Options::default() },
-            )
-            .unwrap();
+            let report =
+                ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default().with_threads(2))
+                    .unwrap();
             let want = brute::contacts(&step.mesh, &step.x0, &step.x1);
             assert!(want.len() > 20, "seed {seed}: only {} contacts", want.len());
             // What the f32 filters reject may be undecided in f64: certain contacts must be equal,
@@ -109,7 +105,7 @@ fn sessions_follow_motion_and_distance() {
     let step = crumpled_sheet(40, 5);
     let mut session = Session::new(
         step.mesh.clone(),
-        Options { min_distance: 0.004, threads: 2, ..Options::default() },
+        Options::default().with_min_distance(0.004).with_threads(2),
     )
     .unwrap();
     let mut x0 = step.x0.clone();
@@ -131,7 +127,7 @@ fn fixed_bodies_do_not_touch_each_other() {
     let step = triangle_soup(200, 0.2, 11);
     let body: Vec<u32> = (0..600).map(|v| v / 3).collect();
     let fixed: Vec<bool> = (0..200).map(|b| b % 2 == 0).collect();
-    let options = Options { bodies: Some(Bodies::new(&body, &fixed, true)), ..Options::default() };
+    let options = Options::default().with_bodies(Bodies::new(&body, &fixed, true));
     let report = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
     let all = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
     let edge_body = |e: u32| body[step.mesh.edges()[e as usize][0] as usize];

@@ -264,7 +264,7 @@ fn measure_sources(
         ("uniform-grid", BroadPhaseMethod::UniformGrid),
         ("tree", BroadPhaseMethod::TREE),
     ] {
-        let options = ccd::Options { broad_phase, ..ccd::Options::default() };
+        let options = ccd::Options::default().with_broad_phase(broad_phase);
         let mut session = Session::new(device, mesh.clone(), options)?;
         let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
             session.set_timing(timing)?;

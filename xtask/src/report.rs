@@ -85,7 +85,7 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
     let [v, e, f] = rounded(input);
     let new = || BroadPhase::new(threads, BroadPhaseMethod::Blocks).map_err(|e| e.to_string());
     let session = || {
-        Session::new(mesh.clone(), Options { threads, ..Options::default() })
+        Session::new(mesh.clone(), Options::default().with_threads(threads))
             .map_err(|e| e.to_string())
     };
     let count = |session: &mut Session| {

@@ -36,6 +36,7 @@ pub enum State {
 
 /// A contact between two features.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Contact {
     /// Vertex-face or edge-edge.
     pub kind: Kind,
@@ -50,6 +51,11 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// A contact of features `a` and `b`, as the fields of this type say.
+    pub const fn new(kind: Kind, state: State, a: u32, b: u32, toi: f64) -> Self {
+        Self { kind, state, a, b, toi }
+    }
+
     /// The contact that a verdict on a pair means; `None` for a miss.
     #[inline]
     pub fn of(kind: Kind, pair: Pair, verdict: Verdict<f64>) -> Option<Self> {
@@ -58,7 +64,7 @@ impl Contact {
             Verdict::Hit { toi } => (State::Hit, toi),
             Verdict::Undecided { toi } => (State::Undecided, toi),
         };
-        Some(Self { kind, state, a: pair.a, b: pair.b, toi })
+        Some(Self::new(kind, state, pair.a, pair.b, toi))
     }
 }
 
@@ -67,12 +73,13 @@ impl From<&Touch> for Contact {
     fn from(touch: &Touch) -> Self {
         let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
         let state = if touch.state == 0 { State::Hit } else { State::Undecided };
-        Self { kind, state, a: touch.a, b: touch.b, toi: join(touch.toi) }
+        Self::new(kind, state, touch.a, touch.b, join(touch.toi))
     }
 }
 
 /// A number for each kind of pair.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PerKind {
     /// Vertex-face.
     pub vf: u64,
@@ -81,6 +88,11 @@ pub struct PerKind {
 }
 
 impl PerKind {
+    /// Numbers for vertex-face and edge-edge.
+    pub const fn new(vf: u64, ee: u64) -> Self {
+        Self { vf, ee }
+    }
+
     /// Both together.
     pub fn total(&self) -> u64 {
         self.vf + self.ee

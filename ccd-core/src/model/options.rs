@@ -8,7 +8,15 @@ use super::pipeline::Pipeline;
 use super::scheduling::Scheduling;
 
 /// What a step looks for and how.
+///
+/// ```
+/// use ccd_core::model::options::Options;
+///
+/// let options = Options::default().with_min_distance(0.001).with_threads(1);
+/// assert_eq!(options.min_distance, 0.001);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Options {
     /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or
     /// more.
@@ -32,6 +40,48 @@ pub struct Options {
 impl Options {
     /// Most threads of a session or of a broad phase.
     pub const MAX_THREADS: usize = 1024;
+
+    /// With this [`Options::min_distance`].
+    #[must_use]
+    pub fn with_min_distance(mut self, min_distance: f64) -> Self {
+        self.min_distance = min_distance;
+        self
+    }
+
+    /// With so many [`Options::threads`].
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self
+    }
+
+    /// With these [`Options::bodies`], or none.
+    #[must_use]
+    pub fn with_bodies(mut self, bodies: impl Into<Option<Bodies>>) -> Self {
+        self.bodies = bodies.into();
+        self
+    }
+
+    /// With this [`Options::broad_phase`].
+    #[must_use]
+    pub fn with_broad_phase(mut self, broad_phase: BroadPhaseMethod) -> Self {
+        self.broad_phase = broad_phase;
+        self
+    }
+
+    /// With this [`Options::pipeline`].
+    #[must_use]
+    pub fn with_pipeline(mut self, pipeline: Pipeline) -> Self {
+        self.pipeline = pipeline;
+        self
+    }
+
+    /// With this [`Options::scheduling`].
+    #[must_use]
+    pub fn with_scheduling(mut self, scheduling: Scheduling) -> Self {
+        self.scheduling = scheduling;
+        self
+    }
 
     /// Checks the options for steps of `mesh`.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {

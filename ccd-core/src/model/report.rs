@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 /// Where the time of a step went, in milliseconds of wall clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Times {
     /// Checking input, boxes, and the table that filters read.
     pub boxes: f64,
@@ -24,6 +25,7 @@ pub struct Times {
 /// the earliest time was asked for, a CPU counts its last pass, over a shorter time, a GPU all of
 /// the step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct TriangleCounts {
     /// Pairs of triangles whose swept boxes overlap, of bodies that are looked at.
     pub pairs: u64,
@@ -63,6 +65,7 @@ impl TriangleCounts {
 
 /// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct FrontCounts {
     /// Pairs of nodes that are kept; 0: the next step begins at the roots.
     pub pairs: u64,
@@ -72,8 +75,21 @@ pub struct FrontCounts {
     pub bytes: u64,
 }
 
+impl FrontCounts {
+    /// Numbers of pairs kept and begun with, and bytes.
+    pub const fn new(pairs: u64, begun: u64, bytes: u64) -> Self {
+        Self { pairs, begun, bytes }
+    }
+
+    /// Added number by number.
+    pub fn plus(self, other: Self) -> Self {
+        Self::new(self.pairs + other.pairs, self.begun + other.begun, self.bytes + other.bytes)
+    }
+}
+
 /// What a step found.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Report {
     /// All contacts, sorted by kind, then `a`, then `b`; empty if only the earliest time was asked
     /// for.
@@ -100,6 +116,6 @@ impl Report {
     /// Contacts by kind.
     pub fn n_contacts(&self) -> PerKind {
         let vf = self.contacts.partition_point(|c| c.kind == Kind::VertexFace) as u64;
-        PerKind { vf, ee: self.contacts.len() as u64 - vf }
+        PerKind::new(vf, self.contacts.len() as u64 - vf)
     }
 }

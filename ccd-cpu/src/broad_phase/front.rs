@@ -99,11 +99,10 @@ impl Fronts {
 
     /// What the fronts of the last step were.
     pub fn counts(&self) -> FrontCounts {
-        self.fronts.iter().fold(FrontCounts::default(), |all, front| FrontCounts {
-            pairs: all.pairs + front.state.kept(),
-            begun: all.begun + front.state.begun(),
-            bytes: all.bytes + front.bytes() as u64,
-        })
+        let of = |front: &Front| {
+            FrontCounts::new(front.state.kept(), front.state.begun(), front.bytes() as u64)
+        };
+        self.fronts.iter().map(of).fold(FrontCounts::default(), FrontCounts::plus)
     }
 }
 

@@ -61,7 +61,7 @@ mod tests {
         (0..n)
             .map(|i| {
                 let kind = if next() % 2 == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
-                Contact { kind, state: State::Hit, a: next(), b: next(), toi: i as f64 }
+                Contact::new(kind, State::Hit, next(), next(), i as f64)
             })
             .collect()
     }

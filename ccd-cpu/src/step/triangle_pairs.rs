@@ -75,12 +75,10 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 mask &= !simd.equals(&regions.of_leaf[b], [region; 2]);
             }
         }
-        let counts = TriangleCounts {
-            pairs: n_pairs as u64,
-            adjacent: (n_pairs - n_apart) as u64,
-            free: (n_apart - mask.count_ones()) as u64,
-            ..TriangleCounts::default()
-        };
+        let mut counts = TriangleCounts::default();
+        counts.pairs = n_pairs as u64;
+        counts.adjacent = (n_pairs - n_apart) as u64;
+        counts.free = (n_apart - mask.count_ones()) as u64;
         if mask == 0 {
             worker.count_triangles(counts);
             return;
@@ -148,7 +146,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 }
             }
         }
-        worker.count_triangles(TriangleCounts { represented: represented as u64, ..counts });
+        counts.represented = represented as u64;
+        worker.count_triangles(counts);
     }
 
     fn begin(&self, worker: &mut W, task: usize) {
@@ -296,7 +295,9 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
                     self.test(worker, kind, pair);
                 }
             }
-            worker.count_triangles(TriangleCounts { orphans, ..TriangleCounts::default() });
+            let mut counts = TriangleCounts::default();
+            counts.orphans = orphans;
+            worker.count_triangles(counts);
             self.end(worker);
         });
     }

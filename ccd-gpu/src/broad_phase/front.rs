@@ -170,7 +170,7 @@ impl Front {
     /// What the last search began with, and what it left.
     pub fn counts(&self) -> FrontCounts {
         let Search { state, .. } = &*lock(&self.search);
-        FrontCounts { pairs: state.kept(), begun: state.begun(), bytes: self.bytes() }
+        FrontCounts::new(state.kept(), state.begun(), self.bytes())
     }
 }
 

@@ -176,7 +176,7 @@ impl Frames {
         count: PerKind,
     ) -> Result<[Vec<Pair>; 2], Error> {
         let Self { buffers, bench, readback, .. } = self;
-        let PerKind { vf, ee } = count;
+        let PerKind { vf, ee, .. } = count;
         let mut plan = Plan::default();
         let [of_vf, of_ee] = &buffers.candidates;
         let (part_vf, part_ee) =
@@ -319,12 +319,12 @@ impl Frames {
         );
         self.order = order;
         let [vf, ee] = &headers.survivors;
-        found.filtered = PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 };
+        found.filtered = PerKind::new(vf.wanted as u64, ee.wanted as u64);
         found.candidates = if goal == Goal::Candidates {
             let [vf, ee] = &headers.candidates;
-            PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 }
+            PerKind::new(vf.wanted as u64, ee.wanted as u64)
         } else {
-            PerKind { vf: vf.looked_at as u64, ee: ee.looked_at as u64 }
+            PerKind::new(vf.looked_at as u64, ee.looked_at as u64)
         };
         if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;

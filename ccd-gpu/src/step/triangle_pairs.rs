@@ -179,8 +179,10 @@ pub fn read_counts(bytes: &[u8]) -> TriangleCounts {
         let first = k * COUNT_STRIDE;
         (word(bytes, first + 2) as u64) << 32 | word(bytes, first) as u64
     };
-    let [pairs, adjacent, free, represented, orphans] = [0, 1, 2, 3, 4].map(at);
-    TriangleCounts { pairs, adjacent, free, represented, orphans }
+    let mut counts = TriangleCounts::default();
+    (counts.pairs, counts.adjacent, counts.free) = (at(0), at(1), at(2));
+    (counts.represented, counts.orphans) = (at(3), at(4));
+    counts
 }
 
 /// The tests of neighbours, if there are not too many.

@@ -33,7 +33,7 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
         let mut lines = String::new();
         let mut contacts = None;
         for (row_name, pipeline) in rows {
-            let options = Options { threads: 1, pipeline, ..Options::default() };
+            let options = Options::default().with_threads(1).with_pipeline(pipeline);
             let mut session = Session::new(mesh.clone(), options).map_err(|e| e.to_string())?;
             let mut times = Vec::new();
             for _ in 0..=runs {
@@ -85,7 +85,7 @@ fn on_gpu(
     want: &Report,
     runs: usize,
 ) -> Result<[f64; 2], String> {
-    let options = Options { pipeline, ..Options::default() };
+    let options = Options::default().with_pipeline(pipeline);
     let failed = |e: gpu::Error| e.to_string();
     let mut session = gpu::Session::new(device, mesh.clone(), options).map_err(failed)?;
     session.set_timing(Timing::Whole).map_err(failed)?;

@@ -193,13 +193,11 @@ impl Runner {
     fn new(place: &Place, scene: &Scene, options: Options) -> Result<Option<Self>, String> {
         let mesh = scene.mesh.clone();
         match place {
-            Place::Cpu { threads } => {
-                match Session::new(mesh, Options { threads: *threads, ..options }) {
-                    Ok(session) => Ok(Some(Self::Cpu(Box::new(session)))),
-                    Err(Error::Method { .. }) => Ok(None),
-                    Err(e) => Err(e.to_string()),
-                }
-            }
+            Place::Cpu { threads } => match Session::new(mesh, options.with_threads(*threads)) {
+                Ok(session) => Ok(Some(Self::Cpu(Box::new(session)))),
+                Err(Error::Method { .. }) => Ok(None),
+                Err(e) => Err(e.to_string()),
+            },
             Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
                 Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
                 Err(
@@ -319,7 +317,9 @@ pub fn measure(
     effort: Effort,
 ) -> Result<Vec<Option<Measured>>, String> {
     let broad_phase = structure.method(place.backend());
-    let options = |&scheduling: &Scheduling| Options { broad_phase, scheduling, ..scene.options() };
+    let options = |&scheduling: &Scheduling| {
+        scene.options().with_broad_phase(broad_phase).with_scheduling(scheduling)
+    };
     let failed = |scheduling: &Scheduling, why: String| {
         format!("{}, {}, {broad_phase}, {scheduling}: {why}", scene.name, place.name())
     };

@@ -146,7 +146,7 @@ impl Scene {
     ) -> Result<Self, String> {
         let (name, counts) = (name.to_owned(), Vec::new());
         let mut scene = Self { name, mesh, pipeline, bodies, frames, counts, published };
-        let options = Options { threads: 0, ..scene.options() };
+        let options = scene.options().with_threads(0);
         let mut session = Session::new(scene.mesh.clone(), options)
             .map_err(|e| format!("{}: {e}", scene.name))?;
         for x in scene.frames.windows(2) {
@@ -167,7 +167,7 @@ impl Scene {
 
     /// What every session of the scene has.
     pub fn options(&self) -> Options {
-        Options { pipeline: self.pipeline, bodies: self.bodies.clone(), ..Options::default() }
+        Options::default().with_pipeline(self.pipeline).with_bodies(self.bodies.clone())
     }
 
     /// A line above a table.
