@@ -3,7 +3,7 @@
 //! (`answers.mjs`). `cargo xtask wasm` compares the two. Exported functions take and return plain
 //! numbers, so that no memory is shared with the script.
 
-#![deny(unsafe_code)]
+#![allow(unsafe_code, reason = "exported names, which nothing else here has")]
 
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
 use ccd::{
@@ -12,14 +12,12 @@ use ccd::{
 };
 
 /// How many scenes there are.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn n_scenes() -> u32 {
     SCENES.len() as u32
 }
 
 /// How many ways of finding pairs there are.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn n_ways() -> u32 {
     ways(&Options::default()).count() as u32
@@ -27,7 +25,6 @@ pub extern "C" fn n_ways() -> u32 {
 
 /// A digest of what is found in a scene in one way, bits of times included; `in_f32`: from
 /// positions rounded to `f32`. `u64::MAX` if it is refused, which nothing here is.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn answer(scene: u32, way: u32, in_f32: u32, threads: u32) -> u64 {
     let (step, options) = SCENES[scene as usize]();
@@ -43,21 +40,18 @@ pub extern "C" fn answer(scene: u32, way: u32, in_f32: u32, threads: u32) -> u64
 }
 
 /// Contacts in a scene.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn n_contacts(scene: u32) -> u64 {
     first_report(scene).map_or(u64::MAX, |report| report.contacts.len() as u64)
 }
 
 /// Milliseconds that a step says it took.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn milliseconds(scene: u32) -> f64 {
     first_report(scene).map_or(f64::NAN, |report| report.times.total)
 }
 
 /// Threads of a session and of a broad phase that were asked for so many; 0 if either is refused.
-#[allow(unsafe_code, reason = "an exported name, which nothing else here has")]
 #[unsafe(no_mangle)]
 pub extern "C" fn threads(wanted: u32) -> u32 {
     let wanted = wanted as usize;
