@@ -1,4 +1,5 @@
-"""A cloth falls onto a ball, in steps that are always free of collision: cells of a notebook, run as a script.
+"""A cloth falls onto a ball, in steps that are always free of collision: cells of a notebook, run
+as a script.
 
     python ccd-python/examples/line_search.py [STEPS]
 """

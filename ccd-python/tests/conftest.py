@@ -1,4 +1,5 @@
-"""The real scenes with their published answers. Without the data a test is skipped, with the reason."""
+"""The real scenes with their published answers; without the data a test is skipped, with the
+reason."""
 
 import functools
 import json

@@ -75,8 +75,8 @@ def check_candidates(ours, listed, a, b):
 
 @pytest.mark.parametrize("scene", ["cloth-funnel", "rod-twist"], indirect=True)
 def test_candidates_are_those_of_ipctk(scene):
-    """Up to half a million pairs of a kind: ipctk lists them as objects, some microseconds each. The
-    other lists are compared by number, below."""
+    """Up to half a million pairs of a kind: ipctk lists them as objects, some microseconds each.
+    The other lists are compared by number, below."""
     vf, ee = Session(scene.mesh).candidates(scene.x0, scene.x1)
     candidates = ipctk_candidates(scene)
     vertices, edges, faces = boxes(scene)

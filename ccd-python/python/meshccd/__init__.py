@@ -1,8 +1,8 @@
 """Continuous collision detection for triangle meshes.
 
-Which vertices and faces, and which edges, touch while every vertex moves on a straight line from its
-position at the start of a step to that at its end, and when. No contact is missed, and no time of
-impact is late, rounding included.
+Which vertices and faces, and which edges, touch while every vertex moves on a straight line from
+its position at the start of a step to that at its end, and when. No contact is missed, and no time
+of impact is late, rounding included.
 
 - `Mesh`: faces and edges; `Session`: a mesh stepped frame by frame; `Report`: what a step found.
 - `BroadPhase`: boxes in, overlapping pairs out.
