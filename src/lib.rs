@@ -57,6 +57,10 @@
 //! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
 //! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
 //! reports as data.
+//!
+//! # WebAssembly
+//! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
+//! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0.
 #![deny(unsafe_code)]
 
 pub mod any;

@@ -60,7 +60,10 @@ fn contacts_at_the_start_are_left_where_they_separate() {
 
     let mut leaves = session(&mesh, near.clone().with_leave_contact(true));
     let report = leaves.step(&x0, &x1).unwrap();
-    let of = |stack: u32| report.contacts.iter().filter(move |c| stack_of(&mesh, c) == stack);
+    let of = |stack: u32| {
+        let is_of = move |c: &&Contact| stack_of(report.mesh(), c) == stack;
+        report.contacts.iter().filter(is_of)
+    };
     assert_eq!(of(0).count(), 0, "{:?}", report.contacts);
     assert!(of(1).any(|c| c.toi == 0.0 && c.state == State::Hit), "{:?}", report.contacts);
     assert!(of(2).count() > 0 && of(2).all(|c| c.toi > 0.01), "{:?}", report.contacts);

@@ -6,7 +6,7 @@ mod rules;
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
-use crate::clock::milliseconds;
+use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Given;
 use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
@@ -23,7 +23,6 @@ use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
 use ccd_core::model::report::Report;
 use passes::{collect, detect, least_toi};
 use std::sync::Arc;
-use std::time::Instant;
 
 mod changes;
 mod once;

@@ -40,7 +40,7 @@ mod tests;
 pub mod tree;
 mod uniform_grid;
 
-use crate::clock::milliseconds;
+use crate::clock::{Instant, milliseconds};
 use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::math::aabb::Boxes;
@@ -55,7 +55,6 @@ use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
 use pair_source::{Marks, PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-use std::time::Instant;
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///

@@ -1,7 +1,7 @@
 //! A pass over all candidates, or over a part of them, and what becomes of the workers' results.
 
 use crate::broad_phase::method::Method;
-use crate::clock::milliseconds;
+use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Scene;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
@@ -9,7 +9,7 @@ use crate::step::prepare::Prepared;
 use crate::threads::Threads;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::report::{Report, TriangleCounts};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The least time of impact that any worker found.
 pub fn least_toi(workers: &[Worker]) -> Option<f64> {

@@ -4,6 +4,7 @@
 //! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
 //! leaves.
 
+use crate::clock::Instant;
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
 use ccd_core::layout::Pair;
@@ -14,7 +15,7 @@ use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::search::Answer;
 use ccd_core::narrow_phase::{cascade, decide};
 use ccd_core::{Num, Real};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
 /// it touches.
