@@ -22,12 +22,6 @@ pub enum Error {
          an application writes on the device: turn cones off"
     )]
     PathsUnseen,
-    /// A scheduler or a front was chosen for blocks.
-    #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
-    OfTrees {
-        /// What was chosen.
-        name: &'static str,
-    },
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {

@@ -2,7 +2,6 @@
 //! decides of it.
 
 use crate::broad_phase::method;
-use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
 use crate::device::Device;
 use crate::error::Error;
@@ -242,7 +241,7 @@ impl Session {
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
-        report.front = self.frames.buffers.source.listed().and_then(PairSource::front);
+        report.front = self.frames.buffers.source.front();
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             let (mesh, distance) = (&self.mesh, self.options.min_distance);

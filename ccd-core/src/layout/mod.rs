@@ -4,8 +4,8 @@
 mod params;
 
 pub use params::{
-    Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
-    Params, Plain, Queries, SortPass, Stealing,
+    BlockDescent, Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals,
+    NodeDescent, Params, Plain, Queries, SortPass, Stealing,
 };
 
 use crate::math::aabb::Aabb;
