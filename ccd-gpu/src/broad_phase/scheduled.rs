@@ -27,9 +27,9 @@ struct OfKind {
 }
 
 impl Scheduled {
-    /// For the kinds of pairs between sets of so many boxes. `width`: pairs that a worker expands in
-    /// a turn; `room`: tasks of a round, by the boxes of the second side; `front`: pairs for which a
-    /// front has room at first, at least.
+    /// For the kinds of pairs between sets of so many boxes. `width`: pairs that a worker expands
+    /// in a turn; `room`: tasks of a round, by the boxes of the second side; `front`: pairs for
+    /// which a front has room at first, at least.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
