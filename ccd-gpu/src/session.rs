@@ -1,7 +1,6 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
-use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
 use crate::device::Device;
 use crate::error::Error;
@@ -105,7 +104,7 @@ impl Session {
     ///
     /// # Errors
     /// [`Error::Input`] with what [`Options::check`] refuses or a GPU does not have;
-    /// [`Error::OfTrees`]; what the device refuses.
+    /// what the device refuses.
     pub fn new(
         device: &Device,
         mesh: impl Into<Arc<Mesh>>,
@@ -425,7 +424,7 @@ impl Session {
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
-        report.front = self.frames.buffers.source.listed().and_then(PairSource::front);
+        report.front = self.frames.buffers.source.front();
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             let mesh = &self.mesh;

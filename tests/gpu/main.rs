@@ -26,6 +26,8 @@ mod rules;
 mod scalars;
 mod scenes;
 mod search;
+mod search_blocks;
+mod search_trees;
 mod sequences;
 mod sorts;
 mod stealing;
@@ -35,6 +37,7 @@ mod trees;
 mod triangles;
 mod twin;
 mod units;
+mod windows;
 mod workers;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
@@ -125,7 +128,7 @@ fn main() {
             codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,
-            search::TESTS,
+            windows::TESTS,
             sequences::TESTS,
             tangential::TESTS,
             units::TESTS,

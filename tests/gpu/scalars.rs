@@ -229,6 +229,7 @@ pub fn check_decorations() {
             "Intervals" => &[0, 4, 8, 12],
             "Expansion" => &[0, 4, 8, 12, 20],
             "NodeDescent" => &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68],
+            "BlockDescent" => &[0, 72],
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Building" => &[0, 4, 8, 12, 16],
             "Plain" | "Decision" | "ContactSort" | "Worlds" => &[0],

@@ -17,7 +17,9 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
     for precision in ["f32", "f64"] {
         let check = ["check", a.as_str(), &b];
         let by_triangles = [&check[..], &["--pipeline", "triangles", "--cones", "on"]].concat();
-        for command in [&check[..], &["sequence", &a, &b, &a], &by_triangles] {
+        let sequence = ["sequence", a.as_str(), &b, &a];
+        let by_workers = [&sequence[..], &["--scheduler", "static", "--front", "on"]].concat();
+        for command in [&check[..], &sequence, &by_workers, &by_triangles] {
             let args = [command, &["--precision", precision]].concat();
             let (cpu, want) = rows(&[&args[..], &["--backend", "cpu"]].concat());
             assert!(want.lines().count() > 20, "{want}");

@@ -2,6 +2,7 @@
 //! candidates.
 
 pub mod block_bvh;
+pub mod block_workers;
 pub mod candidate;
 pub mod key_intervals;
 pub mod morton_key;

@@ -260,6 +260,16 @@ impl NodeDescent {
     pub const TASKS_COUNTED: u32 = 1;
 }
 
+/// What the descent of pairs of blocks by workers is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct BlockDescent {
+    /// What is told of any pairs of nodes.
+    pub of_pairs: NodeDescent,
+    /// First node of either side on each level, as in [`Blocks`].
+    pub slots: [[u32; 2]; MAX_LEVELS],
+}
+
 /// What the builders of binary trees are told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]

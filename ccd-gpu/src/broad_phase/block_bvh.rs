@@ -1,7 +1,10 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
+use super::block_descent::{BlockDescent, Nodes};
 use super::block_levels::Levels;
 use super::pair_source::boxes_or;
+use super::scheduled::Scheduled;
+use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
 use crate::device::Device;
@@ -13,6 +16,7 @@ use ccd_core::Aabb;
 use ccd_core::broad_phase::morton_key;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 
 /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few where a
@@ -48,27 +52,38 @@ pub struct Tree {
     pub groups: u32,
     /// By kind: all pairs of nodes where the descent starts.
     start: [List; 2],
-    /// By kind and level below the start: pairs of nodes.
+    /// By kind and level below the start: pairs of nodes; where workers descend, those of blocks
+    /// alone.
     pub pairs: [Vec<List>; 2],
     /// If boxes are of several worlds.
     pub worlds: Option<Worlds>,
+    /// The workers that descend, if a scheduler was chosen that has some.
+    descent: Option<BlockDescent>,
 }
 
 impl Tree {
     /// Makes room for these numbers of boxes.
-    pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
-        Self::reusing(device, count, None)
+    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
+        Self::reusing(device, scheduling, count, None)
     }
 
     /// The same, with the buffers of another tree as far as they are large enough. That one may be
     /// used again, if this fails.
-    pub fn reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
+    pub fn reusing(
+        device: &Device,
+        scheduling: Scheduling,
+        count: [u32; 3],
+        old: Option<&Self>,
+    ) -> Result<Self, Error> {
         let mut tree = Self::sorted_reusing(device, count, old)?;
-        let levels = &tree.levels;
+        if !scheduler::is_by_levels(scheduling) {
+            tree.descent = Some(BlockDescent::new(device, scheduling, count)?);
+        }
+        let (levels, by_levels) = (&tree.levels, tree.descent.is_none());
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
             // A node overlaps some tens of others on real scenes; what does not fit makes the list
             // grow.
-            (1..levels.start(kind))
+            (1..if by_levels { levels.start(kind) } else { 2 })
                 .map(|level| {
                     let old = old.and_then(|old| old.pairs[kind as usize].get(level as usize - 1));
                     List::reusing(
@@ -133,6 +148,7 @@ impl Tree {
             sort: Sort::reusing(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
+            descent: None,
             groups: groups(device),
             levels,
             nodes,
@@ -145,9 +161,34 @@ impl Tree {
         Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
     }
 
+    /// What shares out pairs among workers, if there are some.
+    pub fn scheduled(&self) -> Option<&Scheduled> {
+        self.descent.as_ref().map(|descent| &descent.scheduled)
+    }
+
+    /// The same, to be told how a search came out.
+    pub fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        self.descent.as_mut().map(|descent| &mut descent.scheduled)
+    }
+
     /// Lists whose headers must be zero before [`Tree::descend`].
-    pub fn lists(&self) -> impl Iterator<Item = &List> {
-        self.pairs.iter().flatten()
+    pub fn lists(&self) -> Vec<&List> {
+        let of_workers = self.scheduled().map(Scheduled::lists).unwrap_or_default();
+        self.pairs.iter().flatten().chain(of_workers).collect()
+    }
+
+    /// The same, to be replaced by larger ones.
+    pub fn lists_mut(&mut self) -> Vec<&mut List> {
+        let Self { pairs, descent, .. } = self;
+        let of_workers = descent.as_mut().map(|descent| descent.scheduled.lists_mut());
+        pairs.iter_mut().flatten().chain(of_workers.unwrap_or_default()).collect()
+    }
+
+    /// What must be zero before [`Tree::descend`] besides those.
+    pub fn clear(&self, recorder: &mut Recorder) {
+        if let Some(scheduled) = self.scheduled() {
+            scheduled.clear(recorder);
+        }
     }
 
     /// What must be zero before [`Tree::sort`].
@@ -213,9 +254,24 @@ impl Tree {
         }
     }
 
-    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. Level
-    /// by level for all kinds, so that a device works on both at once.
-    pub fn descend(&self, recorder: &mut Recorder, frame: &Frame, kinds: &[u32]) {
+    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. By
+    /// workers, or level by level for all kinds, so that a device works on both at once.
+    /// `keeps_order`: the order is that of the search before, whose results the host has seen.
+    pub fn descend(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        kinds: &[u32],
+        keeps_order: bool,
+    ) {
+        if let Some(descent) = &self.descent {
+            for &kind in kinds {
+                let (first, pairs) = (&self.start[kind as usize], self.block_pairs(kind as usize));
+                let nodes = Nodes { levels: &self.levels, boxes: &self.nodes };
+                descent.run(recorder, (frame, kind, keeps_order), nodes, first, pairs);
+            }
+            return;
+        }
         for level in (2..=self.levels.top()).rev() {
             for &kind in kinds.iter().filter(|&&kind| level <= self.levels.start(kind)) {
                 let lists = &self.pairs[kind as usize];

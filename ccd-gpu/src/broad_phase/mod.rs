@@ -2,6 +2,7 @@
 
 mod binary_tree;
 pub mod block_bvh;
+mod block_descent;
 mod block_levels;
 mod block_pairs;
 mod builder;
@@ -11,6 +12,7 @@ pub mod method;
 mod oriented;
 mod pair_descent;
 pub mod pair_source;
+pub mod scheduled;
 mod scheduler;
 mod tree;
 mod upload;
@@ -77,7 +79,7 @@ impl BroadPhase {
     /// call builds anew.
     ///
     /// # Errors
-    /// [`Error::Input`] and [`Error::OfTrees`] for what a GPU does not have; [`Error::Unavailable`]
+    /// [`Error::Input`] for what a GPU does not have; [`Error::Unavailable`]
     /// for a scheduler that needs another path of the device; what the device refuses.
     pub fn scheduled(
         device: &Device,
@@ -120,7 +122,7 @@ impl BroadPhase {
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
         let Self { device, bench, readback, buffers, .. } = self;
         let Some(Buffers { source, .. }) = buffers else { return Ok(Vec::new()) };
-        worker_counts::read(device, bench, readback, &**source)
+        worker_counts::read(device, bench, readback, &source.worker_counts())
     }
 
     /// All pairs of boxes that overlap, each once, the lesser index first.

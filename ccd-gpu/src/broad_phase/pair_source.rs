@@ -4,6 +4,7 @@
 //! that list pairs of their ids. What takes the pairs (the caller of a broad phase, or the filters
 //! of a step) serves every source, and a new one is a file and an arm in `method.rs`.
 
+use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -107,9 +108,8 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// Where workers count what they do, by kind of pairs: buffer, first byte, workers, of which
-    /// each has two words, see [`WorkerCounts`](crate::WorkerCounts).
-    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+    /// Where workers count what they do, by kind of pairs.
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
         Vec::new()
     }
 }

@@ -197,10 +197,7 @@ impl Frames {
     /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
     pub fn worker_counts(&mut self, device: &Device) -> Result<Vec<WorkerCounts>, Error> {
         let Self { buffers, bench, readback, .. } = self;
-        match buffers.source.listed() {
-            Some(source) => worker_counts::read(device, bench, readback, source),
-            None => Ok(Vec::new()),
-        }
+        worker_counts::read(device, bench, readback, &buffers.source.worker_counts())
     }
 
     /// Reads the candidates of a frame: pairs of vertices and faces, pairs of edges.

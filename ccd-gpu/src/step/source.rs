@@ -10,6 +10,8 @@ use crate::bind::{
 use crate::broad_phase::block_bvh::{Pass, Tree, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
+use crate::broad_phase::scheduled::Scheduled;
+use crate::broad_phase::worker_counts::Counted;
 use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
@@ -21,6 +23,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use ccd_core::model::report::FrontCounts;
 use ccd_core::model::rules::Rules;
 use std::ops::Range;
 
@@ -73,7 +76,7 @@ impl Source {
                 Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                let mut tree = Tree::reusing(device, count, old_tree)?;
+                let mut tree = Tree::reusing(device, options.scheduling, count, old_tree)?;
                 tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
                 return Ok(Self::Blocks(Box::new(tree)));
             }
@@ -141,13 +144,13 @@ impl Source {
 
     /// Whether a part of the pairs can be filtered before all others.
     pub fn samples(&self) -> bool {
-        matches!(self, Self::Blocks(_))
+        matches!(self, Self::Blocks(tree) if tree.scheduled().is_none())
     }
 
     /// All lists.
     pub fn lists(&self) -> Vec<&List> {
         match self {
-            Self::Blocks(tree) => tree.lists().collect(),
+            Self::Blocks(tree) => tree.lists(),
             Self::Listed(listed) => {
                 listed.source().lists().into_iter().chain(&listed.pairs).collect()
             }
@@ -157,7 +160,7 @@ impl Source {
     /// The same, to be replaced by larger ones.
     pub fn lists_mut(&mut self) -> Vec<&mut List> {
         match self {
-            Self::Blocks(tree) => tree.pairs.iter_mut().flatten().collect(),
+            Self::Blocks(tree) => tree.lists_mut(),
             Self::Listed(listed) => {
                 let Listed { finder, pairs, .. } = listed;
                 let lists = match finder {
@@ -169,17 +172,30 @@ impl Source {
         }
     }
 
-    /// The source of pairs that are listed.
-    pub fn listed(&self) -> Option<&dyn PairSource> {
+    /// What fronts the last search left; `None` without any.
+    pub fn front(&self) -> Option<FrontCounts> {
         match self {
-            Self::Blocks(_) => None,
-            Self::Listed(listed) => Some(listed.source()),
+            Self::Blocks(tree) => tree.scheduled().and_then(Scheduled::front),
+            Self::Listed(listed) => listed.source().front(),
+        }
+    }
+
+    /// Where workers count what they do, by kind of pairs.
+    pub fn worker_counts(&self) -> Vec<Counted<'_>> {
+        match self {
+            Self::Blocks(tree) => {
+                tree.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
+            }
+            Self::Listed(listed) => listed.source().worker_counts(),
         }
     }
 
     /// Bytes of buffers that [`Source::settle`] wants to see.
     pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.listed().map(PairSource::counters).unwrap_or_default()
+        match self {
+            Self::Blocks(tree) => tree.scheduled().map(Scheduled::counters).unwrap_or_default(),
+            Self::Listed(listed) => listed.source().counters(),
+        }
     }
 
     /// The results of a search were read; see [`PairSource::settle`].
@@ -190,7 +206,10 @@ impl Source {
         complete: bool,
     ) -> Result<bool, Error> {
         match self {
-            Self::Blocks(_) => Ok(false),
+            Self::Blocks(tree) => match tree.scheduled_mut() {
+                Some(scheduled) => scheduled.settle(device, counted, complete),
+                None => Ok(false),
+            },
             Self::Listed(Listed { finder: Finder::Features(source), .. }) => {
                 source.settle(device, counted, complete)
             }
@@ -235,8 +254,12 @@ impl Source {
     /// What must be zero besides the headers of lists.
     pub fn clear(&self, recorder: &mut Recorder, keeps_order: bool) {
         match self {
-            Self::Blocks(_) if keeps_order => {}
-            Self::Blocks(tree) => tree.clear_bounds(recorder),
+            Self::Blocks(tree) => {
+                tree.clear(recorder);
+                if !keeps_order {
+                    tree.clear_bounds(recorder);
+                }
+            }
             Self::Listed(listed) => listed.source().clear(recorder),
         }
     }
@@ -267,7 +290,7 @@ impl Source {
         match self {
             Self::Blocks(tree) => {
                 recorder.stage("block pairs");
-                tree.descend(recorder, frame, &[0, 1]);
+                tree.descend(recorder, frame, &[0, 1], keeps_order);
             }
             Self::Listed(listed) => {
                 let pairs = &listed.pairs;

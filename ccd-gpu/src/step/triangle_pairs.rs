@@ -9,6 +9,7 @@ use crate::bind;
 use crate::broad_phase::block_bvh::{DISPATCH_LIMIT, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
+use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -292,7 +293,7 @@ impl PairSource for TrianglePairs {
         self.source.front()
     }
 
-    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
         self.source.worker_counts()
     }
 
