@@ -43,27 +43,25 @@ fn session(mesh: &Mesh, options: Options) -> Session {
 
 #[test]
 fn contacts_at_the_start_are_left_where_they_separate() {
-    let (mesh, x0, x1) = stacks();
+    let (mesh, x0, x1) = &stacks();
     let near = Options::default().with_min_distance(0.02);
-    let mut stays = session(&mesh, near.clone());
-    let report = stays.step(&x0, &x1).unwrap();
+    let mut stays = session(mesh, near.clone());
+    let report = stays.step(x0, x1).unwrap().clone();
+    let report = &report;
     let at_start = |report: &Report, stack: u32, approach: Approach| {
         report
             .contacts
             .iter()
-            .any(|c| stack_of(&mesh, c) == stack && c.toi == 0.0 && c.approach == approach)
+            .any(|c| stack_of(mesh, c) == stack && c.toi == 0.0 && c.approach == approach)
     };
     assert!(at_start(report, 0, Approach::Separating), "{:?}", report.contacts);
     assert!(at_start(report, 1, Approach::Approaching), "{:?}", report.contacts);
     assert!(!at_start(report, 1, Approach::Separating), "{:?}", report.contacts);
-    assert_eq!(stays.collision_free_step_size(&x0, &x1).unwrap(), 0.0);
+    assert_eq!(stays.collision_free_step_size(x0, x1).unwrap(), 0.0);
 
-    let mut leaves = session(&mesh, near.clone().with_leave_contact(true));
-    let report = leaves.step(&x0, &x1).unwrap();
-    let of = |stack: u32| {
-        let is_of = move |c: &&Contact| stack_of(report.mesh(), c) == stack;
-        report.contacts.iter().filter(is_of)
-    };
+    let mut leaves = session(mesh, near.clone().with_leave_contact(true));
+    let report = leaves.step(x0, x1).unwrap();
+    let of = |stack: u32| report.contacts.iter().filter(move |c| stack_of(mesh, c) == stack);
     assert_eq!(of(0).count(), 0, "{:?}", report.contacts);
     assert!(of(1).any(|c| c.toi == 0.0 && c.state == State::Hit), "{:?}", report.contacts);
     assert!(of(2).count() > 0 && of(2).all(|c| c.toi > 0.01), "{:?}", report.contacts);
