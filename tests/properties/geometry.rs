@@ -193,7 +193,7 @@ fn check_case(
     (point, normal, weights): ([f64; 3], [f64; 3], [f64; 4]),
 ) {
     for exponent in [0, 330, -330, -1060] {
-        let unit = 2f64.powi(exponent);
+        let unit = 2f64.powi(exponent / 2).powi(2);
         let t0 = x.map(|p| p.map(|c| c * unit));
         let mut t1 = t0;
         for p in &mut t1[..kind.n_first()] {

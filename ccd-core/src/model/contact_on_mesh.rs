@@ -50,7 +50,7 @@ impl Contact {
     /// ```
     ///
     /// In `f64`, whatever the positions are in. Of an undecided contact it is the geometry at the
-    /// time until which the step is certainly free. One contact takes about a tenth of a
+    /// time until which the step is certainly free. One contact takes about a third of a
     /// microsecond.
     ///
     /// # Panics

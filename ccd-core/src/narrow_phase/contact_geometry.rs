@@ -23,9 +23,9 @@
 //!    the product of the edges, `(ea1 - ea0) x (eb1 - eb0)`;
 //! 5. nothing but a line: some direction perpendicular to it; nothing but a point: the first axis.
 //!
-//! Nothing here is certified: a bound of rounding says only which rule applies. Every such test is
-//! a comparison that NaN fails, so the normal has unit length and the weights lie in the patch
-//! whatever the input.
+//! Nothing here is certified: a bound of rounding says only which rule applies. The normal has unit
+//! length and the weights lie in the patch whatever the input: weights are limited, and what is
+//! not of unit length (NaN, where coordinates are none) becomes the first axis.
 
 use crate::math::real::Real;
 use crate::math::vec3::{add, cross, dot, max_abs, scale, sub, sum_abs};
@@ -73,12 +73,15 @@ pub fn contact_geometry<R: Real>(
     let unit = power_of_two(max_abs(a).max(max_abs(b)).max(max_abs(c)));
     let spread = Spread::new(&m, [scale(a, unit), scale(b, unit), scale(c, unit)], unit);
     let near = spread.nearest(patch);
-    let (s, r) = (near.s, near.r);
+    let (s, r, length) = (near.s, near.r, root(near.square));
 
     // From the patch to the vector: for edges that is from the first to the second.
     let sign = if matches!(patch, Patch::Triangle) { one } else { -one };
     let velocity = sub(sub(moved(m.a), scale(moved(m.b), s)), scale(moved(m.c), r));
-    let normal = spread.normal(&near, sign, scale(velocity, sign), &m);
+    let normal = spread.normal(&near, length, sign, scale(velocity, sign), &m);
+    // Not so where coordinates are no numbers, or so large that their differences are none.
+    let is_unit = dot(normal, normal) > R::splat(0.5);
+    let normal = if is_unit { normal } else { [one, R::splat(0.0), R::splat(0.0)] };
 
     let x =
         [mix(t0[0], t1[0], t), mix(t0[1], t1[1], t), mix(t0[2], t1[2], t), mix(t0[3], t1[3], t)];
@@ -91,7 +94,7 @@ pub fn contact_geometry<R: Real>(
         Patch::Parallelogram => ([one - s, s, one - r, r], mix(x[0], x[1], s), mix(x[2], x[3], r)),
     };
     let point = mix(on_a, on_b, R::splat(0.5));
-    ContactGeometry { point, normal, weights, on_a, on_b, distance: near.length / unit }
+    ContactGeometry { point, normal, weights, on_a, on_b, distance: length / unit }
 }
 
 /// The three vectors at the time that is looked at, in a unit in which the greatest component is
@@ -114,9 +117,9 @@ struct Spread<R> {
 struct Nearest<R> {
     s: R,
     r: R,
-    /// From there to `a`, and its length.
+    /// From there to `a`, and the square of its length.
     w: [R; 3],
-    length: R,
+    square: R,
 }
 
 impl<R: Real> Spread<R> {
@@ -139,7 +142,7 @@ impl<R: Real> Spread<R> {
 
     fn at(&self, s: R, r: R) -> Nearest<R> {
         let w = sub(sub(self.a, scale(self.b, s)), scale(self.c, r));
-        Nearest { s, r, w, length: root(dot(w, w)) }
+        Nearest { s, r, w, square: dot(w, w) }
     }
 
     /// The `r` within `[0, most]` that is nearest for this `s`.
@@ -190,9 +193,16 @@ impl<R: Real> Spread<R> {
         }
     }
 
-    /// The normal by the rules above. `sign`: from `w` to the direction from `b` to `a`; `velocity`
-    /// is that of `a` relative to `b`, in the unit of the input.
-    fn normal(&self, near: &Nearest<R>, sign: R, velocity: [R; 3], m: &Motion<R>) -> [R; 3] {
+    /// The normal by the rules above. `length`: of `w`; `sign`: from `w` to the direction from `b`
+    /// to `a`; `velocity` is that of `a` relative to `b`, in the unit of the input.
+    fn normal(
+        &self,
+        near: &Nearest<R>,
+        length: R,
+        sign: R,
+        velocity: [R; 3],
+        m: &Motion<R>,
+    ) -> [R; 3] {
         let (zero, one) = (R::splat(0.0), R::splat(1.0));
         let (s, r) = (near.s, near.r);
         let (s_free, r_free) = (s > zero && s < one, r > zero && r < one);
@@ -200,9 +210,9 @@ impl<R: Real> Spread<R> {
         let inside = s_free && r_free && (!triangle || s + r < one - R::UNIT * R::splat(4.0));
         let flat = self.area > zero;
         let across = scale(self.n, sign);
-        if near.length > self.noise && near.length.is_finite_number() {
+        if length > self.noise {
             let towards = scale(near.w, sign);
-            if flat && inside && self.area_error * near.length <= self.noise * self.area {
+            if flat && inside && self.area_error * length <= self.noise * self.area {
                 return unit_vector(if dot(towards, across) >= zero {
                     across
                 } else {
@@ -234,7 +244,7 @@ impl<R: Real> Spread<R> {
                 [zero; 3]
             };
             let off = beside(velocity, side);
-            if sum_abs(off) > still && sum_abs(off).is_finite_number() {
+            if sum_abs(off) > still {
                 return unit_vector(scale(off, -one));
             }
         }
@@ -258,7 +268,7 @@ fn beside<R: Real>(v: [R; 3], side: [R; 3]) -> [R; 3] {
 fn perpendicular<R: Real>(b: [R; 3], c: [R; 3]) -> [R; 3] {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let e = if max_abs(c) > max_abs(b) { c } else { b };
-    if !(max_abs(e) > zero) || !max_abs(e).is_finite_number() {
+    if !(max_abs(e) > zero) {
         return [one, zero, zero];
     }
     let (x, y, z) = (e[0].abs(), e[1].abs(), e[2].abs());
@@ -315,7 +325,7 @@ fn moved<R: Real>(x: [[R; 3]; 2]) -> [R; 3] {
 }
 
 fn nearer<R: Real>(p: Nearest<R>, q: Nearest<R>) -> Nearest<R> {
-    if q.length < p.length { q } else { p }
+    if q.square < p.square { q } else { p }
 }
 
 /// From `p` to `q`, without a difference that could overflow, and exact at both ends.
