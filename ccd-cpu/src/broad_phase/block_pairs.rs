@@ -138,6 +138,9 @@ impl PairTree for BlockPairs<'_> {
     fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let pair = BlockPair::unpacked(pair);
         let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
+        if self.a.has_worlds() && masks != 0 {
+            masks &= self.in_one_world(pair);
+        }
         while masks != 0 {
             let bit = masks.trailing_zeros();
             masks &= masks - 1;
@@ -155,7 +158,11 @@ impl PairTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (a, b) = (pair.a as usize, pair.b as usize);
-        let mut masks = overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & self.rules_let(pair);
+        let mut masks =
+            overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
+        if self.a.has_worlds() && masks != 0 {
+            masks &= self.in_one_world(pair);
+        }
         if self.within && a == b {
             masks &= UPPER;
         }
@@ -226,6 +233,9 @@ impl FrontTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
+        if self.a.has_worlds() {
+            masks &= self.in_one_world(pair);
+        }
         let below = pair.level as usize - 1;
         let (n_a, n_b) = (self.a.level(below).len() as u32, self.b.level(below).len() as u32);
         while masks != 0 {
@@ -279,22 +289,15 @@ impl<'a> BlockPairs<'a> {
     }
 
     /// Of a pair above the leaves, byte `i`, bit `j`: whether there may be a pair of leaves below
-    /// child `i` and child `j`, whatever their boxes are.
+    /// child `i` and child `j`, whatever their boxes and worlds are.
     #[inline(always)]
     fn wanted(self, pair: BlockPair) -> u64 {
         let once = if self.within && pair.a == pair.b { UPPER_OR_DIAGONAL } else { u64::MAX };
-        once & self.rules_let(pair)
+        once & !self.both_fixed(pair)
     }
 
-    /// Byte `i`, bit `j`: whether something in box `i` of one block and something in box `j` of the
-    /// other may be a pair of bodies that is looked at.
-    #[inline(always)]
-    fn rules_let(self, pair: BlockPair) -> u64 {
-        let let_by_fixed = !self.both_fixed(pair);
-        if self.a.has_worlds() { let_by_fixed & self.in_one_world(pair) } else { let_by_fixed }
-    }
-
-    /// The same by worlds: whether the ranges of worlds have one in common, as boxes on an axis.
+    /// Byte `i`, bit `j`: whether the ranges of worlds of box `i` of one block and box `j` of the
+    /// other have one in common, as boxes on an axis.
     #[inline(never)]
     fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
         let level = level as usize;

@@ -43,7 +43,12 @@ impl Selection {
         let Some(rules) = &self.rules else { return mask };
         let word = rules.word(v);
         let mask = keep(mask, |j| bodies_meet(word, rules.word(w[j])));
-        if rules.has_table() { of_classes(rules, word, w, mask) } else { mask }
+        if !rules.has_table() {
+            return mask;
+        }
+        // Most neighbours are of the body itself, and need no table.
+        let others = keep(mask, |j| rules.word(w[j]) != word);
+        if others == 0 { mask } else { mask & !others | of_classes(rules, word, w, others) }
     }
 
     /// Whether pairs of features are selected one by one.
