@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -85,7 +91,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e39 >= _e47) {
             phi_156_ = 4294967295u;
         } else {
-            let _e49 = (6u * _e39);
+            let _e49 = (7u * _e39);
             let _e53 = params.member.member_2.member;
             if (_e53 == 0u) {
                 let _e68 = contacts.member[(_e49 + 7u)];

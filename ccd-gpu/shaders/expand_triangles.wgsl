@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -43,6 +49,7 @@ struct type_18 {
     member_1: u32,
     member_2: u32,
     member_3: array<u32, 2>,
+    member_4: u32,
 }
 
 struct type_19 {
@@ -94,145 +101,152 @@ var<storage> triangles: type_25;
 var<storage> boxes: type_17;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_149_: u32;
-    var phi_159_: u32;
-    var phi_166_: u32;
-    var phi_187_: u32;
-    var phi_208_: u32;
+    var phi_150_: u32;
+    var phi_160_: u32;
+    var phi_167_: u32;
+    var phi_188_: u32;
     var phi_209_: u32;
-    var phi_212_: type_12;
+    var phi_210_: u32;
     var phi_213_: type_12;
-    var phi_236_: type_12;
+    var phi_214_: type_12;
+    var phi_237_: type_12;
+    var phi_329_: bool;
     var phi_330_: bool;
     var phi_337_: bool;
     var phi_341_: bool;
-    var phi_360_: bool;
-    var phi_367_: bool;
-    var phi_375_: bool;
-    var phi_385_: bool;
-    var phi_392_: bool;
-    var phi_400_: bool;
-    var phi_411_: bool;
-    var phi_418_: bool;
-    var phi_426_: bool;
-    var phi_432_: bool;
-    var phi_433_: bool;
-    var phi_469_: bool;
-    var phi_470_: bool;
-    var phi_521_: bool;
-    var phi_528_: bool;
-    var phi_536_: bool;
-    var phi_577_: u32;
-    var phi_578_: u32;
-    var phi_595_: bool;
-    var phi_602_: bool;
-    var phi_610_: bool;
-    var phi_651_: u32;
-    var phi_652_: u32;
-    var phi_670_: bool;
-    var phi_677_: bool;
-    var phi_685_: bool;
-    var phi_726_: u32;
-    var phi_727_: u32;
-    var phi_730_: u32;
-    var phi_731_: u32;
-    var phi_732_: u32;
-    var phi_733_: u32;
-    var phi_775_: bool;
-    var phi_782_: bool;
-    var phi_790_: bool;
-    var phi_831_: u32;
-    var phi_832_: u32;
-    var phi_849_: bool;
-    var phi_856_: bool;
-    var phi_864_: bool;
-    var phi_905_: u32;
-    var phi_906_: u32;
-    var phi_924_: bool;
-    var phi_931_: bool;
-    var phi_939_: bool;
-    var phi_980_: u32;
-    var phi_981_: u32;
-    var phi_985_: u32;
-    var phi_986_: u32;
-    var phi_987_: u32;
-    var phi_988_: u32;
-    var phi_1036_: type_15;
-    var phi_1058_: type_15;
-    var phi_1080_: type_15;
-    var phi_1110_: type_15;
-    var phi_1117_: bool;
-    var phi_1123_: bool;
-    var phi_1156_: bool;
-    var phi_1162_: bool;
-    var phi_1197_: bool;
-    var phi_1203_: bool;
-    var phi_1253_: type_15;
-    var phi_1260_: bool;
-    var phi_1266_: bool;
-    var phi_1300_: bool;
-    var phi_1306_: bool;
-    var phi_1341_: bool;
-    var phi_1347_: bool;
-    var phi_1398_: type_15;
-    var phi_1405_: bool;
-    var phi_1411_: bool;
-    var phi_1446_: bool;
-    var phi_1452_: bool;
-    var phi_1487_: bool;
-    var phi_1493_: bool;
-    var phi_1525_: u32;
-    var phi_1526_: u32;
-    var phi_1527_: u32;
-    var phi_1528_: u32;
-    var phi_1531_: type_22;
-    var phi_1532_: type_22;
-    var phi_1533_: type_22;
+    var phi_459_: bool;
+    var phi_460_: bool;
+    var phi_464_: bool;
+    var phi_483_: bool;
+    var phi_490_: bool;
+    var phi_498_: bool;
+    var phi_508_: bool;
+    var phi_515_: bool;
+    var phi_523_: bool;
+    var phi_534_: bool;
+    var phi_541_: bool;
+    var phi_549_: bool;
+    var phi_555_: bool;
+    var phi_556_: bool;
+    var phi_592_: bool;
+    var phi_593_: bool;
+    var phi_644_: bool;
+    var phi_651_: bool;
+    var phi_659_: bool;
+    var phi_700_: u32;
+    var phi_701_: u32;
+    var phi_718_: bool;
+    var phi_725_: bool;
+    var phi_733_: bool;
+    var phi_774_: u32;
+    var phi_775_: u32;
+    var phi_793_: bool;
+    var phi_800_: bool;
+    var phi_808_: bool;
+    var phi_849_: u32;
+    var phi_850_: u32;
+    var phi_853_: u32;
+    var phi_854_: u32;
+    var phi_855_: u32;
+    var phi_856_: u32;
+    var phi_898_: bool;
+    var phi_905_: bool;
+    var phi_913_: bool;
+    var phi_954_: u32;
+    var phi_955_: u32;
+    var phi_972_: bool;
+    var phi_979_: bool;
+    var phi_987_: bool;
+    var phi_1028_: u32;
+    var phi_1029_: u32;
+    var phi_1047_: bool;
+    var phi_1054_: bool;
+    var phi_1062_: bool;
+    var phi_1103_: u32;
+    var phi_1104_: u32;
+    var phi_1108_: u32;
+    var phi_1109_: u32;
+    var phi_1110_: u32;
+    var phi_1111_: u32;
+    var phi_1159_: type_15;
+    var phi_1181_: type_15;
+    var phi_1203_: type_15;
+    var phi_1233_: type_15;
+    var phi_1240_: bool;
+    var phi_1246_: bool;
+    var phi_1279_: bool;
+    var phi_1285_: bool;
+    var phi_1320_: bool;
+    var phi_1326_: bool;
+    var phi_1376_: type_15;
+    var phi_1383_: bool;
+    var phi_1389_: bool;
+    var phi_1423_: bool;
+    var phi_1429_: bool;
+    var phi_1464_: bool;
+    var phi_1470_: bool;
+    var phi_1521_: type_15;
+    var phi_1528_: bool;
     var phi_1534_: bool;
-    var phi_1535_: type_22;
-    var phi_1536_: type_22;
-    var phi_1537_: bool;
-    var phi_1541_: type_22;
-    var phi_1590_: u32;
-    var phi_1591_: u32;
-    var phi_1592_: u32;
-    var phi_1593_: u32;
-    var phi_1594_: u32;
-    var phi_1595_: type_12;
-    var phi_1650_: type_12;
-    var phi_1653_: u32;
-    var phi_1651_: type_12;
-    var phi_1676_: type_12;
-    var phi_1769_: u32;
-    var phi_1770_: u32;
-    var phi_1783_: u32;
-    var phi_1784_: u32;
-    var phi_1791_: type_12;
-    var phi_1753_: u32;
-    var phi_1754_: u32;
-    var phi_1795_: type_12;
-    var phi_1734_: u32;
-    var phi_1735_: u32;
-    var phi_1796_: type_12;
-    var phi_1811_: u32;
-    var phi_1654_: u32;
-    var phi_1814_: type_12;
-    var phi_1817_: u32;
-    var phi_1815_: type_12;
-    var phi_1840_: type_12;
-    var phi_1931_: u32;
-    var phi_1932_: u32;
-    var phi_1945_: u32;
-    var phi_1946_: u32;
-    var phi_1953_: type_12;
-    var phi_1915_: u32;
-    var phi_1916_: u32;
-    var phi_1957_: type_12;
+    var phi_1569_: bool;
+    var phi_1575_: bool;
+    var phi_1610_: bool;
+    var phi_1616_: bool;
+    var phi_1648_: u32;
+    var phi_1649_: u32;
+    var phi_1650_: u32;
+    var phi_1651_: u32;
+    var phi_1654_: type_22;
+    var phi_1655_: type_22;
+    var phi_1656_: type_22;
+    var phi_1657_: bool;
+    var phi_1658_: type_22;
+    var phi_1659_: type_22;
+    var phi_1660_: bool;
+    var phi_1661_: type_22;
+    var phi_1662_: type_22;
+    var phi_1663_: bool;
+    var phi_1667_: type_22;
+    var phi_1716_: u32;
+    var phi_1717_: u32;
+    var phi_1718_: u32;
+    var phi_1719_: u32;
+    var phi_1720_: u32;
+    var phi_1721_: type_12;
+    var phi_1776_: type_12;
+    var phi_1779_: u32;
+    var phi_1777_: type_12;
+    var phi_1802_: type_12;
+    var phi_1895_: u32;
     var phi_1896_: u32;
-    var phi_1897_: u32;
-    var phi_1958_: type_12;
-    var phi_1973_: u32;
-    var phi_1818_: u32;
+    var phi_1909_: u32;
+    var phi_1910_: u32;
+    var phi_1917_: type_12;
+    var phi_1879_: u32;
+    var phi_1880_: u32;
+    var phi_1921_: type_12;
+    var phi_1860_: u32;
+    var phi_1861_: u32;
+    var phi_1922_: type_12;
+    var phi_1937_: u32;
+    var phi_1780_: u32;
+    var phi_1940_: type_12;
+    var phi_1943_: u32;
+    var phi_1941_: type_12;
+    var phi_1966_: type_12;
+    var phi_2057_: u32;
+    var phi_2058_: u32;
+    var phi_2071_: u32;
+    var phi_2072_: u32;
+    var phi_2079_: type_12;
+    var phi_2041_: u32;
+    var phi_2042_: u32;
+    var phi_2083_: type_12;
+    var phi_2022_: u32;
+    var phi_2023_: u32;
+    var phi_2084_: type_12;
+    var phi_2099_: u32;
+    var phi_1944_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -240,940 +254,986 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e47 = id_2;
-    let _e48 = n_2;
-    let _e49 = lane_2;
-    let _e62 = ((_e47.y * _e48.x) + _e47.x);
-    let _e65 = (_e48.x * _e48.y);
-    let _e69 = params.member.member_2.member_1;
-    let _e71 = params.member.member_1.member_2;
-    let _e73 = input.member[0u];
-    if (_e71 < _e73) {
-        phi_149_ = _e71;
+    let _e48 = id_2;
+    let _e49 = n_2;
+    let _e50 = lane_2;
+    let _e63 = ((_e48.y * _e49.x) + _e48.x);
+    let _e66 = (_e49.x * _e49.y);
+    let _e70 = params.member.member_2.member_1;
+    let _e72 = params.member.member_1.member_2;
+    let _e74 = input.member[0u];
+    if (_e72 < _e74) {
+        phi_150_ = _e72;
     } else {
-        phi_149_ = _e73;
+        phi_150_ = _e74;
     }
-    let _e76 = phi_149_;
-    let _e78 = params.member.member_1.member_1;
-    if (_e76 > _e78) {
-        let _e81 = params.member.member_1.member_1;
-        phi_159_ = (_e76 - _e81);
+    let _e77 = phi_150_;
+    let _e79 = params.member.member_1.member_1;
+    if (_e77 > _e79) {
+        let _e82 = params.member.member_1.member_1;
+        phi_160_ = (_e77 - _e82);
     } else {
-        phi_159_ = 0u;
+        phi_160_ = 0u;
     }
-    let _e84 = phi_159_;
-    let _e86 = params.member.member_1.member;
-    if (_e86 < _e84) {
-        phi_166_ = _e86;
+    let _e85 = phi_160_;
+    let _e87 = params.member.member_1.member;
+    if (_e87 < _e85) {
+        phi_167_ = _e87;
     } else {
-        phi_166_ = _e84;
+        phi_167_ = _e85;
     }
-    let _e89 = phi_166_;
-    if (_e49 < 5u) {
-        atomicStore((&shared_[_e49]), 0u);
+    let _e90 = phi_167_;
+    if (_e50 < 5u) {
+        atomicStore((&shared_[_e50]), 0u);
     }
     workgroupBarrier();
-    let _e92 = (_e89 / 128u);
-    if ((_e89 % 128u) > 0u) {
-        phi_187_ = (_e92 + 1u);
+    let _e93 = (_e90 / 128u);
+    if ((_e90 % 128u) > 0u) {
+        phi_188_ = (_e93 + 1u);
     } else {
-        phi_187_ = _e92;
+        phi_188_ = _e93;
     }
-    let _e97 = phi_187_;
-    if (_e97 > _e62) {
-        let _e99 = (_e97 - _e62);
-        if (_e65 == 0u) {
+    let _e98 = phi_188_;
+    if (_e98 > _e63) {
+        let _e100 = (_e98 - _e63);
+        if (_e66 == 0u) {
             return;
         }
-        let _e101 = (_e99 / _e65);
-        if (_e65 == 0u) {
+        let _e102 = (_e100 / _e66);
+        if (_e66 == 0u) {
             return;
         }
-        if ((_e99 % _e65) > 0u) {
-            phi_208_ = (_e101 + 1u);
+        if ((_e100 % _e66) > 0u) {
+            phi_209_ = (_e102 + 1u);
         } else {
-            phi_208_ = _e101;
+            phi_209_ = _e102;
         }
-        let _e107 = phi_208_;
-        phi_209_ = _e107;
+        let _e108 = phi_209_;
+        phi_210_ = _e108;
     } else {
-        phi_209_ = 0u;
+        phi_210_ = 0u;
     }
-    let _e109 = phi_209_;
-    phi_212_ = type_12(0u, _e109);
+    let _e110 = phi_210_;
+    phi_213_ = type_12(0u, _e110);
     loop {
-        let _e112 = phi_212_;
-        if (_e112.member < _e112.member_1) {
-            phi_213_ = type_12((_e112.member + 1u), _e112.member_1);
-            phi_236_ = type_12(1u, _e112.member);
+        let _e113 = phi_213_;
+        if (_e113.member < _e113.member_1) {
+            phi_214_ = type_12((_e113.member + 1u), _e113.member_1);
+            phi_237_ = type_12(1u, _e113.member);
         } else {
-            phi_213_ = _e112;
-            phi_236_ = type_12(0u, type_12().member_1);
+            phi_214_ = _e113;
+            phi_237_ = type_12(0u, type_12().member_1);
         }
-        let _e124 = phi_213_;
-        let _e126 = phi_236_;
-        let _e130 = (bitcast<i32>(_e126.member) != 0i);
-        if _e130 {
-            let _e134 = (((_e62 + (_e126.member_1 * _e65)) * 128u) + _e49);
-            if (_e49 == 0u) {
+        let _e125 = phi_214_;
+        let _e127 = phi_237_;
+        let _e131 = (bitcast<i32>(_e127.member) != 0i);
+        if _e131 {
+            let _e135 = (((_e63 + (_e127.member_1 * _e66)) * 128u) + _e50);
+            if (_e50 == 0u) {
                 atomicStore((&shared_[5u]), 0u);
                 atomicStore((&shared_[6u]), 0u);
             }
             workgroupBarrier();
-            if (_e134 < _e89) {
-                let _e140 = params.member.member_1.member_1;
-                let _e142 = (2u * (_e140 + _e134));
-                let _e145 = input.member[(4u + _e142)];
-                let _e148 = input.member[(_e142 + 5u)];
-                let _e153 = triangles.member[_e145];
-                let _e155 = triangles.member[_e148];
-                let _e157 = params.member.member.member_1;
-                if ((_e157 & 2u) != 0u) {
-                    let _e163 = params.member.member.member_1;
-                    if ((_e153.member_3 / 2u) != (_e155.member_3 / 2u)) {
+            if (_e135 < _e90) {
+                let _e141 = params.member.member_1.member_1;
+                let _e143 = (2u * (_e141 + _e135));
+                let _e146 = input.member[(4u + _e143)];
+                let _e149 = input.member[(_e143 + 5u)];
+                let _e154 = triangles.member[_e146];
+                let _e156 = triangles.member[_e149];
+                let _e158 = params.member.member.member_1;
+                if ((_e158 & 2u) != 0u) {
+                    if ((_e154.member_3 / 4u) != (_e156.member_3 / 4u)) {
                         phi_330_ = true;
                     } else {
-                        phi_330_ = ((_e163 & 4u) != 0u);
+                        if ((_e154.member_3 & 2u) == 0u) {
+                            phi_329_ = false;
+                        } else {
+                            phi_329_ = true;
+                        }
+                        let _e169 = phi_329_;
+                        phi_330_ = _e169;
                     }
-                    let _e170 = phi_330_;
-                    if _e170 {
-                        phi_337_ = (((_e153.member_3 & _e155.member_3) & 1u) == 0u);
+                    let _e171 = phi_330_;
+                    if _e171 {
+                        phi_337_ = (((_e154.member_3 & _e156.member_3) & 1u) == 0u);
                     } else {
                         phi_337_ = false;
                     }
-                    let _e175 = phi_337_;
-                    phi_341_ = _e175;
+                    let _e176 = phi_337_;
+                    phi_341_ = _e176;
                 } else {
                     phi_341_ = true;
                 }
-                let _e177 = phi_341_;
-                if _e177 {
-                    let _e179 = params.member.member_2.member;
-                    if ((_e179 & 1u) != 0u) {
-                        if (_e155.member[0] == _e153.member[0]) {
-                            phi_360_ = true;
+                let _e178 = phi_341_;
+                if _e178 {
+                    let _e180 = params.member.member.member_1;
+                    if ((_e180 & 4u) != 0u) {
+                        let _e186 = params.member.member_2.member_4;
+                        let _e188 = regions.member[_e186];
+                        let _e191 = regions.member[(_e186 + 1u)];
+                        let _e196 = ((_e186 + 4u) + (2u * (_e154.member_3 >> bitcast<u32>(2i))));
+                        let _e201 = ((_e186 + 4u) + (2u * (_e156.member_3 >> bitcast<u32>(2i))));
+                        let _e203 = regions.member[_e196];
+                        let _e205 = regions.member[_e201];
+                        let _e214 = regions.member[((((_e186 + 4u) + (2u * _e188)) + (_e203 * _e191)) + (_e205 / 32u))];
+                        let _e217 = regions.member[(_e196 + 1u)];
+                        let _e220 = regions.member[(_e201 + 1u)];
+                        if (_e217 == _e220) {
+                            if (((_e214 >> bitcast<u32>(((_e205 % 32u) & 31u))) & 1u) == 1u) {
+                                phi_459_ = true;
+                            } else {
+                                phi_459_ = ((_e154.member_3 >> bitcast<u32>(2i)) == (_e156.member_3 >> bitcast<u32>(2i)));
+                            }
+                            let _e234 = phi_459_;
+                            phi_460_ = _e234;
                         } else {
-                            phi_360_ = (_e155.member[0] == _e153.member[0]);
+                            phi_460_ = false;
                         }
-                        let _e189 = phi_360_;
-                        if (_e155.member[1] == _e153.member[0]) {
-                            phi_367_ = true;
-                        } else {
-                            phi_367_ = (_e155.member[1] == _e153.member[0]);
-                        }
-                        let _e194 = phi_367_;
-                        if (_e155.member[2] == _e153.member[0]) {
-                            phi_375_ = true;
-                        } else {
-                            phi_375_ = (_e155.member[2] == _e153.member[0]);
-                        }
-                        let _e200 = phi_375_;
-                        if (_e155.member[0] == _e153.member[1]) {
-                            phi_385_ = true;
-                        } else {
-                            phi_385_ = (_e155.member[0] == _e153.member[1]);
-                        }
-                        let _e209 = phi_385_;
-                        if (_e155.member[1] == _e153.member[1]) {
-                            phi_392_ = true;
-                        } else {
-                            phi_392_ = (_e155.member[1] == _e153.member[1]);
-                        }
-                        let _e214 = phi_392_;
-                        if (_e155.member[2] == _e153.member[1]) {
-                            phi_400_ = true;
-                        } else {
-                            phi_400_ = (_e155.member[2] == _e153.member[1]);
-                        }
-                        let _e220 = phi_400_;
-                        if (_e155.member[0] == _e153.member[2]) {
-                            phi_411_ = true;
-                        } else {
-                            phi_411_ = (_e155.member[0] == _e153.member[2]);
-                        }
-                        let _e230 = phi_411_;
-                        if (_e155.member[1] == _e153.member[2]) {
-                            phi_418_ = true;
-                        } else {
-                            phi_418_ = (_e155.member[1] == _e153.member[2]);
-                        }
-                        let _e235 = phi_418_;
-                        if (_e155.member[2] == _e153.member[2]) {
-                            phi_426_ = true;
-                        } else {
-                            phi_426_ = (_e155.member[2] == _e153.member[2]);
-                        }
-                        let _e241 = phi_426_;
-                        if ((((_e189 || _e194) || _e200) || ((_e209 || _e214) || _e220)) || ((_e230 || _e235) || _e241)) {
-                            phi_432_ = false;
-                        } else {
-                            phi_432_ = true;
-                        }
-                        let _e245 = phi_432_;
-                        phi_433_ = _e245;
+                        let _e236 = phi_460_;
+                        phi_464_ = _e236;
                     } else {
-                        phi_433_ = true;
+                        phi_464_ = true;
                     }
-                    let _e247 = phi_433_;
-                    if _e247 {
-                        let _e249 = params.member.member_2.member;
-                        if ((_e249 & 2u) != 0u) {
-                            let _e253 = regions.member[_e145];
-                            let _e255 = regions.member[_e148];
-                            if (_e253 == _e255) {
-                                phi_469_ = (_e253 != 4294967295u);
+                    let _e238 = phi_464_;
+                    if _e238 {
+                        let _e240 = params.member.member_2.member;
+                        if ((_e240 & 1u) != 0u) {
+                            if (_e156.member[0] == _e154.member[0]) {
+                                phi_483_ = true;
                             } else {
-                                phi_469_ = false;
+                                phi_483_ = (_e156.member[0] == _e154.member[0]);
                             }
-                            let _e259 = phi_469_;
-                            phi_470_ = _e259;
+                            let _e250 = phi_483_;
+                            if (_e156.member[1] == _e154.member[0]) {
+                                phi_490_ = true;
+                            } else {
+                                phi_490_ = (_e156.member[1] == _e154.member[0]);
+                            }
+                            let _e255 = phi_490_;
+                            if (_e156.member[2] == _e154.member[0]) {
+                                phi_498_ = true;
+                            } else {
+                                phi_498_ = (_e156.member[2] == _e154.member[0]);
+                            }
+                            let _e261 = phi_498_;
+                            if (_e156.member[0] == _e154.member[1]) {
+                                phi_508_ = true;
+                            } else {
+                                phi_508_ = (_e156.member[0] == _e154.member[1]);
+                            }
+                            let _e270 = phi_508_;
+                            if (_e156.member[1] == _e154.member[1]) {
+                                phi_515_ = true;
+                            } else {
+                                phi_515_ = (_e156.member[1] == _e154.member[1]);
+                            }
+                            let _e275 = phi_515_;
+                            if (_e156.member[2] == _e154.member[1]) {
+                                phi_523_ = true;
+                            } else {
+                                phi_523_ = (_e156.member[2] == _e154.member[1]);
+                            }
+                            let _e281 = phi_523_;
+                            if (_e156.member[0] == _e154.member[2]) {
+                                phi_534_ = true;
+                            } else {
+                                phi_534_ = (_e156.member[0] == _e154.member[2]);
+                            }
+                            let _e291 = phi_534_;
+                            if (_e156.member[1] == _e154.member[2]) {
+                                phi_541_ = true;
+                            } else {
+                                phi_541_ = (_e156.member[1] == _e154.member[2]);
+                            }
+                            let _e296 = phi_541_;
+                            if (_e156.member[2] == _e154.member[2]) {
+                                phi_549_ = true;
+                            } else {
+                                phi_549_ = (_e156.member[2] == _e154.member[2]);
+                            }
+                            let _e302 = phi_549_;
+                            if ((((_e250 || _e255) || _e261) || ((_e270 || _e275) || _e281)) || ((_e291 || _e296) || _e302)) {
+                                phi_555_ = false;
+                            } else {
+                                phi_555_ = true;
+                            }
+                            let _e306 = phi_555_;
+                            phi_556_ = _e306;
                         } else {
-                            phi_470_ = false;
+                            phi_556_ = true;
                         }
-                        let _e261 = phi_470_;
-                        if _e261 {
-                            phi_1531_ = type_22();
+                        let _e308 = phi_556_;
+                        if _e308 {
+                            let _e310 = params.member.member_2.member;
+                            if ((_e310 & 2u) != 0u) {
+                                let _e314 = regions.member[_e146];
+                                let _e316 = regions.member[_e149];
+                                if (_e314 == _e316) {
+                                    phi_592_ = (_e314 != 4294967295u);
+                                } else {
+                                    phi_592_ = false;
+                                }
+                                let _e320 = phi_592_;
+                                phi_593_ = _e320;
+                            } else {
+                                phi_593_ = false;
+                            }
+                            let _e322 = phi_593_;
+                            if _e322 {
+                                phi_1654_ = type_22();
+                            } else {
+                                let _e325 = countOneBits((_e154.member_1 & 7u));
+                                let _e328 = countOneBits((_e156.member_1 & 7u));
+                                let _e331 = params.member.member.member[2u];
+                                if (_e149 < _e331) {
+                                    if (_e325 > 0u) {
+                                        let _e336 = params.member.member.member_2[2u];
+                                        let _e339 = boxes.member[(_e336 + _e149)];
+                                        if ((_e154.member_1 & 1u) == 1u) {
+                                            if (_e156.member[0] == _e154.member[0]) {
+                                                phi_644_ = true;
+                                            } else {
+                                                phi_644_ = (_e156.member[0] == _e154.member[0]);
+                                            }
+                                            let _e350 = phi_644_;
+                                            if (_e156.member[1] == _e154.member[0]) {
+                                                phi_651_ = true;
+                                            } else {
+                                                phi_651_ = (_e156.member[1] == _e154.member[0]);
+                                            }
+                                            let _e355 = phi_651_;
+                                            if (_e156.member[2] == _e154.member[0]) {
+                                                phi_659_ = true;
+                                            } else {
+                                                phi_659_ = (_e156.member[2] == _e154.member[0]);
+                                            }
+                                            let _e361 = phi_659_;
+                                            if ((_e350 || _e355) || _e361) {
+                                                phi_700_ = 0u;
+                                            } else {
+                                                let _e364 = boxes.member[_e154.member[0]];
+                                                phi_700_ = select(0u, 1u, ((((((_e364.member[0] <= _e339.member_1[0]) && (_e339.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e339.member_1[1])) && (_e339.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e339.member_1[2])) && (_e339.member[2] <= _e364.member_1[2])));
+                                            }
+                                            let _e402 = phi_700_;
+                                            phi_701_ = _e402;
+                                        } else {
+                                            phi_701_ = 0u;
+                                        }
+                                        let _e404 = phi_701_;
+                                        if (((_e154.member_1 >> bitcast<u32>(1u)) & 1u) == 1u) {
+                                            if (_e156.member[0] == _e154.member[1]) {
+                                                phi_718_ = true;
+                                            } else {
+                                                phi_718_ = (_e156.member[0] == _e154.member[1]);
+                                            }
+                                            let _e417 = phi_718_;
+                                            if (_e156.member[1] == _e154.member[1]) {
+                                                phi_725_ = true;
+                                            } else {
+                                                phi_725_ = (_e156.member[1] == _e154.member[1]);
+                                            }
+                                            let _e422 = phi_725_;
+                                            if (_e156.member[2] == _e154.member[1]) {
+                                                phi_733_ = true;
+                                            } else {
+                                                phi_733_ = (_e156.member[2] == _e154.member[1]);
+                                            }
+                                            let _e428 = phi_733_;
+                                            if ((_e417 || _e422) || _e428) {
+                                                phi_774_ = 0u;
+                                            } else {
+                                                let _e431 = boxes.member[_e154.member[1]];
+                                                phi_774_ = (select(0u, 1u, ((((((_e431.member[0] <= _e339.member_1[0]) && (_e339.member[0] <= _e431.member_1[0])) && (_e431.member[1] <= _e339.member_1[1])) && (_e339.member[1] <= _e431.member_1[1])) && (_e431.member[2] <= _e339.member_1[2])) && (_e339.member[2] <= _e431.member_1[2]))) << bitcast<u32>(1u));
+                                            }
+                                            let _e471 = phi_774_;
+                                            phi_775_ = _e471;
+                                        } else {
+                                            phi_775_ = 0u;
+                                        }
+                                        let _e473 = phi_775_;
+                                        if (((_e154.member_1 >> bitcast<u32>(2u)) & 1u) == 1u) {
+                                            if (_e156.member[0] == _e154.member[2]) {
+                                                phi_793_ = true;
+                                            } else {
+                                                phi_793_ = (_e156.member[0] == _e154.member[2]);
+                                            }
+                                            let _e487 = phi_793_;
+                                            if (_e156.member[1] == _e154.member[2]) {
+                                                phi_800_ = true;
+                                            } else {
+                                                phi_800_ = (_e156.member[1] == _e154.member[2]);
+                                            }
+                                            let _e492 = phi_800_;
+                                            if (_e156.member[2] == _e154.member[2]) {
+                                                phi_808_ = true;
+                                            } else {
+                                                phi_808_ = (_e156.member[2] == _e154.member[2]);
+                                            }
+                                            let _e498 = phi_808_;
+                                            if ((_e487 || _e492) || _e498) {
+                                                phi_849_ = 0u;
+                                            } else {
+                                                let _e501 = boxes.member[_e154.member[2]];
+                                                phi_849_ = (select(0u, 1u, ((((((_e501.member[0] <= _e339.member_1[0]) && (_e339.member[0] <= _e501.member_1[0])) && (_e501.member[1] <= _e339.member_1[1])) && (_e339.member[1] <= _e501.member_1[1])) && (_e501.member[2] <= _e339.member_1[2])) && (_e339.member[2] <= _e501.member_1[2]))) << bitcast<u32>(2u));
+                                            }
+                                            let _e541 = phi_849_;
+                                            phi_850_ = _e541;
+                                        } else {
+                                            phi_850_ = 0u;
+                                        }
+                                        let _e543 = phi_850_;
+                                        phi_853_ = _e325;
+                                        phi_854_ = ((_e404 | _e473) | _e543);
+                                    } else {
+                                        phi_853_ = 0u;
+                                        phi_854_ = 0u;
+                                    }
+                                    let _e546 = phi_853_;
+                                    let _e548 = phi_854_;
+                                    phi_855_ = _e546;
+                                    phi_856_ = _e548;
+                                } else {
+                                    phi_855_ = 0u;
+                                    phi_856_ = 0u;
+                                }
+                                let _e550 = phi_855_;
+                                let _e552 = phi_856_;
+                                let _e555 = params.member.member.member[2u];
+                                if (_e146 < _e555) {
+                                    if (_e328 > 0u) {
+                                        let _e561 = params.member.member.member_2[2u];
+                                        let _e564 = boxes.member[(_e561 + _e146)];
+                                        if ((_e156.member_1 & 1u) == 1u) {
+                                            if (_e154.member[0] == _e156.member[0]) {
+                                                phi_898_ = true;
+                                            } else {
+                                                phi_898_ = (_e154.member[0] == _e156.member[0]);
+                                            }
+                                            let _e575 = phi_898_;
+                                            if (_e154.member[1] == _e156.member[0]) {
+                                                phi_905_ = true;
+                                            } else {
+                                                phi_905_ = (_e154.member[1] == _e156.member[0]);
+                                            }
+                                            let _e580 = phi_905_;
+                                            if (_e154.member[2] == _e156.member[0]) {
+                                                phi_913_ = true;
+                                            } else {
+                                                phi_913_ = (_e154.member[2] == _e156.member[0]);
+                                            }
+                                            let _e586 = phi_913_;
+                                            if ((_e575 || _e580) || _e586) {
+                                                phi_954_ = 0u;
+                                            } else {
+                                                let _e589 = boxes.member[_e156.member[0]];
+                                                phi_954_ = select(0u, 1u, ((((((_e589.member[0] <= _e564.member_1[0]) && (_e564.member[0] <= _e589.member_1[0])) && (_e589.member[1] <= _e564.member_1[1])) && (_e564.member[1] <= _e589.member_1[1])) && (_e589.member[2] <= _e564.member_1[2])) && (_e564.member[2] <= _e589.member_1[2])));
+                                            }
+                                            let _e627 = phi_954_;
+                                            phi_955_ = _e627;
+                                        } else {
+                                            phi_955_ = 0u;
+                                        }
+                                        let _e629 = phi_955_;
+                                        if (((_e156.member_1 >> bitcast<u32>(1u)) & 1u) == 1u) {
+                                            if (_e154.member[0] == _e156.member[1]) {
+                                                phi_972_ = true;
+                                            } else {
+                                                phi_972_ = (_e154.member[0] == _e156.member[1]);
+                                            }
+                                            let _e642 = phi_972_;
+                                            if (_e154.member[1] == _e156.member[1]) {
+                                                phi_979_ = true;
+                                            } else {
+                                                phi_979_ = (_e154.member[1] == _e156.member[1]);
+                                            }
+                                            let _e647 = phi_979_;
+                                            if (_e154.member[2] == _e156.member[1]) {
+                                                phi_987_ = true;
+                                            } else {
+                                                phi_987_ = (_e154.member[2] == _e156.member[1]);
+                                            }
+                                            let _e653 = phi_987_;
+                                            if ((_e642 || _e647) || _e653) {
+                                                phi_1028_ = 0u;
+                                            } else {
+                                                let _e656 = boxes.member[_e156.member[1]];
+                                                phi_1028_ = (select(0u, 1u, ((((((_e656.member[0] <= _e564.member_1[0]) && (_e564.member[0] <= _e656.member_1[0])) && (_e656.member[1] <= _e564.member_1[1])) && (_e564.member[1] <= _e656.member_1[1])) && (_e656.member[2] <= _e564.member_1[2])) && (_e564.member[2] <= _e656.member_1[2]))) << bitcast<u32>(1u));
+                                            }
+                                            let _e696 = phi_1028_;
+                                            phi_1029_ = _e696;
+                                        } else {
+                                            phi_1029_ = 0u;
+                                        }
+                                        let _e698 = phi_1029_;
+                                        if (((_e156.member_1 >> bitcast<u32>(2u)) & 1u) == 1u) {
+                                            if (_e154.member[0] == _e156.member[2]) {
+                                                phi_1047_ = true;
+                                            } else {
+                                                phi_1047_ = (_e154.member[0] == _e156.member[2]);
+                                            }
+                                            let _e712 = phi_1047_;
+                                            if (_e154.member[1] == _e156.member[2]) {
+                                                phi_1054_ = true;
+                                            } else {
+                                                phi_1054_ = (_e154.member[1] == _e156.member[2]);
+                                            }
+                                            let _e717 = phi_1054_;
+                                            if (_e154.member[2] == _e156.member[2]) {
+                                                phi_1062_ = true;
+                                            } else {
+                                                phi_1062_ = (_e154.member[2] == _e156.member[2]);
+                                            }
+                                            let _e723 = phi_1062_;
+                                            if ((_e712 || _e717) || _e723) {
+                                                phi_1103_ = 0u;
+                                            } else {
+                                                let _e726 = boxes.member[_e156.member[2]];
+                                                phi_1103_ = (select(0u, 1u, ((((((_e726.member[0] <= _e564.member_1[0]) && (_e564.member[0] <= _e726.member_1[0])) && (_e726.member[1] <= _e564.member_1[1])) && (_e564.member[1] <= _e726.member_1[1])) && (_e726.member[2] <= _e564.member_1[2])) && (_e564.member[2] <= _e726.member_1[2]))) << bitcast<u32>(2u));
+                                            }
+                                            let _e766 = phi_1103_;
+                                            phi_1104_ = _e766;
+                                        } else {
+                                            phi_1104_ = 0u;
+                                        }
+                                        let _e768 = phi_1104_;
+                                        phi_1108_ = (_e550 + _e328);
+                                        phi_1109_ = (_e552 | (((_e629 | _e698) | _e768) << bitcast<u32>(3i)));
+                                    } else {
+                                        phi_1108_ = _e550;
+                                        phi_1109_ = _e552;
+                                    }
+                                    let _e774 = phi_1108_;
+                                    let _e776 = phi_1109_;
+                                    phi_1110_ = _e774;
+                                    phi_1111_ = _e776;
+                                } else {
+                                    phi_1110_ = _e550;
+                                    phi_1111_ = _e552;
+                                }
+                                let _e778 = phi_1110_;
+                                let _e780 = phi_1111_;
+                                let _e784 = countOneBits((_e154.member_1 >> bitcast<u32>(3i)));
+                                let _e788 = countOneBits((_e156.member_1 >> bitcast<u32>(3i)));
+                                if (_e784 > 0u) {
+                                    if (_e788 > 0u) {
+                                        let _e795 = params.member.member.member_2[1u];
+                                        if (((_e156.member_1 >> bitcast<u32>(3u)) & 1u) == 1u) {
+                                            let _e811 = boxes.member[(_e795 + _e156.member_2[0])];
+                                            phi_1159_ = _e811;
+                                        } else {
+                                            phi_1159_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e813 = phi_1159_;
+                                        if (((_e156.member_1 >> bitcast<u32>(4u)) & 1u) == 1u) {
+                                            let _e821 = boxes.member[(_e795 + _e156.member_2[1])];
+                                            phi_1181_ = _e821;
+                                        } else {
+                                            phi_1181_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e823 = phi_1181_;
+                                        if (((_e156.member_1 >> bitcast<u32>(5u)) & 1u) == 1u) {
+                                            let _e831 = boxes.member[(_e795 + _e156.member_2[2])];
+                                            phi_1203_ = _e831;
+                                        } else {
+                                            phi_1203_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e833 = phi_1203_;
+                                        if (((_e154.member_1 >> bitcast<u32>(3u)) & 1u) == 1u) {
+                                            let _e849 = boxes.member[(_e795 + _e154.member_2[0])];
+                                            phi_1233_ = _e849;
+                                        } else {
+                                            phi_1233_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e851 = phi_1233_;
+                                        if (_e156.member[0] == _e154.member[0]) {
+                                            phi_1240_ = true;
+                                        } else {
+                                            phi_1240_ = (_e156.member[0] == _e154.member[1]);
+                                        }
+                                        let _e855 = phi_1240_;
+                                        if (_e156.member[1] == _e154.member[0]) {
+                                            phi_1246_ = true;
+                                        } else {
+                                            phi_1246_ = (_e156.member[1] == _e154.member[1]);
+                                        }
+                                        let _e859 = phi_1246_;
+                                        if (_e156.member[1] == _e154.member[0]) {
+                                            phi_1279_ = true;
+                                        } else {
+                                            phi_1279_ = (_e156.member[1] == _e154.member[1]);
+                                        }
+                                        let _e902 = phi_1279_;
+                                        if (_e156.member[2] == _e154.member[0]) {
+                                            phi_1285_ = true;
+                                        } else {
+                                            phi_1285_ = (_e156.member[2] == _e154.member[1]);
+                                        }
+                                        let _e906 = phi_1285_;
+                                        if (_e156.member[2] == _e154.member[0]) {
+                                            phi_1320_ = true;
+                                        } else {
+                                            phi_1320_ = (_e156.member[2] == _e154.member[1]);
+                                        }
+                                        let _e952 = phi_1320_;
+                                        if (_e156.member[0] == _e154.member[0]) {
+                                            phi_1326_ = true;
+                                        } else {
+                                            phi_1326_ = (_e156.member[0] == _e154.member[1]);
+                                        }
+                                        let _e956 = phi_1326_;
+                                        if (((_e154.member_1 >> bitcast<u32>(4u)) & 1u) == 1u) {
+                                            let _e1006 = boxes.member[(_e795 + _e154.member_2[1])];
+                                            phi_1376_ = _e1006;
+                                        } else {
+                                            phi_1376_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e1008 = phi_1376_;
+                                        if (_e156.member[0] == _e154.member[1]) {
+                                            phi_1383_ = true;
+                                        } else {
+                                            phi_1383_ = (_e156.member[0] == _e154.member[2]);
+                                        }
+                                        let _e1012 = phi_1383_;
+                                        if (_e156.member[1] == _e154.member[1]) {
+                                            phi_1389_ = true;
+                                        } else {
+                                            phi_1389_ = (_e156.member[1] == _e154.member[2]);
+                                        }
+                                        let _e1016 = phi_1389_;
+                                        if (_e156.member[1] == _e154.member[1]) {
+                                            phi_1423_ = true;
+                                        } else {
+                                            phi_1423_ = (_e156.member[1] == _e154.member[2]);
+                                        }
+                                        let _e1061 = phi_1423_;
+                                        if (_e156.member[2] == _e154.member[1]) {
+                                            phi_1429_ = true;
+                                        } else {
+                                            phi_1429_ = (_e156.member[2] == _e154.member[2]);
+                                        }
+                                        let _e1065 = phi_1429_;
+                                        if (_e156.member[2] == _e154.member[1]) {
+                                            phi_1464_ = true;
+                                        } else {
+                                            phi_1464_ = (_e156.member[2] == _e154.member[2]);
+                                        }
+                                        let _e1111 = phi_1464_;
+                                        if (_e156.member[0] == _e154.member[1]) {
+                                            phi_1470_ = true;
+                                        } else {
+                                            phi_1470_ = (_e156.member[0] == _e154.member[2]);
+                                        }
+                                        let _e1115 = phi_1470_;
+                                        if (((_e154.member_1 >> bitcast<u32>(5u)) & 1u) == 1u) {
+                                            let _e1166 = boxes.member[(_e795 + _e154.member_2[2])];
+                                            phi_1521_ = _e1166;
+                                        } else {
+                                            phi_1521_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                                        }
+                                        let _e1168 = phi_1521_;
+                                        if (_e156.member[0] == _e154.member[2]) {
+                                            phi_1528_ = true;
+                                        } else {
+                                            phi_1528_ = (_e156.member[0] == _e154.member[0]);
+                                        }
+                                        let _e1172 = phi_1528_;
+                                        if (_e156.member[1] == _e154.member[2]) {
+                                            phi_1534_ = true;
+                                        } else {
+                                            phi_1534_ = (_e156.member[1] == _e154.member[0]);
+                                        }
+                                        let _e1176 = phi_1534_;
+                                        if (_e156.member[1] == _e154.member[2]) {
+                                            phi_1569_ = true;
+                                        } else {
+                                            phi_1569_ = (_e156.member[1] == _e154.member[0]);
+                                        }
+                                        let _e1222 = phi_1569_;
+                                        if (_e156.member[2] == _e154.member[2]) {
+                                            phi_1575_ = true;
+                                        } else {
+                                            phi_1575_ = (_e156.member[2] == _e154.member[0]);
+                                        }
+                                        let _e1226 = phi_1575_;
+                                        if (_e156.member[2] == _e154.member[2]) {
+                                            phi_1610_ = true;
+                                        } else {
+                                            phi_1610_ = (_e156.member[2] == _e154.member[0]);
+                                        }
+                                        let _e1272 = phi_1610_;
+                                        if (_e156.member[0] == _e154.member[2]) {
+                                            phi_1616_ = true;
+                                        } else {
+                                            phi_1616_ = (_e156.member[0] == _e154.member[0]);
+                                        }
+                                        let _e1276 = phi_1616_;
+                                        phi_1648_ = (_e778 + (_e784 * _e788));
+                                        phi_1649_ = (_e780 | (((((((select(0u, 1u, (!((_e855 || _e859)) && ((((((_e851.member[0] <= _e813.member_1[0]) && (_e813.member[0] <= _e851.member_1[0])) && (_e851.member[1] <= _e813.member_1[1])) && (_e813.member[1] <= _e851.member_1[1])) && (_e851.member[2] <= _e813.member_1[2])) && (_e813.member[2] <= _e851.member_1[2])))) | (select(0u, 1u, (!((_e902 || _e906)) && ((((((_e851.member[0] <= _e823.member_1[0]) && (_e823.member[0] <= _e851.member_1[0])) && (_e851.member[1] <= _e823.member_1[1])) && (_e823.member[1] <= _e851.member_1[1])) && (_e851.member[2] <= _e823.member_1[2])) && (_e823.member[2] <= _e851.member_1[2])))) << bitcast<u32>(1i))) | (select(0u, 1u, (!((_e952 || _e956)) && ((((((_e851.member[0] <= _e833.member_1[0]) && (_e833.member[0] <= _e851.member_1[0])) && (_e851.member[1] <= _e833.member_1[1])) && (_e833.member[1] <= _e851.member_1[1])) && (_e851.member[2] <= _e833.member_1[2])) && (_e833.member[2] <= _e851.member_1[2])))) << bitcast<u32>(2i))) | (((select(0u, 1u, (!((_e1012 || _e1016)) && ((((((_e1008.member[0] <= _e813.member_1[0]) && (_e813.member[0] <= _e1008.member_1[0])) && (_e1008.member[1] <= _e813.member_1[1])) && (_e813.member[1] <= _e1008.member_1[1])) && (_e1008.member[2] <= _e813.member_1[2])) && (_e813.member[2] <= _e1008.member_1[2])))) << bitcast<u32>(3i)) | (select(0u, 1u, (!((_e1061 || _e1065)) && ((((((_e1008.member[0] <= _e823.member_1[0]) && (_e823.member[0] <= _e1008.member_1[0])) && (_e1008.member[1] <= _e823.member_1[1])) && (_e823.member[1] <= _e1008.member_1[1])) && (_e1008.member[2] <= _e823.member_1[2])) && (_e823.member[2] <= _e1008.member_1[2])))) << bitcast<u32>(4i))) | (select(0u, 1u, (!((_e1111 || _e1115)) && ((((((_e1008.member[0] <= _e833.member_1[0]) && (_e833.member[0] <= _e1008.member_1[0])) && (_e1008.member[1] <= _e833.member_1[1])) && (_e833.member[1] <= _e1008.member_1[1])) && (_e1008.member[2] <= _e833.member_1[2])) && (_e833.member[2] <= _e1008.member_1[2])))) << bitcast<u32>(5i)))) | (select(0u, 1u, (!((_e1172 || _e1176)) && ((((((_e1168.member[0] <= _e813.member_1[0]) && (_e813.member[0] <= _e1168.member_1[0])) && (_e1168.member[1] <= _e813.member_1[1])) && (_e813.member[1] <= _e1168.member_1[1])) && (_e1168.member[2] <= _e813.member_1[2])) && (_e813.member[2] <= _e1168.member_1[2])))) << bitcast<u32>(6i))) | (select(0u, 1u, (!((_e1222 || _e1226)) && ((((((_e1168.member[0] <= _e823.member_1[0]) && (_e823.member[0] <= _e1168.member_1[0])) && (_e1168.member[1] <= _e823.member_1[1])) && (_e823.member[1] <= _e1168.member_1[1])) && (_e1168.member[2] <= _e823.member_1[2])) && (_e823.member[2] <= _e1168.member_1[2])))) << bitcast<u32>(7i))) | (select(0u, 1u, (!((_e1272 || _e1276)) && ((((((_e1168.member[0] <= _e833.member_1[0]) && (_e833.member[0] <= _e1168.member_1[0])) && (_e1168.member[1] <= _e833.member_1[1])) && (_e833.member[1] <= _e1168.member_1[1])) && (_e1168.member[2] <= _e833.member_1[2])) && (_e833.member[2] <= _e1168.member_1[2])))) << bitcast<u32>(8i))) << bitcast<u32>(6u)));
+                                    } else {
+                                        phi_1648_ = _e778;
+                                        phi_1649_ = _e780;
+                                    }
+                                    let _e1323 = phi_1648_;
+                                    let _e1325 = phi_1649_;
+                                    phi_1650_ = _e1323;
+                                    phi_1651_ = _e1325;
+                                } else {
+                                    phi_1650_ = _e778;
+                                    phi_1651_ = _e780;
+                                }
+                                let _e1327 = phi_1650_;
+                                let _e1329 = phi_1651_;
+                                phi_1654_ = type_22(array<u32, 5>(1u, 0u, 0u, _e1327, 0u), _e1329);
+                            }
+                            let _e1333 = phi_1654_;
+                            phi_1655_ = type_22(array<u32, 5>(1u, 0u, 1u, 0u, 0u), 0u);
+                            phi_1656_ = _e1333;
+                            phi_1657_ = _e322;
                         } else {
-                            let _e264 = countOneBits((_e153.member_1 & 7u));
-                            let _e267 = countOneBits((_e155.member_1 & 7u));
-                            let _e270 = params.member.member.member[2u];
-                            if (_e148 < _e270) {
-                                if (_e264 > 0u) {
-                                    let _e275 = params.member.member.member_2[2u];
-                                    let _e278 = boxes.member[(_e275 + _e148)];
-                                    if ((_e153.member_1 & 1u) == 1u) {
-                                        if (_e155.member[0] == _e153.member[0]) {
-                                            phi_521_ = true;
-                                        } else {
-                                            phi_521_ = (_e155.member[0] == _e153.member[0]);
-                                        }
-                                        let _e289 = phi_521_;
-                                        if (_e155.member[1] == _e153.member[0]) {
-                                            phi_528_ = true;
-                                        } else {
-                                            phi_528_ = (_e155.member[1] == _e153.member[0]);
-                                        }
-                                        let _e294 = phi_528_;
-                                        if (_e155.member[2] == _e153.member[0]) {
-                                            phi_536_ = true;
-                                        } else {
-                                            phi_536_ = (_e155.member[2] == _e153.member[0]);
-                                        }
-                                        let _e300 = phi_536_;
-                                        if ((_e289 || _e294) || _e300) {
-                                            phi_577_ = 0u;
-                                        } else {
-                                            let _e303 = boxes.member[_e153.member[0]];
-                                            phi_577_ = select(0u, 1u, ((((((_e303.member[0] <= _e278.member_1[0]) && (_e278.member[0] <= _e303.member_1[0])) && (_e303.member[1] <= _e278.member_1[1])) && (_e278.member[1] <= _e303.member_1[1])) && (_e303.member[2] <= _e278.member_1[2])) && (_e278.member[2] <= _e303.member_1[2])));
-                                        }
-                                        let _e341 = phi_577_;
-                                        phi_578_ = _e341;
-                                    } else {
-                                        phi_578_ = 0u;
-                                    }
-                                    let _e343 = phi_578_;
-                                    if (((_e153.member_1 >> bitcast<u32>(1u)) & 1u) == 1u) {
-                                        if (_e155.member[0] == _e153.member[1]) {
-                                            phi_595_ = true;
-                                        } else {
-                                            phi_595_ = (_e155.member[0] == _e153.member[1]);
-                                        }
-                                        let _e356 = phi_595_;
-                                        if (_e155.member[1] == _e153.member[1]) {
-                                            phi_602_ = true;
-                                        } else {
-                                            phi_602_ = (_e155.member[1] == _e153.member[1]);
-                                        }
-                                        let _e361 = phi_602_;
-                                        if (_e155.member[2] == _e153.member[1]) {
-                                            phi_610_ = true;
-                                        } else {
-                                            phi_610_ = (_e155.member[2] == _e153.member[1]);
-                                        }
-                                        let _e367 = phi_610_;
-                                        if ((_e356 || _e361) || _e367) {
-                                            phi_651_ = 0u;
-                                        } else {
-                                            let _e370 = boxes.member[_e153.member[1]];
-                                            phi_651_ = (select(0u, 1u, ((((((_e370.member[0] <= _e278.member_1[0]) && (_e278.member[0] <= _e370.member_1[0])) && (_e370.member[1] <= _e278.member_1[1])) && (_e278.member[1] <= _e370.member_1[1])) && (_e370.member[2] <= _e278.member_1[2])) && (_e278.member[2] <= _e370.member_1[2]))) << bitcast<u32>(1u));
-                                        }
-                                        let _e410 = phi_651_;
-                                        phi_652_ = _e410;
-                                    } else {
-                                        phi_652_ = 0u;
-                                    }
-                                    let _e412 = phi_652_;
-                                    if (((_e153.member_1 >> bitcast<u32>(2u)) & 1u) == 1u) {
-                                        if (_e155.member[0] == _e153.member[2]) {
-                                            phi_670_ = true;
-                                        } else {
-                                            phi_670_ = (_e155.member[0] == _e153.member[2]);
-                                        }
-                                        let _e426 = phi_670_;
-                                        if (_e155.member[1] == _e153.member[2]) {
-                                            phi_677_ = true;
-                                        } else {
-                                            phi_677_ = (_e155.member[1] == _e153.member[2]);
-                                        }
-                                        let _e431 = phi_677_;
-                                        if (_e155.member[2] == _e153.member[2]) {
-                                            phi_685_ = true;
-                                        } else {
-                                            phi_685_ = (_e155.member[2] == _e153.member[2]);
-                                        }
-                                        let _e437 = phi_685_;
-                                        if ((_e426 || _e431) || _e437) {
-                                            phi_726_ = 0u;
-                                        } else {
-                                            let _e440 = boxes.member[_e153.member[2]];
-                                            phi_726_ = (select(0u, 1u, ((((((_e440.member[0] <= _e278.member_1[0]) && (_e278.member[0] <= _e440.member_1[0])) && (_e440.member[1] <= _e278.member_1[1])) && (_e278.member[1] <= _e440.member_1[1])) && (_e440.member[2] <= _e278.member_1[2])) && (_e278.member[2] <= _e440.member_1[2]))) << bitcast<u32>(2u));
-                                        }
-                                        let _e480 = phi_726_;
-                                        phi_727_ = _e480;
-                                    } else {
-                                        phi_727_ = 0u;
-                                    }
-                                    let _e482 = phi_727_;
-                                    phi_730_ = _e264;
-                                    phi_731_ = ((_e343 | _e412) | _e482);
-                                } else {
-                                    phi_730_ = 0u;
-                                    phi_731_ = 0u;
-                                }
-                                let _e485 = phi_730_;
-                                let _e487 = phi_731_;
-                                phi_732_ = _e485;
-                                phi_733_ = _e487;
-                            } else {
-                                phi_732_ = 0u;
-                                phi_733_ = 0u;
-                            }
-                            let _e489 = phi_732_;
-                            let _e491 = phi_733_;
-                            let _e494 = params.member.member.member[2u];
-                            if (_e145 < _e494) {
-                                if (_e267 > 0u) {
-                                    let _e500 = params.member.member.member_2[2u];
-                                    let _e503 = boxes.member[(_e500 + _e145)];
-                                    if ((_e155.member_1 & 1u) == 1u) {
-                                        if (_e153.member[0] == _e155.member[0]) {
-                                            phi_775_ = true;
-                                        } else {
-                                            phi_775_ = (_e153.member[0] == _e155.member[0]);
-                                        }
-                                        let _e514 = phi_775_;
-                                        if (_e153.member[1] == _e155.member[0]) {
-                                            phi_782_ = true;
-                                        } else {
-                                            phi_782_ = (_e153.member[1] == _e155.member[0]);
-                                        }
-                                        let _e519 = phi_782_;
-                                        if (_e153.member[2] == _e155.member[0]) {
-                                            phi_790_ = true;
-                                        } else {
-                                            phi_790_ = (_e153.member[2] == _e155.member[0]);
-                                        }
-                                        let _e525 = phi_790_;
-                                        if ((_e514 || _e519) || _e525) {
-                                            phi_831_ = 0u;
-                                        } else {
-                                            let _e528 = boxes.member[_e155.member[0]];
-                                            phi_831_ = select(0u, 1u, ((((((_e528.member[0] <= _e503.member_1[0]) && (_e503.member[0] <= _e528.member_1[0])) && (_e528.member[1] <= _e503.member_1[1])) && (_e503.member[1] <= _e528.member_1[1])) && (_e528.member[2] <= _e503.member_1[2])) && (_e503.member[2] <= _e528.member_1[2])));
-                                        }
-                                        let _e566 = phi_831_;
-                                        phi_832_ = _e566;
-                                    } else {
-                                        phi_832_ = 0u;
-                                    }
-                                    let _e568 = phi_832_;
-                                    if (((_e155.member_1 >> bitcast<u32>(1u)) & 1u) == 1u) {
-                                        if (_e153.member[0] == _e155.member[1]) {
-                                            phi_849_ = true;
-                                        } else {
-                                            phi_849_ = (_e153.member[0] == _e155.member[1]);
-                                        }
-                                        let _e581 = phi_849_;
-                                        if (_e153.member[1] == _e155.member[1]) {
-                                            phi_856_ = true;
-                                        } else {
-                                            phi_856_ = (_e153.member[1] == _e155.member[1]);
-                                        }
-                                        let _e586 = phi_856_;
-                                        if (_e153.member[2] == _e155.member[1]) {
-                                            phi_864_ = true;
-                                        } else {
-                                            phi_864_ = (_e153.member[2] == _e155.member[1]);
-                                        }
-                                        let _e592 = phi_864_;
-                                        if ((_e581 || _e586) || _e592) {
-                                            phi_905_ = 0u;
-                                        } else {
-                                            let _e595 = boxes.member[_e155.member[1]];
-                                            phi_905_ = (select(0u, 1u, ((((((_e595.member[0] <= _e503.member_1[0]) && (_e503.member[0] <= _e595.member_1[0])) && (_e595.member[1] <= _e503.member_1[1])) && (_e503.member[1] <= _e595.member_1[1])) && (_e595.member[2] <= _e503.member_1[2])) && (_e503.member[2] <= _e595.member_1[2]))) << bitcast<u32>(1u));
-                                        }
-                                        let _e635 = phi_905_;
-                                        phi_906_ = _e635;
-                                    } else {
-                                        phi_906_ = 0u;
-                                    }
-                                    let _e637 = phi_906_;
-                                    if (((_e155.member_1 >> bitcast<u32>(2u)) & 1u) == 1u) {
-                                        if (_e153.member[0] == _e155.member[2]) {
-                                            phi_924_ = true;
-                                        } else {
-                                            phi_924_ = (_e153.member[0] == _e155.member[2]);
-                                        }
-                                        let _e651 = phi_924_;
-                                        if (_e153.member[1] == _e155.member[2]) {
-                                            phi_931_ = true;
-                                        } else {
-                                            phi_931_ = (_e153.member[1] == _e155.member[2]);
-                                        }
-                                        let _e656 = phi_931_;
-                                        if (_e153.member[2] == _e155.member[2]) {
-                                            phi_939_ = true;
-                                        } else {
-                                            phi_939_ = (_e153.member[2] == _e155.member[2]);
-                                        }
-                                        let _e662 = phi_939_;
-                                        if ((_e651 || _e656) || _e662) {
-                                            phi_980_ = 0u;
-                                        } else {
-                                            let _e665 = boxes.member[_e155.member[2]];
-                                            phi_980_ = (select(0u, 1u, ((((((_e665.member[0] <= _e503.member_1[0]) && (_e503.member[0] <= _e665.member_1[0])) && (_e665.member[1] <= _e503.member_1[1])) && (_e503.member[1] <= _e665.member_1[1])) && (_e665.member[2] <= _e503.member_1[2])) && (_e503.member[2] <= _e665.member_1[2]))) << bitcast<u32>(2u));
-                                        }
-                                        let _e705 = phi_980_;
-                                        phi_981_ = _e705;
-                                    } else {
-                                        phi_981_ = 0u;
-                                    }
-                                    let _e707 = phi_981_;
-                                    phi_985_ = (_e489 + _e267);
-                                    phi_986_ = (_e491 | (((_e568 | _e637) | _e707) << bitcast<u32>(3i)));
-                                } else {
-                                    phi_985_ = _e489;
-                                    phi_986_ = _e491;
-                                }
-                                let _e713 = phi_985_;
-                                let _e715 = phi_986_;
-                                phi_987_ = _e713;
-                                phi_988_ = _e715;
-                            } else {
-                                phi_987_ = _e489;
-                                phi_988_ = _e491;
-                            }
-                            let _e717 = phi_987_;
-                            let _e719 = phi_988_;
-                            let _e723 = countOneBits((_e153.member_1 >> bitcast<u32>(3i)));
-                            let _e727 = countOneBits((_e155.member_1 >> bitcast<u32>(3i)));
-                            if (_e723 > 0u) {
-                                if (_e727 > 0u) {
-                                    let _e734 = params.member.member.member_2[1u];
-                                    if (((_e155.member_1 >> bitcast<u32>(3u)) & 1u) == 1u) {
-                                        let _e750 = boxes.member[(_e734 + _e155.member_2[0])];
-                                        phi_1036_ = _e750;
-                                    } else {
-                                        phi_1036_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e752 = phi_1036_;
-                                    if (((_e155.member_1 >> bitcast<u32>(4u)) & 1u) == 1u) {
-                                        let _e760 = boxes.member[(_e734 + _e155.member_2[1])];
-                                        phi_1058_ = _e760;
-                                    } else {
-                                        phi_1058_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e762 = phi_1058_;
-                                    if (((_e155.member_1 >> bitcast<u32>(5u)) & 1u) == 1u) {
-                                        let _e770 = boxes.member[(_e734 + _e155.member_2[2])];
-                                        phi_1080_ = _e770;
-                                    } else {
-                                        phi_1080_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e772 = phi_1080_;
-                                    if (((_e153.member_1 >> bitcast<u32>(3u)) & 1u) == 1u) {
-                                        let _e788 = boxes.member[(_e734 + _e153.member_2[0])];
-                                        phi_1110_ = _e788;
-                                    } else {
-                                        phi_1110_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e790 = phi_1110_;
-                                    if (_e155.member[0] == _e153.member[0]) {
-                                        phi_1117_ = true;
-                                    } else {
-                                        phi_1117_ = (_e155.member[0] == _e153.member[1]);
-                                    }
-                                    let _e794 = phi_1117_;
-                                    if (_e155.member[1] == _e153.member[0]) {
-                                        phi_1123_ = true;
-                                    } else {
-                                        phi_1123_ = (_e155.member[1] == _e153.member[1]);
-                                    }
-                                    let _e798 = phi_1123_;
-                                    if (_e155.member[1] == _e153.member[0]) {
-                                        phi_1156_ = true;
-                                    } else {
-                                        phi_1156_ = (_e155.member[1] == _e153.member[1]);
-                                    }
-                                    let _e841 = phi_1156_;
-                                    if (_e155.member[2] == _e153.member[0]) {
-                                        phi_1162_ = true;
-                                    } else {
-                                        phi_1162_ = (_e155.member[2] == _e153.member[1]);
-                                    }
-                                    let _e845 = phi_1162_;
-                                    if (_e155.member[2] == _e153.member[0]) {
-                                        phi_1197_ = true;
-                                    } else {
-                                        phi_1197_ = (_e155.member[2] == _e153.member[1]);
-                                    }
-                                    let _e891 = phi_1197_;
-                                    if (_e155.member[0] == _e153.member[0]) {
-                                        phi_1203_ = true;
-                                    } else {
-                                        phi_1203_ = (_e155.member[0] == _e153.member[1]);
-                                    }
-                                    let _e895 = phi_1203_;
-                                    if (((_e153.member_1 >> bitcast<u32>(4u)) & 1u) == 1u) {
-                                        let _e945 = boxes.member[(_e734 + _e153.member_2[1])];
-                                        phi_1253_ = _e945;
-                                    } else {
-                                        phi_1253_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e947 = phi_1253_;
-                                    if (_e155.member[0] == _e153.member[1]) {
-                                        phi_1260_ = true;
-                                    } else {
-                                        phi_1260_ = (_e155.member[0] == _e153.member[2]);
-                                    }
-                                    let _e951 = phi_1260_;
-                                    if (_e155.member[1] == _e153.member[1]) {
-                                        phi_1266_ = true;
-                                    } else {
-                                        phi_1266_ = (_e155.member[1] == _e153.member[2]);
-                                    }
-                                    let _e955 = phi_1266_;
-                                    if (_e155.member[1] == _e153.member[1]) {
-                                        phi_1300_ = true;
-                                    } else {
-                                        phi_1300_ = (_e155.member[1] == _e153.member[2]);
-                                    }
-                                    let _e1000 = phi_1300_;
-                                    if (_e155.member[2] == _e153.member[1]) {
-                                        phi_1306_ = true;
-                                    } else {
-                                        phi_1306_ = (_e155.member[2] == _e153.member[2]);
-                                    }
-                                    let _e1004 = phi_1306_;
-                                    if (_e155.member[2] == _e153.member[1]) {
-                                        phi_1341_ = true;
-                                    } else {
-                                        phi_1341_ = (_e155.member[2] == _e153.member[2]);
-                                    }
-                                    let _e1050 = phi_1341_;
-                                    if (_e155.member[0] == _e153.member[1]) {
-                                        phi_1347_ = true;
-                                    } else {
-                                        phi_1347_ = (_e155.member[0] == _e153.member[2]);
-                                    }
-                                    let _e1054 = phi_1347_;
-                                    if (((_e153.member_1 >> bitcast<u32>(5u)) & 1u) == 1u) {
-                                        let _e1105 = boxes.member[(_e734 + _e153.member_2[2])];
-                                        phi_1398_ = _e1105;
-                                    } else {
-                                        phi_1398_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                                    }
-                                    let _e1107 = phi_1398_;
-                                    if (_e155.member[0] == _e153.member[2]) {
-                                        phi_1405_ = true;
-                                    } else {
-                                        phi_1405_ = (_e155.member[0] == _e153.member[0]);
-                                    }
-                                    let _e1111 = phi_1405_;
-                                    if (_e155.member[1] == _e153.member[2]) {
-                                        phi_1411_ = true;
-                                    } else {
-                                        phi_1411_ = (_e155.member[1] == _e153.member[0]);
-                                    }
-                                    let _e1115 = phi_1411_;
-                                    if (_e155.member[1] == _e153.member[2]) {
-                                        phi_1446_ = true;
-                                    } else {
-                                        phi_1446_ = (_e155.member[1] == _e153.member[0]);
-                                    }
-                                    let _e1161 = phi_1446_;
-                                    if (_e155.member[2] == _e153.member[2]) {
-                                        phi_1452_ = true;
-                                    } else {
-                                        phi_1452_ = (_e155.member[2] == _e153.member[0]);
-                                    }
-                                    let _e1165 = phi_1452_;
-                                    if (_e155.member[2] == _e153.member[2]) {
-                                        phi_1487_ = true;
-                                    } else {
-                                        phi_1487_ = (_e155.member[2] == _e153.member[0]);
-                                    }
-                                    let _e1211 = phi_1487_;
-                                    if (_e155.member[0] == _e153.member[2]) {
-                                        phi_1493_ = true;
-                                    } else {
-                                        phi_1493_ = (_e155.member[0] == _e153.member[0]);
-                                    }
-                                    let _e1215 = phi_1493_;
-                                    phi_1525_ = (_e717 + (_e723 * _e727));
-                                    phi_1526_ = (_e719 | (((((((select(0u, 1u, (!((_e794 || _e798)) && ((((((_e790.member[0] <= _e752.member_1[0]) && (_e752.member[0] <= _e790.member_1[0])) && (_e790.member[1] <= _e752.member_1[1])) && (_e752.member[1] <= _e790.member_1[1])) && (_e790.member[2] <= _e752.member_1[2])) && (_e752.member[2] <= _e790.member_1[2])))) | (select(0u, 1u, (!((_e841 || _e845)) && ((((((_e790.member[0] <= _e762.member_1[0]) && (_e762.member[0] <= _e790.member_1[0])) && (_e790.member[1] <= _e762.member_1[1])) && (_e762.member[1] <= _e790.member_1[1])) && (_e790.member[2] <= _e762.member_1[2])) && (_e762.member[2] <= _e790.member_1[2])))) << bitcast<u32>(1i))) | (select(0u, 1u, (!((_e891 || _e895)) && ((((((_e790.member[0] <= _e772.member_1[0]) && (_e772.member[0] <= _e790.member_1[0])) && (_e790.member[1] <= _e772.member_1[1])) && (_e772.member[1] <= _e790.member_1[1])) && (_e790.member[2] <= _e772.member_1[2])) && (_e772.member[2] <= _e790.member_1[2])))) << bitcast<u32>(2i))) | (((select(0u, 1u, (!((_e951 || _e955)) && ((((((_e947.member[0] <= _e752.member_1[0]) && (_e752.member[0] <= _e947.member_1[0])) && (_e947.member[1] <= _e752.member_1[1])) && (_e752.member[1] <= _e947.member_1[1])) && (_e947.member[2] <= _e752.member_1[2])) && (_e752.member[2] <= _e947.member_1[2])))) << bitcast<u32>(3i)) | (select(0u, 1u, (!((_e1000 || _e1004)) && ((((((_e947.member[0] <= _e762.member_1[0]) && (_e762.member[0] <= _e947.member_1[0])) && (_e947.member[1] <= _e762.member_1[1])) && (_e762.member[1] <= _e947.member_1[1])) && (_e947.member[2] <= _e762.member_1[2])) && (_e762.member[2] <= _e947.member_1[2])))) << bitcast<u32>(4i))) | (select(0u, 1u, (!((_e1050 || _e1054)) && ((((((_e947.member[0] <= _e772.member_1[0]) && (_e772.member[0] <= _e947.member_1[0])) && (_e947.member[1] <= _e772.member_1[1])) && (_e772.member[1] <= _e947.member_1[1])) && (_e947.member[2] <= _e772.member_1[2])) && (_e772.member[2] <= _e947.member_1[2])))) << bitcast<u32>(5i)))) | (select(0u, 1u, (!((_e1111 || _e1115)) && ((((((_e1107.member[0] <= _e752.member_1[0]) && (_e752.member[0] <= _e1107.member_1[0])) && (_e1107.member[1] <= _e752.member_1[1])) && (_e752.member[1] <= _e1107.member_1[1])) && (_e1107.member[2] <= _e752.member_1[2])) && (_e752.member[2] <= _e1107.member_1[2])))) << bitcast<u32>(6i))) | (select(0u, 1u, (!((_e1161 || _e1165)) && ((((((_e1107.member[0] <= _e762.member_1[0]) && (_e762.member[0] <= _e1107.member_1[0])) && (_e1107.member[1] <= _e762.member_1[1])) && (_e762.member[1] <= _e1107.member_1[1])) && (_e1107.member[2] <= _e762.member_1[2])) && (_e762.member[2] <= _e1107.member_1[2])))) << bitcast<u32>(7i))) | (select(0u, 1u, (!((_e1211 || _e1215)) && ((((((_e1107.member[0] <= _e772.member_1[0]) && (_e772.member[0] <= _e1107.member_1[0])) && (_e1107.member[1] <= _e772.member_1[1])) && (_e772.member[1] <= _e1107.member_1[1])) && (_e1107.member[2] <= _e772.member_1[2])) && (_e772.member[2] <= _e1107.member_1[2])))) << bitcast<u32>(8i))) << bitcast<u32>(6u)));
-                                } else {
-                                    phi_1525_ = _e717;
-                                    phi_1526_ = _e719;
-                                }
-                                let _e1262 = phi_1525_;
-                                let _e1264 = phi_1526_;
-                                phi_1527_ = _e1262;
-                                phi_1528_ = _e1264;
-                            } else {
-                                phi_1527_ = _e717;
-                                phi_1528_ = _e719;
-                            }
-                            let _e1266 = phi_1527_;
-                            let _e1268 = phi_1528_;
-                            phi_1531_ = type_22(array<u32, 5>(1u, 0u, 0u, _e1266, 0u), _e1268);
+                            phi_1655_ = type_22(array<u32, 5>(1u, 1u, 0u, 0u, 0u), 0u);
+                            phi_1656_ = type_22();
+                            phi_1657_ = true;
                         }
-                        let _e1272 = phi_1531_;
-                        phi_1532_ = type_22(array<u32, 5>(1u, 0u, 1u, 0u, 0u), 0u);
-                        phi_1533_ = _e1272;
-                        phi_1534_ = _e261;
+                        let _e1335 = phi_1655_;
+                        let _e1337 = phi_1656_;
+                        let _e1339 = phi_1657_;
+                        phi_1658_ = _e1335;
+                        phi_1659_ = _e1337;
+                        phi_1660_ = _e1339;
                     } else {
-                        phi_1532_ = type_22(array<u32, 5>(1u, 1u, 0u, 0u, 0u), 0u);
-                        phi_1533_ = type_22();
-                        phi_1534_ = true;
+                        phi_1658_ = type_22(array<u32, 5>(0u, 0u, 0u, 0u, 0u), 0u);
+                        phi_1659_ = type_22();
+                        phi_1660_ = true;
                     }
-                    let _e1274 = phi_1532_;
-                    let _e1276 = phi_1533_;
-                    let _e1278 = phi_1534_;
-                    phi_1535_ = _e1274;
-                    phi_1536_ = _e1276;
-                    phi_1537_ = _e1278;
+                    let _e1341 = phi_1658_;
+                    let _e1343 = phi_1659_;
+                    let _e1345 = phi_1660_;
+                    phi_1661_ = _e1341;
+                    phi_1662_ = _e1343;
+                    phi_1663_ = _e1345;
                 } else {
-                    phi_1535_ = type_22(array<u32, 5>(0u, 0u, 0u, 0u, 0u), 0u);
-                    phi_1536_ = type_22();
-                    phi_1537_ = true;
+                    phi_1661_ = type_22(array<u32, 5>(0u, 0u, 0u, 0u, 0u), 0u);
+                    phi_1662_ = type_22();
+                    phi_1663_ = true;
                 }
-                let _e1280 = phi_1535_;
-                let _e1282 = phi_1536_;
-                let _e1284 = phi_1537_;
-                if _e1284 {
-                    phi_1541_ = _e1280;
+                let _e1347 = phi_1661_;
+                let _e1349 = phi_1662_;
+                let _e1351 = phi_1663_;
+                if _e1351 {
+                    phi_1667_ = _e1347;
                 } else {
-                    phi_1541_ = _e1282;
+                    phi_1667_ = _e1349;
                 }
-                let _e1286 = phi_1541_;
-                if (_e1286.member[0] == 0u) {
+                let _e1353 = phi_1667_;
+                if (_e1353.member[0] == 0u) {
                 } else {
-                    let _e1299 = atomicAdd((&shared_[0u]), _e1286.member[0]);
+                    let _e1366 = atomicAdd((&shared_[0u]), _e1353.member[0]);
                 }
-                if (_e1286.member[1] == 0u) {
+                if (_e1353.member[1] == 0u) {
                 } else {
-                    let _e1302 = atomicAdd((&shared_[1u]), _e1286.member[1]);
+                    let _e1369 = atomicAdd((&shared_[1u]), _e1353.member[1]);
                 }
-                if (_e1286.member[2] == 0u) {
+                if (_e1353.member[2] == 0u) {
                 } else {
-                    let _e1305 = atomicAdd((&shared_[2u]), _e1286.member[2]);
+                    let _e1372 = atomicAdd((&shared_[2u]), _e1353.member[2]);
                 }
-                if (_e1286.member[3] == 0u) {
+                if (_e1353.member[3] == 0u) {
                 } else {
-                    let _e1308 = atomicAdd((&shared_[3u]), _e1286.member[3]);
+                    let _e1375 = atomicAdd((&shared_[3u]), _e1353.member[3]);
                 }
-                if (_e1286.member[4] == 0u) {
+                if (_e1353.member[4] == 0u) {
                 } else {
-                    let _e1311 = atomicAdd((&shared_[4u]), _e1286.member[4]);
+                    let _e1378 = atomicAdd((&shared_[4u]), _e1353.member[4]);
                 }
-                if (_e1286.member_1 == 0u) {
-                    phi_1590_ = 0u;
-                    phi_1591_ = 0u;
+                if (_e1353.member_1 == 0u) {
+                    phi_1716_ = 0u;
+                    phi_1717_ = 0u;
                 } else {
-                    let _e1317 = atomicAdd((&shared_[5u]), countOneBits((_e1286.member_1 & 63u)));
-                    let _e1321 = atomicAdd((&shared_[6u]), countOneBits((_e1286.member_1 & 4294967232u)));
-                    phi_1590_ = _e1321;
-                    phi_1591_ = _e1317;
+                    let _e1384 = atomicAdd((&shared_[5u]), countOneBits((_e1353.member_1 & 63u)));
+                    let _e1388 = atomicAdd((&shared_[6u]), countOneBits((_e1353.member_1 & 4294967232u)));
+                    phi_1716_ = _e1388;
+                    phi_1717_ = _e1384;
                 }
-                let _e1323 = phi_1590_;
-                let _e1325 = phi_1591_;
-                phi_1592_ = _e1323;
-                phi_1593_ = _e1325;
-                phi_1594_ = _e1286.member_1;
-                phi_1595_ = type_12(_e145, _e148);
+                let _e1390 = phi_1716_;
+                let _e1392 = phi_1717_;
+                phi_1718_ = _e1390;
+                phi_1719_ = _e1392;
+                phi_1720_ = _e1353.member_1;
+                phi_1721_ = type_12(_e146, _e149);
             } else {
-                phi_1592_ = 0u;
-                phi_1593_ = 0u;
-                phi_1594_ = 0u;
-                phi_1595_ = type_12(0u, 0u);
+                phi_1718_ = 0u;
+                phi_1719_ = 0u;
+                phi_1720_ = 0u;
+                phi_1721_ = type_12(0u, 0u);
             }
-            let _e1327 = phi_1592_;
-            let _e1329 = phi_1593_;
-            let _e1331 = phi_1594_;
-            let _e1333 = phi_1595_;
+            let _e1394 = phi_1718_;
+            let _e1396 = phi_1719_;
+            let _e1398 = phi_1720_;
+            let _e1400 = phi_1721_;
             workgroupBarrier();
-            if (_e49 == 0u) {
-                let _e1336 = atomicLoad((&shared_[5u]));
-                let _e1338 = atomicLoad((&shared_[6u]));
-                if (_e1336 > 0u) {
-                    let _e1341 = atomicAdd((&vf.member[0u]), _e1336);
-                    if ((_e1341 + _e1336) < _e1341) {
-                        let _e1345 = atomicAdd((&vf.member[2u]), 1u);
+            if (_e50 == 0u) {
+                let _e1403 = atomicLoad((&shared_[5u]));
+                let _e1405 = atomicLoad((&shared_[6u]));
+                if (_e1403 > 0u) {
+                    let _e1408 = atomicAdd((&vf.member[0u]), _e1403);
+                    if ((_e1408 + _e1403) < _e1408) {
+                        let _e1412 = atomicAdd((&vf.member[2u]), 1u);
                     }
-                    atomicStore((&shared_[7u]), _e1341);
+                    atomicStore((&shared_[7u]), _e1408);
                 }
-                if (_e1338 > 0u) {
-                    let _e1349 = atomicAdd((&ee.member[0u]), _e1338);
-                    if ((_e1349 + _e1338) < _e1349) {
-                        let _e1353 = atomicAdd((&ee.member[2u]), 1u);
+                if (_e1405 > 0u) {
+                    let _e1416 = atomicAdd((&ee.member[0u]), _e1405);
+                    if ((_e1416 + _e1405) < _e1416) {
+                        let _e1420 = atomicAdd((&ee.member[2u]), 1u);
                     }
-                    atomicStore((&shared_[8u]), _e1349);
+                    atomicStore((&shared_[8u]), _e1416);
                 }
             }
             workgroupBarrier();
-            if (_e1331 == 0u) {
+            if (_e1398 == 0u) {
             } else {
-                let _e1357 = atomicLoad((&shared_[7u]));
-                let _e1360 = atomicLoad((&shared_[8u]));
-                phi_1650_ = type_12(0u, 6u);
-                phi_1653_ = (_e1329 + _e1357);
+                let _e1424 = atomicLoad((&shared_[7u]));
+                let _e1427 = atomicLoad((&shared_[8u]));
+                phi_1776_ = type_12(0u, 6u);
+                phi_1779_ = (_e1396 + _e1424);
                 loop {
-                    let _e1363 = phi_1650_;
-                    let _e1365 = phi_1653_;
-                    if (_e1363.member < _e1363.member_1) {
-                        phi_1651_ = type_12((_e1363.member + 1u), _e1363.member_1);
-                        phi_1676_ = type_12(1u, _e1363.member);
+                    let _e1430 = phi_1776_;
+                    let _e1432 = phi_1779_;
+                    if (_e1430.member < _e1430.member_1) {
+                        phi_1777_ = type_12((_e1430.member + 1u), _e1430.member_1);
+                        phi_1802_ = type_12(1u, _e1430.member);
                     } else {
-                        phi_1651_ = _e1363;
-                        phi_1676_ = type_12(0u, type_12().member_1);
+                        phi_1777_ = _e1430;
+                        phi_1802_ = type_12(0u, type_12().member_1);
                     }
-                    let _e1377 = phi_1651_;
-                    let _e1379 = phi_1676_;
-                    let _e1383 = (bitcast<i32>(_e1379.member) != 0i);
-                    if _e1383 {
-                        if (((_e1331 >> bitcast<u32>((_e1379.member_1 & 31u))) & 1u) == 1u) {
-                            let _e1390 = params.member.member_1.member_3;
-                            let _e1394 = triangles.member[_e1333.member];
-                            let _e1396 = triangles.member[_e1333.member_1];
-                            if (_e1379.member_1 < 3u) {
-                                if (_e1379.member_1 == 0u) {
-                                    phi_1735_ = _e1394.member[0];
+                    let _e1444 = phi_1777_;
+                    let _e1446 = phi_1802_;
+                    let _e1450 = (bitcast<i32>(_e1446.member) != 0i);
+                    if _e1450 {
+                        if (((_e1398 >> bitcast<u32>((_e1446.member_1 & 31u))) & 1u) == 1u) {
+                            let _e1457 = params.member.member_1.member_3;
+                            let _e1461 = triangles.member[_e1400.member];
+                            let _e1463 = triangles.member[_e1400.member_1];
+                            if (_e1446.member_1 < 3u) {
+                                if (_e1446.member_1 == 0u) {
+                                    phi_1861_ = _e1461.member[0];
                                 } else {
-                                    if (_e1379.member_1 == 1u) {
-                                        phi_1734_ = _e1394.member[1];
+                                    if (_e1446.member_1 == 1u) {
+                                        phi_1860_ = _e1461.member[1];
                                     } else {
-                                        phi_1734_ = _e1394.member[2];
+                                        phi_1860_ = _e1461.member[2];
                                     }
-                                    let _e1447 = phi_1734_;
-                                    phi_1735_ = _e1447;
+                                    let _e1514 = phi_1860_;
+                                    phi_1861_ = _e1514;
                                 }
-                                let _e1450 = phi_1735_;
-                                phi_1796_ = type_12(_e1450, _e1333.member_1);
+                                let _e1517 = phi_1861_;
+                                phi_1922_ = type_12(_e1517, _e1400.member_1);
                             } else {
-                                if (_e1379.member_1 < 6u) {
-                                    let _e1429 = (_e1379.member_1 - 3u);
-                                    if (_e1429 == 0u) {
-                                        phi_1754_ = _e1396.member[0];
+                                if (_e1446.member_1 < 6u) {
+                                    let _e1496 = (_e1446.member_1 - 3u);
+                                    if (_e1496 == 0u) {
+                                        phi_1880_ = _e1463.member[0];
                                     } else {
-                                        if (_e1429 == 1u) {
-                                            phi_1753_ = _e1396.member[1];
+                                        if (_e1496 == 1u) {
+                                            phi_1879_ = _e1463.member[1];
                                         } else {
-                                            phi_1753_ = _e1396.member[2];
+                                            phi_1879_ = _e1463.member[2];
                                         }
-                                        let _e1435 = phi_1753_;
-                                        phi_1754_ = _e1435;
+                                        let _e1502 = phi_1879_;
+                                        phi_1880_ = _e1502;
                                     }
-                                    let _e1438 = phi_1754_;
-                                    phi_1795_ = type_12(_e1438, _e1333.member);
+                                    let _e1505 = phi_1880_;
+                                    phi_1921_ = type_12(_e1505, _e1400.member);
                                 } else {
-                                    let _e1403 = (_e1379.member_1 - 6u);
-                                    let _e1404 = (_e1403 / 3u);
-                                    if (_e1404 == 0u) {
-                                        phi_1770_ = _e1394.member_2[0];
+                                    let _e1470 = (_e1446.member_1 - 6u);
+                                    let _e1471 = (_e1470 / 3u);
+                                    if (_e1471 == 0u) {
+                                        phi_1896_ = _e1461.member_2[0];
                                     } else {
-                                        if (_e1404 == 1u) {
-                                            phi_1769_ = _e1394.member_2[1];
+                                        if (_e1471 == 1u) {
+                                            phi_1895_ = _e1461.member_2[1];
                                         } else {
-                                            phi_1769_ = _e1394.member_2[2];
+                                            phi_1895_ = _e1461.member_2[2];
                                         }
-                                        let _e1410 = phi_1769_;
-                                        phi_1770_ = _e1410;
+                                        let _e1477 = phi_1895_;
+                                        phi_1896_ = _e1477;
                                     }
-                                    let _e1413 = phi_1770_;
-                                    let _e1414 = (_e1403 % 3u);
-                                    if (_e1414 == 0u) {
-                                        phi_1784_ = _e1396.member_2[0];
+                                    let _e1480 = phi_1896_;
+                                    let _e1481 = (_e1470 % 3u);
+                                    if (_e1481 == 0u) {
+                                        phi_1910_ = _e1463.member_2[0];
                                     } else {
-                                        if (_e1414 == 1u) {
-                                            phi_1783_ = _e1396.member_2[1];
+                                        if (_e1481 == 1u) {
+                                            phi_1909_ = _e1463.member_2[1];
                                         } else {
-                                            phi_1783_ = _e1396.member_2[2];
+                                            phi_1909_ = _e1463.member_2[2];
                                         }
-                                        let _e1420 = phi_1783_;
-                                        phi_1784_ = _e1420;
+                                        let _e1487 = phi_1909_;
+                                        phi_1910_ = _e1487;
                                     }
-                                    let _e1423 = phi_1784_;
-                                    if (_e1413 < _e1423) {
-                                        phi_1791_ = type_12(_e1413, _e1423);
+                                    let _e1490 = phi_1910_;
+                                    if (_e1480 < _e1490) {
+                                        phi_1917_ = type_12(_e1480, _e1490);
                                     } else {
-                                        phi_1791_ = type_12(_e1423, _e1413);
+                                        phi_1917_ = type_12(_e1490, _e1480);
                                     }
-                                    let _e1428 = phi_1791_;
-                                    phi_1795_ = _e1428;
+                                    let _e1495 = phi_1917_;
+                                    phi_1921_ = _e1495;
                                 }
-                                let _e1441 = phi_1795_;
-                                phi_1796_ = _e1441;
+                                let _e1508 = phi_1921_;
+                                phi_1922_ = _e1508;
                             }
-                            let _e1453 = phi_1796_;
-                            if (_e1365 < _e1390) {
-                                let _e1457 = (2u * _e1365);
-                                atomicStore((&vf.member[(4u + _e1457)]), _e1453.member);
-                                atomicStore((&vf.member[(_e1457 + 5u)]), _e1453.member_1);
+                            let _e1520 = phi_1922_;
+                            if (_e1432 < _e1457) {
+                                let _e1524 = (2u * _e1432);
+                                atomicStore((&vf.member[(4u + _e1524)]), _e1520.member);
+                                atomicStore((&vf.member[(_e1524 + 5u)]), _e1520.member_1);
                             }
-                            phi_1811_ = (_e1365 + 1u);
+                            phi_1937_ = (_e1432 + 1u);
                         } else {
-                            phi_1811_ = _e1365;
+                            phi_1937_ = _e1432;
                         }
-                        let _e1464 = phi_1811_;
-                        phi_1654_ = _e1464;
+                        let _e1531 = phi_1937_;
+                        phi_1780_ = _e1531;
                     } else {
-                        phi_1654_ = u32();
+                        phi_1780_ = u32();
                     }
-                    let _e1466 = phi_1654_;
+                    let _e1533 = phi_1780_;
                     continue;
                     continuing {
-                        phi_1650_ = _e1377;
-                        phi_1653_ = _e1466;
-                        break if !(_e1383);
+                        phi_1776_ = _e1444;
+                        phi_1779_ = _e1533;
+                        break if !(_e1450);
                     }
                 }
-                phi_1814_ = type_12(6u, 15u);
-                phi_1817_ = (_e1327 + _e1360);
+                phi_1940_ = type_12(6u, 15u);
+                phi_1943_ = (_e1394 + _e1427);
                 loop {
-                    let _e1469 = phi_1814_;
-                    let _e1471 = phi_1817_;
-                    if (_e1469.member < _e1469.member_1) {
-                        phi_1815_ = type_12((_e1469.member + 1u), _e1469.member_1);
-                        phi_1840_ = type_12(1u, _e1469.member);
+                    let _e1536 = phi_1940_;
+                    let _e1538 = phi_1943_;
+                    if (_e1536.member < _e1536.member_1) {
+                        phi_1941_ = type_12((_e1536.member + 1u), _e1536.member_1);
+                        phi_1966_ = type_12(1u, _e1536.member);
                     } else {
-                        phi_1815_ = _e1469;
-                        phi_1840_ = type_12(0u, type_12().member_1);
+                        phi_1941_ = _e1536;
+                        phi_1966_ = type_12(0u, type_12().member_1);
                     }
-                    let _e1483 = phi_1815_;
-                    let _e1485 = phi_1840_;
-                    let _e1489 = (bitcast<i32>(_e1485.member) != 0i);
-                    if _e1489 {
-                        if (((_e1331 >> bitcast<u32>((_e1485.member_1 & 31u))) & 1u) == 1u) {
-                            let _e1498 = triangles.member[_e1333.member];
-                            let _e1500 = triangles.member[_e1333.member_1];
-                            if (_e1485.member_1 < 3u) {
-                                if (_e1485.member_1 == 0u) {
-                                    phi_1897_ = _e1498.member[0];
+                    let _e1550 = phi_1941_;
+                    let _e1552 = phi_1966_;
+                    let _e1556 = (bitcast<i32>(_e1552.member) != 0i);
+                    if _e1556 {
+                        if (((_e1398 >> bitcast<u32>((_e1552.member_1 & 31u))) & 1u) == 1u) {
+                            let _e1565 = triangles.member[_e1400.member];
+                            let _e1567 = triangles.member[_e1400.member_1];
+                            if (_e1552.member_1 < 3u) {
+                                if (_e1552.member_1 == 0u) {
+                                    phi_2023_ = _e1565.member[0];
                                 } else {
-                                    if (_e1485.member_1 == 1u) {
-                                        phi_1896_ = _e1498.member[1];
+                                    if (_e1552.member_1 == 1u) {
+                                        phi_2022_ = _e1565.member[1];
                                     } else {
-                                        phi_1896_ = _e1498.member[2];
+                                        phi_2022_ = _e1565.member[2];
                                     }
-                                    let _e1551 = phi_1896_;
-                                    phi_1897_ = _e1551;
+                                    let _e1618 = phi_2022_;
+                                    phi_2023_ = _e1618;
                                 }
-                                let _e1554 = phi_1897_;
-                                phi_1958_ = type_12(_e1554, _e1333.member_1);
+                                let _e1621 = phi_2023_;
+                                phi_2084_ = type_12(_e1621, _e1400.member_1);
                             } else {
-                                if (_e1485.member_1 < 6u) {
-                                    let _e1533 = (_e1485.member_1 - 3u);
-                                    if (_e1533 == 0u) {
-                                        phi_1916_ = _e1500.member[0];
+                                if (_e1552.member_1 < 6u) {
+                                    let _e1600 = (_e1552.member_1 - 3u);
+                                    if (_e1600 == 0u) {
+                                        phi_2042_ = _e1567.member[0];
                                     } else {
-                                        if (_e1533 == 1u) {
-                                            phi_1915_ = _e1500.member[1];
+                                        if (_e1600 == 1u) {
+                                            phi_2041_ = _e1567.member[1];
                                         } else {
-                                            phi_1915_ = _e1500.member[2];
+                                            phi_2041_ = _e1567.member[2];
                                         }
-                                        let _e1539 = phi_1915_;
-                                        phi_1916_ = _e1539;
+                                        let _e1606 = phi_2041_;
+                                        phi_2042_ = _e1606;
                                     }
-                                    let _e1542 = phi_1916_;
-                                    phi_1957_ = type_12(_e1542, _e1333.member);
+                                    let _e1609 = phi_2042_;
+                                    phi_2083_ = type_12(_e1609, _e1400.member);
                                 } else {
-                                    let _e1507 = (_e1485.member_1 - 6u);
-                                    let _e1508 = (_e1507 / 3u);
-                                    if (_e1508 == 0u) {
-                                        phi_1932_ = _e1498.member_2[0];
+                                    let _e1574 = (_e1552.member_1 - 6u);
+                                    let _e1575 = (_e1574 / 3u);
+                                    if (_e1575 == 0u) {
+                                        phi_2058_ = _e1565.member_2[0];
                                     } else {
-                                        if (_e1508 == 1u) {
-                                            phi_1931_ = _e1498.member_2[1];
+                                        if (_e1575 == 1u) {
+                                            phi_2057_ = _e1565.member_2[1];
                                         } else {
-                                            phi_1931_ = _e1498.member_2[2];
+                                            phi_2057_ = _e1565.member_2[2];
                                         }
-                                        let _e1514 = phi_1931_;
-                                        phi_1932_ = _e1514;
+                                        let _e1581 = phi_2057_;
+                                        phi_2058_ = _e1581;
                                     }
-                                    let _e1517 = phi_1932_;
-                                    let _e1518 = (_e1507 % 3u);
-                                    if (_e1518 == 0u) {
-                                        phi_1946_ = _e1500.member_2[0];
+                                    let _e1584 = phi_2058_;
+                                    let _e1585 = (_e1574 % 3u);
+                                    if (_e1585 == 0u) {
+                                        phi_2072_ = _e1567.member_2[0];
                                     } else {
-                                        if (_e1518 == 1u) {
-                                            phi_1945_ = _e1500.member_2[1];
+                                        if (_e1585 == 1u) {
+                                            phi_2071_ = _e1567.member_2[1];
                                         } else {
-                                            phi_1945_ = _e1500.member_2[2];
+                                            phi_2071_ = _e1567.member_2[2];
                                         }
-                                        let _e1524 = phi_1945_;
-                                        phi_1946_ = _e1524;
+                                        let _e1591 = phi_2071_;
+                                        phi_2072_ = _e1591;
                                     }
-                                    let _e1527 = phi_1946_;
-                                    if (_e1517 < _e1527) {
-                                        phi_1953_ = type_12(_e1517, _e1527);
+                                    let _e1594 = phi_2072_;
+                                    if (_e1584 < _e1594) {
+                                        phi_2079_ = type_12(_e1584, _e1594);
                                     } else {
-                                        phi_1953_ = type_12(_e1527, _e1517);
+                                        phi_2079_ = type_12(_e1594, _e1584);
                                     }
-                                    let _e1532 = phi_1953_;
-                                    phi_1957_ = _e1532;
+                                    let _e1599 = phi_2079_;
+                                    phi_2083_ = _e1599;
                                 }
-                                let _e1545 = phi_1957_;
-                                phi_1958_ = _e1545;
+                                let _e1612 = phi_2083_;
+                                phi_2084_ = _e1612;
                             }
-                            let _e1557 = phi_1958_;
-                            if (_e1471 < _e69) {
-                                let _e1561 = (2u * _e1471);
-                                atomicStore((&ee.member[(4u + _e1561)]), _e1557.member);
-                                atomicStore((&ee.member[(_e1561 + 5u)]), _e1557.member_1);
+                            let _e1624 = phi_2084_;
+                            if (_e1538 < _e70) {
+                                let _e1628 = (2u * _e1538);
+                                atomicStore((&ee.member[(4u + _e1628)]), _e1624.member);
+                                atomicStore((&ee.member[(_e1628 + 5u)]), _e1624.member_1);
                             }
-                            phi_1973_ = (_e1471 + 1u);
+                            phi_2099_ = (_e1538 + 1u);
                         } else {
-                            phi_1973_ = _e1471;
+                            phi_2099_ = _e1538;
                         }
-                        let _e1568 = phi_1973_;
-                        phi_1818_ = _e1568;
+                        let _e1635 = phi_2099_;
+                        phi_1944_ = _e1635;
                     } else {
-                        phi_1818_ = u32();
+                        phi_1944_ = u32();
                     }
-                    let _e1570 = phi_1818_;
+                    let _e1637 = phi_1944_;
                     continue;
                     continuing {
-                        phi_1814_ = _e1483;
-                        phi_1817_ = _e1570;
-                        break if !(_e1489);
+                        phi_1940_ = _e1550;
+                        phi_1943_ = _e1637;
+                        break if !(_e1556);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_212_ = _e124;
-            break if !(_e130);
+            phi_213_ = _e125;
+            break if !(_e131);
         }
     }
     workgroupBarrier();
-    if (_e49 < 5u) {
-        let _e1575 = atomicLoad((&shared_[_e49]));
-        if (_e1575 > 0u) {
-            let _e1577 = (_e49 * 4u);
-            let _e1579 = atomicAdd((&counts.member[_e1577]), _e1575);
-            if ((_e1579 + _e1575) < _e1579) {
-                let _e1584 = atomicAdd((&counts.member[(_e1577 + 2u)]), 1u);
+    if (_e50 < 5u) {
+        let _e1642 = atomicLoad((&shared_[_e50]));
+        if (_e1642 > 0u) {
+            let _e1644 = (_e50 * 4u);
+            let _e1646 = atomicAdd((&counts.member[_e1644]), _e1642);
+            if ((_e1646 + _e1642) < _e1646) {
+                let _e1651 = atomicAdd((&counts.member[(_e1644 + 2u)]), 1u);
             }
         }
     }

@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -29,7 +35,17 @@ struct type_13 {
     member_1: u32,
 }
 
+struct type_16 {
+    member: i32,
+    member_1: i32,
+}
+
 struct type_17 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,725 +53,805 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
-}
-
-struct type_19 {
-    member: type_18,
+    member_2: type_19,
 }
 
 struct type_21 {
+    member: type_20,
+}
+
+struct type_23 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_24 {
+struct type_26 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_28 {
+    member: array<type_26>,
 }
 
-struct type_28 {
+struct type_30 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_32 {
+    member: array<type_30>,
 }
 
-struct type_32 {
+struct type_34 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_21;
 @group(0) @binding(2) 
-var<storage> leaves: type_26;
+var<storage> leaves: type_28;
 @group(0) @binding(1) 
-var<storage> nodes: type_30;
+var<storage> nodes: type_32;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_32, 128>;
+var<workgroup> columns: array<type_34, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_37;
+var<storage> keys: type_39;
 @group(0) @binding(5) 
-var<storage> paths: type_23;
+var<storage> paths: type_25;
 @group(0) @binding(6) 
 var<storage> input: type_10;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_43;
+var<storage, read_write> output: type_45;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_174_: bool;
-    var phi_175_: bool;
-    var phi_179_: array<u32, 2>;
+    var phi_179_: bool;
+    var phi_180_: bool;
+    var phi_184_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_175_ = true;
+        phi_180_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_174_ = (param[0] > param_1[0]);
+            phi_179_ = (param[0] > param_1[0]);
         } else {
-            phi_174_ = false;
+            phi_179_ = false;
         }
-        let _e14 = phi_174_;
-        phi_175_ = _e14;
+        let _e14 = phi_179_;
+        phi_180_ = _e14;
     }
-    let _e16 = phi_175_;
+    let _e16 = phi_180_;
     if _e16 {
-        phi_179_ = param_1;
+        phi_184_ = param_1;
     } else {
-        phi_179_ = param;
+        phi_184_ = param;
     }
-    let _e18 = phi_179_;
+    let _e18 = phi_184_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_198_: bool;
-    var phi_199_: bool;
-    var phi_203_: array<u32, 2>;
+    var phi_203_: bool;
+    var phi_204_: bool;
+    var phi_208_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_199_ = true;
+        phi_204_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_198_ = (param_3[0] > param_2[0]);
+            phi_203_ = (param_3[0] > param_2[0]);
         } else {
-            phi_198_ = false;
+            phi_203_ = false;
         }
-        let _e14 = phi_198_;
-        phi_199_ = _e14;
+        let _e14 = phi_203_;
+        phi_204_ = _e14;
     }
-    let _e16 = phi_199_;
+    let _e16 = phi_204_;
     if _e16 {
-        phi_203_ = param_3;
+        phi_208_ = param_3;
     } else {
-        phi_203_ = param_2;
+        phi_208_ = param_2;
     }
-    let _e18 = phi_203_;
+    let _e18 = phi_208_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_222_: bool;
-    var phi_223_: bool;
-    var phi_227_: array<u32, 2>;
+    var phi_227_: bool;
+    var phi_228_: bool;
+    var phi_232_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_223_ = true;
+        phi_228_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_222_ = (param_4[0] > param_5[0]);
+            phi_227_ = (param_4[0] > param_5[0]);
         } else {
-            phi_222_ = false;
+            phi_227_ = false;
         }
-        let _e14 = phi_222_;
-        phi_223_ = _e14;
+        let _e14 = phi_227_;
+        phi_228_ = _e14;
     }
-    let _e16 = phi_223_;
+    let _e16 = phi_228_;
     if _e16 {
-        phi_227_ = param_5;
+        phi_232_ = param_5;
     } else {
-        phi_227_ = param_4;
+        phi_232_ = param_4;
     }
-    let _e18 = phi_227_;
+    let _e18 = phi_232_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_246_: bool;
-    var phi_247_: bool;
-    var phi_251_: array<u32, 2>;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_256_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_247_ = true;
+        phi_252_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_246_ = (param_7[0] > param_6[0]);
+            phi_251_ = (param_7[0] > param_6[0]);
         } else {
-            phi_246_ = false;
+            phi_251_ = false;
         }
-        let _e14 = phi_246_;
-        phi_247_ = _e14;
+        let _e14 = phi_251_;
+        phi_252_ = _e14;
     }
-    let _e16 = phi_247_;
+    let _e16 = phi_252_;
     if _e16 {
-        phi_251_ = param_7;
+        phi_256_ = param_7;
     } else {
-        phi_251_ = param_6;
+        phi_256_ = param_6;
     }
-    let _e18 = phi_251_;
+    let _e18 = phi_256_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_270_: bool;
-    var phi_271_: bool;
-    var phi_275_: array<u32, 2>;
+    var phi_275_: bool;
+    var phi_276_: bool;
+    var phi_280_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_271_ = true;
+        phi_276_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_270_ = (param_8[0] > param_9[0]);
+            phi_275_ = (param_8[0] > param_9[0]);
         } else {
-            phi_270_ = false;
+            phi_275_ = false;
         }
-        let _e14 = phi_270_;
-        phi_271_ = _e14;
+        let _e14 = phi_275_;
+        phi_276_ = _e14;
     }
-    let _e16 = phi_271_;
+    let _e16 = phi_276_;
     if _e16 {
-        phi_275_ = param_9;
+        phi_280_ = param_9;
     } else {
-        phi_275_ = param_8;
+        phi_280_ = param_8;
     }
-    let _e18 = phi_275_;
+    let _e18 = phi_280_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_299_: array<u32, 2>;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_304_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_295_ = true;
+        phi_300_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_294_ = (param_11[0] > param_10[0]);
+            phi_299_ = (param_11[0] > param_10[0]);
         } else {
-            phi_294_ = false;
+            phi_299_ = false;
         }
-        let _e14 = phi_294_;
-        phi_295_ = _e14;
+        let _e14 = phi_299_;
+        phi_300_ = _e14;
     }
-    let _e16 = phi_295_;
+    let _e16 = phi_300_;
     if _e16 {
-        phi_299_ = param_11;
+        phi_304_ = param_11;
     } else {
-        phi_299_ = param_10;
+        phi_304_ = param_10;
     }
-    let _e18 = phi_299_;
+    let _e18 = phi_304_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_39;
-    var local_1: type_39;
-    var local_2: type_39;
-    var phi_346_: u32;
-    var phi_387_: u32;
-    var phi_388_: u32;
-    var phi_396_: u32;
-    var phi_412_: u32;
-    var phi_433_: u32;
-    var phi_434_: u32;
-    var phi_437_: type_13;
-    var phi_438_: type_13;
-    var phi_461_: type_13;
-    var phi_502_: u32;
-    var phi_503_: u32;
-    var phi_511_: u32;
-    var phi_523_: u32;
-    var phi_608_: array<u32, 2>;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_817_: type_32;
-    var phi_830_: type_13;
-    var phi_833_: u32;
-    var phi_831_: type_13;
-    var phi_856_: type_13;
-    var phi_922_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
+    var local: type_41;
+    var local_1: type_41;
+    var local_2: type_41;
+    var phi_351_: u32;
+    var phi_392_: u32;
+    var phi_393_: u32;
+    var phi_401_: u32;
+    var phi_417_: u32;
+    var phi_438_: u32;
+    var phi_439_: u32;
+    var phi_442_: type_13;
+    var phi_443_: type_13;
+    var phi_466_: type_13;
+    var phi_507_: u32;
+    var phi_508_: u32;
+    var phi_516_: u32;
+    var phi_528_: u32;
+    var phi_613_: array<u32, 2>;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: type_34;
+    var phi_835_: type_13;
+    var phi_838_: u32;
+    var phi_836_: type_13;
+    var phi_861_: type_13;
+    var phi_927_: bool;
     var phi_928_: bool;
-    var phi_946_: u32;
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_834_: u32;
-    var phi_951_: type_13;
-    var phi_954_: u32;
-    var phi_952_: type_13;
-    var phi_977_: type_13;
-    var phi_1097_: bool;
-    var phi_1103_: bool;
-    var phi_1109_: bool;
-    var phi_1110_: bool;
-    var phi_1156_: bool;
-    var phi_1163_: bool;
+    var phi_929_: bool;
+    var phi_933_: bool;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_839_: u32;
+    var phi_956_: type_13;
+    var phi_959_: u32;
+    var phi_957_: type_13;
+    var phi_982_: type_13;
+    var phi_1102_: bool;
+    var phi_1108_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
     var phi_1167_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1385_: bool;
-    var phi_1386_: bool;
-    var phi_1480_: bool;
-    var phi_1481_: bool;
-    var phi_1574_: bool;
-    var phi_1575_: bool;
-    var phi_1670_: bool;
-    var phi_1671_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1783_: bool;
-    var phi_1802_: type_13;
-    var phi_1845_: u32;
-    var phi_1846_: bool;
-    var phi_955_: u32;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1321_: u32;
+    var phi_1322_: u32;
+    var phi_1327_: type_16;
+    var phi_1330_: u32;
+    var phi_1332_: u32;
+    var phi_1353_: bool;
+    var phi_1359_: type_17;
+    var phi_1328_: type_16;
+    var phi_1373_: type_17;
+    var phi_1441_: bool;
+    var phi_1442_: bool;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1448_: bool;
+    var phi_1449_: bool;
+    var phi_1454_: u32;
+    var phi_1455_: u32;
+    var phi_1456_: u32;
+    var phi_1457_: u32;
+    var phi_1458_: bool;
+    var phi_1331_: u32;
+    var phi_1333_: u32;
+    var phi_1459_: bool;
+    var local_3: u32;
+    var local_4: u32;
+    var phi_1507_: bool;
+    var phi_1508_: bool;
+    var phi_1509_: bool;
+    var phi_1510_: bool;
+    var phi_1514_: bool;
+    var phi_1515_: bool;
+    var phi_1519_: bool;
+    var phi_1523_: bool;
+    var phi_1524_: bool;
+    var phi_1528_: bool;
+    var phi_1529_: bool;
+    var phi_1533_: bool;
+    var phi_1534_: bool;
+    var phi_1658_: bool;
+    var phi_1659_: bool;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
     var phi_1847_: bool;
-    var phi_1854_: u32;
-    var phi_1857_: type_13;
-    var phi_1858_: type_13;
-    var phi_1881_: type_13;
-    var phi_2009_: bool;
-    var phi_2015_: bool;
-    var phi_2021_: bool;
-    var phi_2022_: bool;
-    var phi_2068_: bool;
-    var phi_2075_: bool;
-    var phi_2079_: bool;
-    var phi_2203_: bool;
-    var phi_2204_: bool;
-    var phi_2297_: bool;
-    var phi_2298_: bool;
-    var phi_2392_: bool;
-    var phi_2393_: bool;
-    var phi_2486_: bool;
-    var phi_2487_: bool;
-    var phi_2582_: bool;
-    var phi_2583_: bool;
-    var phi_2676_: bool;
-    var phi_2677_: bool;
-    var phi_2681_: bool;
-    var phi_2682_: bool;
-    var phi_2683_: bool;
-    var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2689_: bool;
-    var phi_2690_: bool;
-    var phi_2691_: bool;
-    var phi_2695_: bool;
-    var phi_2708_: type_24;
-    var phi_2709_: type_24;
-    var phi_3098_: f32;
-    var phi_3105_: f32;
-    var phi_3110_: f32;
-    var phi_3117_: f32;
-    var phi_3122_: f32;
-    var phi_3135_: f32;
-    var phi_3142_: f32;
-    var phi_3147_: f32;
-    var phi_3154_: f32;
-    var phi_3159_: f32;
-    var phi_3164_: f32;
-    var phi_3181_: f32;
-    var phi_3188_: f32;
-    var phi_3193_: f32;
-    var phi_3200_: f32;
-    var phi_3205_: f32;
-    var phi_3219_: f32;
-    var phi_3226_: f32;
-    var phi_3231_: f32;
-    var phi_3238_: f32;
-    var phi_3243_: f32;
-    var phi_3248_: f32;
-    var phi_3265_: f32;
-    var phi_3272_: f32;
-    var phi_3277_: f32;
-    var phi_3284_: f32;
-    var phi_3289_: f32;
-    var phi_3303_: f32;
-    var phi_3310_: f32;
-    var phi_3315_: f32;
-    var phi_3322_: f32;
-    var phi_3327_: f32;
-    var phi_3332_: f32;
-    var phi_3363_: f32;
-    var phi_3369_: f32;
-    var phi_3376_: f32;
-    var phi_3383_: f32;
-    var phi_3389_: f32;
-    var phi_3396_: f32;
-    var phi_3402_: f32;
-    var phi_3408_: f32;
-    var phi_3414_: f32;
-    var phi_3421_: f32;
-    var phi_3428_: f32;
-    var phi_3452_: f32;
-    var phi_3457_: f32;
-    var phi_3462_: f32;
-    var phi_3467_: f32;
-    var phi_3472_: f32;
-    var phi_3477_: f32;
-    var phi_3487_: f32;
-    var phi_3690_: f32;
-    var phi_3697_: f32;
-    var phi_3702_: f32;
-    var phi_3709_: f32;
-    var phi_3714_: f32;
-    var phi_3727_: f32;
-    var phi_3734_: f32;
-    var phi_3739_: f32;
-    var phi_3746_: f32;
-    var phi_3751_: f32;
-    var phi_3756_: f32;
-    var phi_3773_: f32;
-    var phi_3780_: f32;
-    var phi_3785_: f32;
-    var phi_3792_: f32;
-    var phi_3797_: f32;
-    var phi_3811_: f32;
-    var phi_3818_: f32;
-    var phi_3823_: f32;
-    var phi_3830_: f32;
-    var phi_3835_: f32;
-    var phi_3840_: f32;
-    var phi_3857_: f32;
+    var phi_1848_: bool;
+    var phi_1941_: bool;
+    var phi_1942_: bool;
+    var phi_2037_: bool;
+    var phi_2038_: bool;
+    var phi_2131_: bool;
+    var phi_2132_: bool;
+    var phi_2136_: bool;
+    var phi_2137_: bool;
+    var phi_2138_: bool;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
+    var phi_2144_: bool;
+    var phi_2145_: bool;
+    var phi_2146_: bool;
+    var phi_2150_: bool;
+    var phi_2169_: type_13;
+    var phi_2212_: u32;
+    var phi_2213_: bool;
+    var phi_960_: u32;
+    var phi_2214_: bool;
+    var phi_2221_: u32;
+    var phi_2224_: type_13;
+    var phi_2225_: type_13;
+    var phi_2248_: type_13;
+    var phi_2376_: bool;
+    var phi_2382_: bool;
+    var phi_2388_: bool;
+    var phi_2389_: bool;
+    var phi_2433_: bool;
+    var phi_2434_: bool;
+    var phi_2441_: bool;
+    var phi_2557_: bool;
+    var phi_2558_: bool;
+    var phi_2595_: u32;
+    var phi_2596_: u32;
+    var phi_2601_: type_16;
+    var phi_2604_: u32;
+    var phi_2606_: u32;
+    var phi_2627_: bool;
+    var phi_2633_: type_17;
+    var phi_2602_: type_16;
+    var phi_2647_: type_17;
+    var phi_2715_: bool;
+    var phi_2716_: bool;
+    var phi_2717_: bool;
+    var phi_2718_: bool;
+    var phi_2722_: bool;
+    var phi_2723_: bool;
+    var phi_2728_: u32;
+    var phi_2729_: u32;
+    var phi_2730_: u32;
+    var phi_2731_: u32;
+    var phi_2732_: bool;
+    var phi_2605_: u32;
+    var phi_2607_: u32;
+    var phi_2733_: bool;
+    var local_5: u32;
+    var local_6: u32;
+    var phi_2781_: bool;
+    var phi_2782_: bool;
+    var phi_2783_: bool;
+    var phi_2784_: bool;
+    var phi_2788_: bool;
+    var phi_2789_: bool;
+    var phi_2793_: bool;
+    var phi_2797_: bool;
+    var phi_2798_: bool;
+    var phi_2802_: bool;
+    var phi_2803_: bool;
+    var phi_2807_: bool;
+    var phi_2808_: bool;
+    var phi_2932_: bool;
+    var phi_2933_: bool;
+    var phi_3026_: bool;
+    var phi_3027_: bool;
+    var phi_3121_: bool;
+    var phi_3122_: bool;
+    var phi_3215_: bool;
+    var phi_3216_: bool;
+    var phi_3311_: bool;
+    var phi_3312_: bool;
+    var phi_3405_: bool;
+    var phi_3406_: bool;
+    var phi_3410_: bool;
+    var phi_3411_: bool;
+    var phi_3412_: bool;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3418_: bool;
+    var phi_3419_: bool;
+    var phi_3420_: bool;
+    var phi_3424_: bool;
+    var phi_3437_: type_26;
+    var phi_3438_: type_26;
+    var phi_3827_: f32;
+    var phi_3834_: f32;
+    var phi_3839_: f32;
+    var phi_3846_: f32;
+    var phi_3851_: f32;
     var phi_3864_: f32;
-    var phi_3869_: f32;
+    var phi_3871_: f32;
     var phi_3876_: f32;
-    var phi_3881_: f32;
-    var phi_3895_: f32;
-    var phi_3902_: f32;
-    var phi_3907_: f32;
-    var phi_3914_: f32;
-    var phi_3919_: f32;
-    var phi_3924_: f32;
-    var phi_4003_: f32;
-    var phi_4008_: f32;
+    var phi_3883_: f32;
+    var phi_3888_: f32;
+    var phi_3893_: f32;
+    var phi_3910_: f32;
+    var phi_3917_: f32;
+    var phi_3922_: f32;
+    var phi_3929_: f32;
+    var phi_3934_: f32;
+    var phi_3948_: f32;
+    var phi_3955_: f32;
+    var phi_3960_: f32;
+    var phi_3967_: f32;
+    var phi_3972_: f32;
+    var phi_3977_: f32;
+    var phi_3994_: f32;
+    var phi_4001_: f32;
+    var phi_4006_: f32;
     var phi_4013_: f32;
     var phi_4018_: f32;
-    var phi_4023_: f32;
-    var phi_4028_: f32;
-    var phi_4033_: f32;
-    var phi_4038_: f32;
-    var phi_4043_: f32;
-    var phi_4048_: f32;
-    var phi_4053_: f32;
-    var phi_4058_: f32;
-    var phi_4063_: f32;
-    var phi_4068_: f32;
-    var phi_4074_: f32;
-    var phi_4080_: f32;
-    var phi_4087_: f32;
+    var phi_4032_: f32;
+    var phi_4039_: f32;
+    var phi_4044_: f32;
+    var phi_4051_: f32;
+    var phi_4056_: f32;
+    var phi_4061_: f32;
+    var phi_4092_: f32;
     var phi_4098_: f32;
-    var phi_4169_: f32;
-    var phi_4174_: f32;
-    var phi_4179_: f32;
-    var phi_4184_: f32;
-    var phi_4189_: f32;
-    var phi_4194_: f32;
-    var phi_4199_: f32;
-    var phi_4204_: f32;
-    var phi_4209_: f32;
-    var phi_4214_: f32;
-    var phi_4219_: f32;
-    var phi_4224_: f32;
-    var phi_4229_: f32;
-    var phi_4234_: f32;
-    var phi_4240_: f32;
-    var phi_4246_: f32;
-    var phi_4253_: f32;
-    var phi_4264_: f32;
-    var phi_4274_: f32;
-    var phi_4456_: bool;
+    var phi_4105_: f32;
+    var phi_4112_: f32;
+    var phi_4118_: f32;
+    var phi_4125_: f32;
+    var phi_4131_: f32;
+    var phi_4137_: f32;
+    var phi_4143_: f32;
+    var phi_4150_: f32;
+    var phi_4157_: f32;
+    var phi_4181_: f32;
+    var phi_4186_: f32;
+    var phi_4191_: f32;
+    var phi_4196_: f32;
+    var phi_4201_: f32;
+    var phi_4206_: f32;
+    var phi_4216_: f32;
+    var phi_4419_: f32;
+    var phi_4426_: f32;
+    var phi_4431_: f32;
+    var phi_4438_: f32;
+    var phi_4443_: f32;
+    var phi_4456_: f32;
+    var phi_4463_: f32;
+    var phi_4468_: f32;
+    var phi_4475_: f32;
+    var phi_4480_: f32;
+    var phi_4485_: f32;
+    var phi_4502_: f32;
+    var phi_4509_: f32;
+    var phi_4514_: f32;
+    var phi_4521_: f32;
+    var phi_4526_: f32;
+    var phi_4540_: f32;
+    var phi_4547_: f32;
+    var phi_4552_: f32;
+    var phi_4559_: f32;
+    var phi_4564_: f32;
+    var phi_4569_: f32;
+    var phi_4586_: f32;
+    var phi_4593_: f32;
+    var phi_4598_: f32;
+    var phi_4605_: f32;
+    var phi_4610_: f32;
+    var phi_4624_: f32;
+    var phi_4631_: f32;
+    var phi_4636_: f32;
+    var phi_4643_: f32;
+    var phi_4648_: f32;
+    var phi_4653_: f32;
+    var phi_4732_: f32;
+    var phi_4737_: f32;
+    var phi_4742_: f32;
+    var phi_4747_: f32;
+    var phi_4752_: f32;
+    var phi_4757_: f32;
+    var phi_4762_: f32;
+    var phi_4767_: f32;
+    var phi_4772_: f32;
+    var phi_4777_: f32;
+    var phi_4782_: f32;
+    var phi_4787_: f32;
+    var phi_4792_: f32;
+    var phi_4797_: f32;
+    var phi_4803_: f32;
+    var phi_4809_: f32;
+    var phi_4816_: f32;
+    var phi_4827_: f32;
+    var phi_4898_: f32;
+    var phi_4903_: f32;
     var phi_4908_: f32;
-    var phi_4915_: f32;
-    var phi_4920_: f32;
-    var phi_4927_: f32;
-    var phi_4932_: f32;
-    var phi_4945_: f32;
-    var phi_4952_: f32;
-    var phi_4957_: f32;
-    var phi_4964_: f32;
+    var phi_4913_: f32;
+    var phi_4918_: f32;
+    var phi_4923_: f32;
+    var phi_4928_: f32;
+    var phi_4933_: f32;
+    var phi_4938_: f32;
+    var phi_4943_: f32;
+    var phi_4948_: f32;
+    var phi_4953_: f32;
+    var phi_4958_: f32;
+    var phi_4963_: f32;
     var phi_4969_: f32;
-    var phi_4974_: f32;
-    var phi_4991_: f32;
-    var phi_4998_: f32;
+    var phi_4975_: f32;
+    var phi_4982_: f32;
+    var phi_4993_: f32;
     var phi_5003_: f32;
-    var phi_5010_: f32;
-    var phi_5015_: f32;
-    var phi_5029_: f32;
-    var phi_5036_: f32;
-    var phi_5041_: f32;
-    var phi_5048_: f32;
-    var phi_5053_: f32;
-    var phi_5058_: f32;
-    var phi_5075_: f32;
-    var phi_5082_: f32;
-    var phi_5087_: f32;
-    var phi_5094_: f32;
-    var phi_5099_: f32;
-    var phi_5113_: f32;
-    var phi_5120_: f32;
-    var phi_5125_: f32;
-    var phi_5132_: f32;
-    var phi_5137_: f32;
-    var phi_5142_: f32;
-    var phi_5173_: f32;
-    var phi_5179_: f32;
-    var phi_5186_: f32;
-    var phi_5193_: f32;
-    var phi_5199_: f32;
-    var phi_5206_: f32;
-    var phi_5212_: f32;
-    var phi_5218_: f32;
-    var phi_5224_: f32;
-    var phi_5231_: f32;
-    var phi_5238_: f32;
-    var phi_5262_: f32;
-    var phi_5267_: f32;
-    var phi_5272_: f32;
-    var phi_5277_: f32;
-    var phi_5282_: f32;
-    var phi_5287_: f32;
-    var phi_5297_: f32;
-    var phi_5500_: f32;
-    var phi_5507_: f32;
-    var phi_5512_: f32;
-    var phi_5519_: f32;
-    var phi_5524_: f32;
-    var phi_5537_: f32;
-    var phi_5544_: f32;
-    var phi_5549_: f32;
-    var phi_5556_: f32;
-    var phi_5561_: f32;
-    var phi_5566_: f32;
-    var phi_5583_: f32;
-    var phi_5590_: f32;
-    var phi_5595_: f32;
-    var phi_5602_: f32;
-    var phi_5607_: f32;
-    var phi_5621_: f32;
-    var phi_5628_: f32;
-    var phi_5633_: f32;
-    var phi_5640_: f32;
-    var phi_5645_: f32;
-    var phi_5650_: f32;
-    var phi_5667_: f32;
+    var phi_5185_: bool;
+    var phi_5637_: f32;
+    var phi_5644_: f32;
+    var phi_5649_: f32;
+    var phi_5656_: f32;
+    var phi_5661_: f32;
     var phi_5674_: f32;
-    var phi_5679_: f32;
+    var phi_5681_: f32;
     var phi_5686_: f32;
-    var phi_5691_: f32;
-    var phi_5705_: f32;
-    var phi_5712_: f32;
-    var phi_5717_: f32;
-    var phi_5724_: f32;
-    var phi_5729_: f32;
-    var phi_5734_: f32;
-    var phi_5813_: f32;
-    var phi_5818_: f32;
+    var phi_5693_: f32;
+    var phi_5698_: f32;
+    var phi_5703_: f32;
+    var phi_5720_: f32;
+    var phi_5727_: f32;
+    var phi_5732_: f32;
+    var phi_5739_: f32;
+    var phi_5744_: f32;
+    var phi_5758_: f32;
+    var phi_5765_: f32;
+    var phi_5770_: f32;
+    var phi_5777_: f32;
+    var phi_5782_: f32;
+    var phi_5787_: f32;
+    var phi_5804_: f32;
+    var phi_5811_: f32;
+    var phi_5816_: f32;
     var phi_5823_: f32;
     var phi_5828_: f32;
-    var phi_5833_: f32;
-    var phi_5838_: f32;
-    var phi_5843_: f32;
-    var phi_5848_: f32;
-    var phi_5853_: f32;
-    var phi_5858_: f32;
-    var phi_5863_: f32;
-    var phi_5868_: f32;
-    var phi_5873_: f32;
-    var phi_5878_: f32;
-    var phi_5884_: f32;
-    var phi_5890_: f32;
-    var phi_5897_: f32;
+    var phi_5842_: f32;
+    var phi_5849_: f32;
+    var phi_5854_: f32;
+    var phi_5861_: f32;
+    var phi_5866_: f32;
+    var phi_5871_: f32;
+    var phi_5902_: f32;
     var phi_5908_: f32;
-    var phi_5979_: f32;
-    var phi_5984_: f32;
-    var phi_5989_: f32;
-    var phi_5994_: f32;
-    var phi_5999_: f32;
-    var phi_6004_: f32;
-    var phi_6009_: f32;
-    var phi_6014_: f32;
-    var phi_6019_: f32;
-    var phi_6024_: f32;
-    var phi_6029_: f32;
-    var phi_6034_: f32;
-    var phi_6039_: f32;
-    var phi_6044_: f32;
-    var phi_6050_: f32;
-    var phi_6056_: f32;
-    var phi_6063_: f32;
-    var phi_6074_: f32;
-    var phi_6084_: f32;
-    var phi_6266_: bool;
-    var phi_6511_: f32;
-    var phi_6518_: f32;
-    var phi_6523_: f32;
-    var phi_6530_: f32;
-    var phi_6535_: f32;
-    var phi_6548_: f32;
-    var phi_6555_: f32;
-    var phi_6560_: f32;
+    var phi_5915_: f32;
+    var phi_5922_: f32;
+    var phi_5928_: f32;
+    var phi_5935_: f32;
+    var phi_5941_: f32;
+    var phi_5947_: f32;
+    var phi_5953_: f32;
+    var phi_5960_: f32;
+    var phi_5967_: f32;
+    var phi_5991_: f32;
+    var phi_5996_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6011_: f32;
+    var phi_6016_: f32;
+    var phi_6026_: f32;
+    var phi_6229_: f32;
+    var phi_6236_: f32;
+    var phi_6241_: f32;
+    var phi_6248_: f32;
+    var phi_6253_: f32;
+    var phi_6266_: f32;
+    var phi_6273_: f32;
+    var phi_6278_: f32;
+    var phi_6285_: f32;
+    var phi_6290_: f32;
+    var phi_6295_: f32;
+    var phi_6312_: f32;
+    var phi_6319_: f32;
+    var phi_6324_: f32;
+    var phi_6331_: f32;
+    var phi_6336_: f32;
+    var phi_6350_: f32;
+    var phi_6357_: f32;
+    var phi_6362_: f32;
+    var phi_6369_: f32;
+    var phi_6374_: f32;
+    var phi_6379_: f32;
+    var phi_6396_: f32;
+    var phi_6403_: f32;
+    var phi_6408_: f32;
+    var phi_6415_: f32;
+    var phi_6420_: f32;
+    var phi_6434_: f32;
+    var phi_6441_: f32;
+    var phi_6446_: f32;
+    var phi_6453_: f32;
+    var phi_6458_: f32;
+    var phi_6463_: f32;
+    var phi_6542_: f32;
+    var phi_6547_: f32;
+    var phi_6552_: f32;
+    var phi_6557_: f32;
+    var phi_6562_: f32;
     var phi_6567_: f32;
     var phi_6572_: f32;
     var phi_6577_: f32;
-    var phi_6594_: f32;
-    var phi_6601_: f32;
-    var phi_6606_: f32;
+    var phi_6582_: f32;
+    var phi_6587_: f32;
+    var phi_6592_: f32;
+    var phi_6597_: f32;
+    var phi_6602_: f32;
+    var phi_6607_: f32;
     var phi_6613_: f32;
-    var phi_6618_: f32;
-    var phi_6632_: f32;
-    var phi_6639_: f32;
-    var phi_6644_: f32;
-    var phi_6651_: f32;
-    var phi_6656_: f32;
-    var phi_6661_: f32;
-    var phi_6678_: f32;
-    var phi_6685_: f32;
-    var phi_6690_: f32;
-    var phi_6697_: f32;
-    var phi_6702_: f32;
-    var phi_6716_: f32;
+    var phi_6619_: f32;
+    var phi_6626_: f32;
+    var phi_6637_: f32;
+    var phi_6708_: f32;
+    var phi_6713_: f32;
+    var phi_6718_: f32;
     var phi_6723_: f32;
     var phi_6728_: f32;
-    var phi_6735_: f32;
-    var phi_6740_: f32;
-    var phi_6745_: f32;
-    var phi_6776_: f32;
-    var phi_6782_: f32;
-    var phi_6789_: f32;
-    var phi_6796_: f32;
-    var phi_6802_: f32;
-    var phi_6809_: f32;
-    var phi_6815_: f32;
-    var phi_6821_: f32;
-    var phi_6827_: f32;
-    var phi_6834_: f32;
-    var phi_6841_: f32;
-    var phi_6865_: f32;
-    var phi_6870_: f32;
-    var phi_6875_: f32;
-    var phi_6880_: f32;
-    var phi_6885_: f32;
-    var phi_6890_: f32;
-    var phi_6900_: f32;
-    var phi_7103_: f32;
-    var phi_7110_: f32;
-    var phi_7115_: f32;
-    var phi_7122_: f32;
-    var phi_7127_: f32;
-    var phi_7140_: f32;
-    var phi_7147_: f32;
-    var phi_7152_: f32;
-    var phi_7159_: f32;
-    var phi_7164_: f32;
-    var phi_7169_: f32;
-    var phi_7186_: f32;
-    var phi_7193_: f32;
-    var phi_7198_: f32;
-    var phi_7205_: f32;
-    var phi_7210_: f32;
-    var phi_7224_: f32;
-    var phi_7231_: f32;
-    var phi_7236_: f32;
-    var phi_7243_: f32;
-    var phi_7248_: f32;
-    var phi_7253_: f32;
-    var phi_7270_: f32;
+    var phi_6733_: f32;
+    var phi_6738_: f32;
+    var phi_6743_: f32;
+    var phi_6748_: f32;
+    var phi_6753_: f32;
+    var phi_6758_: f32;
+    var phi_6763_: f32;
+    var phi_6768_: f32;
+    var phi_6773_: f32;
+    var phi_6779_: f32;
+    var phi_6785_: f32;
+    var phi_6792_: f32;
+    var phi_6803_: f32;
+    var phi_6813_: f32;
+    var phi_6995_: bool;
+    var phi_7240_: f32;
+    var phi_7247_: f32;
+    var phi_7252_: f32;
+    var phi_7259_: f32;
+    var phi_7264_: f32;
     var phi_7277_: f32;
-    var phi_7282_: f32;
+    var phi_7284_: f32;
     var phi_7289_: f32;
-    var phi_7294_: f32;
-    var phi_7308_: f32;
-    var phi_7315_: f32;
-    var phi_7320_: f32;
-    var phi_7327_: f32;
-    var phi_7332_: f32;
-    var phi_7337_: f32;
-    var phi_7416_: f32;
-    var phi_7421_: f32;
+    var phi_7296_: f32;
+    var phi_7301_: f32;
+    var phi_7306_: f32;
+    var phi_7323_: f32;
+    var phi_7330_: f32;
+    var phi_7335_: f32;
+    var phi_7342_: f32;
+    var phi_7347_: f32;
+    var phi_7361_: f32;
+    var phi_7368_: f32;
+    var phi_7373_: f32;
+    var phi_7380_: f32;
+    var phi_7385_: f32;
+    var phi_7390_: f32;
+    var phi_7407_: f32;
+    var phi_7414_: f32;
+    var phi_7419_: f32;
     var phi_7426_: f32;
     var phi_7431_: f32;
-    var phi_7436_: f32;
-    var phi_7441_: f32;
-    var phi_7446_: f32;
-    var phi_7451_: f32;
-    var phi_7456_: f32;
-    var phi_7461_: f32;
-    var phi_7466_: f32;
-    var phi_7471_: f32;
-    var phi_7476_: f32;
-    var phi_7481_: f32;
-    var phi_7487_: f32;
-    var phi_7493_: f32;
-    var phi_7500_: f32;
+    var phi_7445_: f32;
+    var phi_7452_: f32;
+    var phi_7457_: f32;
+    var phi_7464_: f32;
+    var phi_7469_: f32;
+    var phi_7474_: f32;
+    var phi_7505_: f32;
     var phi_7511_: f32;
-    var phi_7582_: f32;
-    var phi_7587_: f32;
-    var phi_7592_: f32;
-    var phi_7597_: f32;
-    var phi_7602_: f32;
-    var phi_7607_: f32;
-    var phi_7612_: f32;
-    var phi_7617_: f32;
-    var phi_7622_: f32;
-    var phi_7627_: f32;
-    var phi_7632_: f32;
-    var phi_7637_: f32;
-    var phi_7642_: f32;
-    var phi_7647_: f32;
-    var phi_7653_: f32;
-    var phi_7659_: f32;
-    var phi_7666_: f32;
-    var phi_7677_: f32;
-    var phi_7687_: f32;
-    var phi_7869_: bool;
-    var phi_7871_: bool;
-    var phi_7873_: bool;
-    var phi_7884_: bool;
-    var phi_7885_: bool;
-    var phi_7935_: type_13;
-    var phi_7936_: type_13;
-    var phi_7959_: type_13;
-    var phi_7982_: u32;
-    var phi_8037_: type_13;
-    var phi_8056_: bool;
-    var phi_8057_: bool;
-    var local_3: u32;
+    var phi_7518_: f32;
+    var phi_7525_: f32;
+    var phi_7531_: f32;
+    var phi_7538_: f32;
+    var phi_7544_: f32;
+    var phi_7550_: f32;
+    var phi_7556_: f32;
+    var phi_7563_: f32;
+    var phi_7570_: f32;
+    var phi_7594_: f32;
+    var phi_7599_: f32;
+    var phi_7604_: f32;
+    var phi_7609_: f32;
+    var phi_7614_: f32;
+    var phi_7619_: f32;
+    var phi_7629_: f32;
+    var phi_7832_: f32;
+    var phi_7839_: f32;
+    var phi_7844_: f32;
+    var phi_7851_: f32;
+    var phi_7856_: f32;
+    var phi_7869_: f32;
+    var phi_7876_: f32;
+    var phi_7881_: f32;
+    var phi_7888_: f32;
+    var phi_7893_: f32;
+    var phi_7898_: f32;
+    var phi_7915_: f32;
+    var phi_7922_: f32;
+    var phi_7927_: f32;
+    var phi_7934_: f32;
+    var phi_7939_: f32;
+    var phi_7953_: f32;
+    var phi_7960_: f32;
+    var phi_7965_: f32;
+    var phi_7972_: f32;
+    var phi_7977_: f32;
+    var phi_7982_: f32;
+    var phi_7999_: f32;
+    var phi_8006_: f32;
+    var phi_8011_: f32;
+    var phi_8018_: f32;
+    var phi_8023_: f32;
+    var phi_8037_: f32;
+    var phi_8044_: f32;
+    var phi_8049_: f32;
+    var phi_8056_: f32;
+    var phi_8061_: f32;
+    var phi_8066_: f32;
+    var phi_8145_: f32;
+    var phi_8150_: f32;
+    var phi_8155_: f32;
+    var phi_8160_: f32;
+    var phi_8165_: f32;
+    var phi_8170_: f32;
+    var phi_8175_: f32;
+    var phi_8180_: f32;
+    var phi_8185_: f32;
+    var phi_8190_: f32;
+    var phi_8195_: f32;
+    var phi_8200_: f32;
+    var phi_8205_: f32;
+    var phi_8210_: f32;
+    var phi_8216_: f32;
+    var phi_8222_: f32;
+    var phi_8229_: f32;
+    var phi_8240_: f32;
+    var phi_8311_: f32;
+    var phi_8316_: f32;
+    var phi_8321_: f32;
+    var phi_8326_: f32;
+    var phi_8331_: f32;
+    var phi_8336_: f32;
+    var phi_8341_: f32;
+    var phi_8346_: f32;
+    var phi_8351_: f32;
+    var phi_8356_: f32;
+    var phi_8361_: f32;
+    var phi_8366_: f32;
+    var phi_8371_: f32;
+    var phi_8376_: f32;
+    var phi_8382_: f32;
+    var phi_8388_: f32;
+    var phi_8395_: f32;
+    var phi_8406_: f32;
+    var phi_8416_: f32;
+    var phi_8598_: bool;
+    var phi_8600_: bool;
+    var phi_8602_: bool;
+    var phi_8613_: bool;
+    var phi_8614_: bool;
+    var phi_8664_: type_13;
+    var phi_8665_: type_13;
+    var phi_8688_: type_13;
+    var phi_8711_: u32;
+    var phi_8766_: type_13;
+    var phi_8785_: bool;
+    var phi_8786_: bool;
+    var local_7: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -763,3557 +859,4007 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e65 = id_2;
-    let _e66 = n_2;
-    let _e67 = lane_2;
-    let _e80 = ((_e65.y * _e66.x) + _e65.x);
-    let _e83 = (_e66.x * _e66.y);
-    let _e86 = params.member.member_1.member_2;
-    let _e88 = input.member[0u];
-    if (_e86 < _e88) {
-        phi_346_ = _e86;
+    let _e69 = id_2;
+    let _e70 = n_2;
+    let _e71 = lane_2;
+    let _e84 = ((_e69.y * _e70.x) + _e69.x);
+    let _e87 = (_e70.x * _e70.y);
+    let _e90 = params.member.member_1.member_2;
+    let _e92 = input.member[0u];
+    if (_e90 < _e92) {
+        phi_351_ = _e90;
     } else {
-        phi_346_ = _e88;
+        phi_351_ = _e92;
     }
-    let _e91 = phi_346_;
-    let _e92 = (_e67 / 32u);
-    let _e93 = (_e67 % 32u);
-    let _e96 = params.member.member_1.member_1;
-    if (_e91 > _e96) {
-        let _e100 = params.member.member_1.member_1;
-        let _e101 = (_e91 - _e100);
-        let _e104 = params.member.member_2.member_3;
-        if (_e104 == 0u) {
+    let _e95 = phi_351_;
+    let _e96 = (_e71 / 32u);
+    let _e97 = (_e71 % 32u);
+    let _e100 = params.member.member_1.member_1;
+    if (_e95 > _e100) {
+        let _e104 = params.member.member_1.member_1;
+        let _e105 = (_e95 - _e104);
+        let _e108 = params.member.member_2.member_3;
+        if (_e108 == 0u) {
             return;
         }
-        let _e106 = (_e101 / _e104);
-        if (_e104 == 0u) {
+        let _e110 = (_e105 / _e108);
+        if (_e108 == 0u) {
             return;
         }
-        if ((_e101 % _e104) > 0u) {
-            phi_387_ = (_e106 + 1u);
+        if ((_e105 % _e108) > 0u) {
+            phi_392_ = (_e110 + 1u);
         } else {
-            phi_387_ = _e106;
+            phi_392_ = _e110;
         }
-        let _e112 = phi_387_;
-        phi_388_ = _e112;
+        let _e116 = phi_392_;
+        phi_393_ = _e116;
     } else {
-        phi_388_ = 0u;
+        phi_393_ = 0u;
     }
-    let _e114 = phi_388_;
-    let _e117 = params.member.member_2.member_4;
-    if (_e117 < _e114) {
-        phi_396_ = _e117;
+    let _e118 = phi_393_;
+    let _e121 = params.member.member_2.member_4;
+    if (_e121 < _e118) {
+        phi_401_ = _e121;
     } else {
-        phi_396_ = _e114;
+        phi_401_ = _e118;
     }
-    let _e120 = phi_396_;
-    let _e121 = (_e120 / 4u);
-    if ((_e120 % 4u) > 0u) {
-        phi_412_ = (_e121 + 1u);
+    let _e124 = phi_401_;
+    let _e125 = (_e124 / 4u);
+    if ((_e124 % 4u) > 0u) {
+        phi_417_ = (_e125 + 1u);
     } else {
-        phi_412_ = _e121;
+        phi_417_ = _e125;
     }
-    let _e126 = phi_412_;
-    if (_e126 > _e80) {
-        let _e128 = (_e126 - _e80);
-        if (_e83 == 0u) {
+    let _e130 = phi_417_;
+    if (_e130 > _e84) {
+        let _e132 = (_e130 - _e84);
+        if (_e87 == 0u) {
             return;
         }
-        let _e130 = (_e128 / _e83);
-        if (_e83 == 0u) {
+        let _e134 = (_e132 / _e87);
+        if (_e87 == 0u) {
             return;
         }
-        if ((_e128 % _e83) > 0u) {
-            phi_433_ = (_e130 + 1u);
+        if ((_e132 % _e87) > 0u) {
+            phi_438_ = (_e134 + 1u);
         } else {
-            phi_433_ = _e130;
+            phi_438_ = _e134;
         }
-        let _e136 = phi_433_;
-        phi_434_ = _e136;
+        let _e140 = phi_438_;
+        phi_439_ = _e140;
     } else {
-        phi_434_ = 0u;
+        phi_439_ = 0u;
     }
-    let _e138 = phi_434_;
-    phi_437_ = type_13(0u, _e138);
+    let _e142 = phi_439_;
+    phi_442_ = type_13(0u, _e142);
     loop {
-        let _e141 = phi_437_;
-        if (_e141.member < _e141.member_1) {
-            phi_438_ = type_13((_e141.member + 1u), _e141.member_1);
-            phi_461_ = type_13(1u, _e141.member);
+        let _e145 = phi_442_;
+        if (_e145.member < _e145.member_1) {
+            phi_443_ = type_13((_e145.member + 1u), _e145.member_1);
+            phi_466_ = type_13(1u, _e145.member);
         } else {
-            phi_438_ = _e141;
-            phi_461_ = type_13(0u, type_13().member_1);
+            phi_443_ = _e145;
+            phi_466_ = type_13(0u, type_13().member_1);
         }
-        let _e153 = phi_438_;
-        let _e155 = phi_461_;
-        let _e159 = (bitcast<i32>(_e155.member) != 0i);
-        if _e159 {
-            let _e163 = (((_e80 + (_e155.member_1 * _e83)) * 4u) + _e92);
-            let _e166 = params.member.member_1.member_1;
-            if (_e91 > _e166) {
-                let _e170 = params.member.member_1.member_1;
-                let _e171 = (_e91 - _e170);
-                let _e174 = params.member.member_2.member_3;
-                if (_e174 == 0u) {
+        let _e157 = phi_443_;
+        let _e159 = phi_466_;
+        let _e163 = (bitcast<i32>(_e159.member) != 0i);
+        if _e163 {
+            let _e167 = (((_e84 + (_e159.member_1 * _e87)) * 4u) + _e96);
+            let _e170 = params.member.member_1.member_1;
+            if (_e95 > _e170) {
+                let _e174 = params.member.member_1.member_1;
+                let _e175 = (_e95 - _e174);
+                let _e178 = params.member.member_2.member_3;
+                if (_e178 == 0u) {
                     return;
                 }
-                let _e176 = (_e171 / _e174);
-                if (_e174 == 0u) {
+                let _e180 = (_e175 / _e178);
+                if (_e178 == 0u) {
                     return;
                 }
-                if ((_e171 % _e174) > 0u) {
-                    phi_502_ = (_e176 + 1u);
+                if ((_e175 % _e178) > 0u) {
+                    phi_507_ = (_e180 + 1u);
                 } else {
-                    phi_502_ = _e176;
+                    phi_507_ = _e180;
                 }
-                let _e182 = phi_502_;
-                phi_503_ = _e182;
+                let _e186 = phi_507_;
+                phi_508_ = _e186;
             } else {
-                phi_503_ = 0u;
+                phi_508_ = 0u;
             }
-            let _e184 = phi_503_;
-            let _e187 = params.member.member_2.member_4;
-            if (_e187 < _e184) {
-                phi_511_ = _e187;
+            let _e188 = phi_508_;
+            let _e191 = params.member.member_2.member_4;
+            if (_e191 < _e188) {
+                phi_516_ = _e191;
             } else {
-                phi_511_ = _e184;
+                phi_516_ = _e188;
             }
-            let _e190 = phi_511_;
-            let _e191 = (_e163 < _e190);
-            let _e194 = params.member.member_1.member_1;
-            if _e191 {
-                let _e197 = params.member.member_2.member_3;
-                phi_523_ = (_e163 * _e197);
+            let _e194 = phi_516_;
+            let _e195 = (_e167 < _e194);
+            let _e198 = params.member.member_1.member_1;
+            if _e195 {
+                let _e201 = params.member.member_2.member_3;
+                phi_528_ = (_e167 * _e201);
             } else {
-                phi_523_ = 0u;
+                phi_528_ = 0u;
             }
-            let _e200 = phi_523_;
-            let _e202 = (2u * (_e194 + _e200));
-            let _e205 = input.member[(4u + _e202)];
-            let _e208 = input.member[(_e202 + 5u)];
-            if (_e67 < 8u) {
-                atomicStore((&counters[_e67]), 0u);
+            let _e204 = phi_528_;
+            let _e206 = (2u * (_e198 + _e204));
+            let _e209 = input.member[(4u + _e206)];
+            let _e212 = input.member[(_e206 + 5u)];
+            if (_e71 < 8u) {
+                atomicStore((&counters[_e71]), 0u);
             }
             workgroupBarrier();
-            let _e216 = params.member.member_2.member[0u][1u];
-            let _e217 = (_e216 + (_e205 * 32u));
-            let _e223 = params.member.member_2.member[0u][1u];
-            let _e224 = (_e223 + (_e208 * 32u));
-            if (_e93 == 0u) {
-                firsts[(2u * _e92)] = _e217;
-                firsts[((2u * _e92) + 1u)] = _e224;
+            let _e220 = params.member.member_2.member[0u][1u];
+            let _e221 = (_e220 + (_e209 * 32u));
+            let _e227 = params.member.member_2.member[0u][1u];
+            let _e228 = (_e227 + (_e212 * 32u));
+            if (_e97 == 0u) {
+                firsts[(2u * _e96)] = _e221;
+                firsts[((2u * _e96) + 1u)] = _e228;
             }
-            let _e233 = params.member.member_2.member_1;
-            if (_e233 == 0u) {
-                phi_608_ = array<u32, 2>(0u, 2u);
+            let _e237 = params.member.member_2.member_1;
+            if (_e237 == 0u) {
+                phi_613_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_608_ = array<u32, 2>(1u, 1u);
+                phi_613_ = array<u32, 2>(1u, 1u);
             }
-            let _e236 = phi_608_;
-            let _e239 = (_e67 / 32u);
-            let _e240 = (_e67 % 32u);
-            let _e244 = params.member.member_2.member_2;
-            let _e248 = params.member.member_2.member[_e244][_e236[0]];
-            let _e251 = nodes.member[(_e248 + _e205)];
-            let _e267 = params.member.member_2.member_2;
-            let _e271 = params.member.member_2.member[_e267][_e236[1]];
-            let _e274 = nodes.member[(_e271 + _e208)];
-            let _e290 = params.member.member_2.member_2;
-            let _e297 = params.member.member_2.member[(_e290 - 1u)][_e236[0]];
-            let _e300 = nodes.member[(_e297 + ((_e205 * 32u) + _e240))];
-            let _e319 = params.member.member_2.member_2;
-            let _e326 = params.member.member_2.member[(_e319 - 1u)][_e236[1]];
-            let _e329 = nodes.member[(_e326 + ((_e208 * 32u) + _e240))];
-            if _e191 {
-                if ((((((_e329.member.x <= _e251.member_1.y) && (_e251.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e251.member_2.x)) && (_e251.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e251.member_2.y)) && (_e251.member_1.x <= _e329.member_2.y)) {
-                    let _e355 = atomicAdd((&counters[_e239]), 1u);
-                    let _e356 = ((_e239 * 32u) + _e355);
-                    columns[_e356] = type_32(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
-                    names[_e356] = _e240;
+            let _e240 = phi_613_;
+            let _e243 = (_e71 / 32u);
+            let _e244 = (_e71 % 32u);
+            let _e248 = params.member.member_2.member_2;
+            let _e252 = params.member.member_2.member[_e248][_e240[0]];
+            let _e255 = nodes.member[(_e252 + _e209)];
+            let _e271 = params.member.member_2.member_2;
+            let _e275 = params.member.member_2.member[_e271][_e240[1]];
+            let _e278 = nodes.member[(_e275 + _e212)];
+            let _e294 = params.member.member_2.member_2;
+            let _e301 = params.member.member_2.member[(_e294 - 1u)][_e240[0]];
+            let _e304 = nodes.member[(_e301 + ((_e209 * 32u) + _e244))];
+            let _e323 = params.member.member_2.member_2;
+            let _e330 = params.member.member_2.member[(_e323 - 1u)][_e240[1]];
+            let _e333 = nodes.member[(_e330 + ((_e212 * 32u) + _e244))];
+            if _e195 {
+                if ((((((_e333.member.x <= _e255.member_1.y) && (_e255.member.x <= _e333.member_1.y)) && (_e333.member.y <= _e255.member_2.x)) && (_e255.member.y <= _e333.member_2.x)) && (_e333.member_1.x <= _e255.member_2.y)) && (_e255.member_1.x <= _e333.member_2.y)) {
+                    let _e359 = atomicAdd((&counters[_e243]), 1u);
+                    let _e360 = ((_e243 * 32u) + _e359);
+                    columns[_e360] = type_34(array<f32, 3>(_e333.member.x, _e333.member.y, _e333.member_1.x), array<f32, 3>(_e333.member_1.y, _e333.member_2.x, _e333.member_2.y));
+                    names[_e360] = _e244;
                 }
             }
             workgroupBarrier();
-            if _e191 {
-                if ((((((_e300.member.x <= _e274.member_1.y) && (_e274.member.x <= _e300.member_1.y)) && (_e300.member.y <= _e274.member_2.x)) && (_e274.member.y <= _e300.member_2.x)) && (_e300.member_1.x <= _e274.member_2.y)) && (_e274.member_1.x <= _e300.member_2.y)) {
-                    phi_812_ = false;
+            if _e195 {
+                if ((((((_e304.member.x <= _e278.member_1.y) && (_e278.member.x <= _e304.member_1.y)) && (_e304.member.y <= _e278.member_2.x)) && (_e278.member.y <= _e304.member_2.x)) && (_e304.member_1.x <= _e278.member_2.y)) && (_e278.member_1.x <= _e304.member_2.y)) {
+                    phi_817_ = false;
                 } else {
-                    phi_812_ = true;
+                    phi_817_ = true;
                 }
-                let _e374 = phi_812_;
-                phi_813_ = _e374;
+                let _e378 = phi_817_;
+                phi_818_ = _e378;
             } else {
-                phi_813_ = true;
+                phi_818_ = true;
             }
-            let _e376 = phi_813_;
-            if _e376 {
-                phi_817_ = type_32(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e380 = phi_818_;
+            if _e380 {
+                phi_822_ = type_34(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_817_ = type_32(array<f32, 3>(_e300.member.x, _e300.member.y, _e300.member_1.x), array<f32, 3>(_e300.member_1.y, _e300.member_2.x, _e300.member_2.y));
+                phi_822_ = type_34(array<f32, 3>(_e304.member.x, _e304.member.y, _e304.member_1.x), array<f32, 3>(_e304.member_1.y, _e304.member_2.x, _e304.member_2.y));
             }
-            let _e378 = phi_817_;
-            let _e380 = (_e67 / 32u);
-            let _e381 = (_e67 % 32u);
-            let _e383 = atomicLoad((&counters[_e380]));
-            phi_830_ = type_13(0u, _e383);
-            phi_833_ = 0u;
+            let _e382 = phi_822_;
+            let _e384 = (_e71 / 32u);
+            let _e385 = (_e71 % 32u);
+            let _e387 = atomicLoad((&counters[_e384]));
+            phi_835_ = type_13(0u, _e387);
+            phi_838_ = 0u;
             loop {
-                let _e386 = phi_830_;
-                let _e388 = phi_833_;
-                local_3 = _e388;
-                if (_e386.member < _e386.member_1) {
-                    phi_831_ = type_13((_e386.member + 1u), _e386.member_1);
-                    phi_856_ = type_13(1u, _e386.member);
+                let _e390 = phi_835_;
+                let _e392 = phi_838_;
+                local_7 = _e392;
+                if (_e390.member < _e390.member_1) {
+                    phi_836_ = type_13((_e390.member + 1u), _e390.member_1);
+                    phi_861_ = type_13(1u, _e390.member);
                 } else {
-                    phi_831_ = _e386;
-                    phi_856_ = type_13(0u, type_13().member_1);
+                    phi_836_ = _e390;
+                    phi_861_ = type_13(0u, type_13().member_1);
                 }
-                let _e400 = phi_831_;
-                let _e402 = phi_856_;
-                let _e406 = (bitcast<i32>(_e402.member) != 0i);
-                if _e406 {
-                    let _e410 = names[((_e380 * 32u) + _e402.member_1)];
-                    let _e414 = columns[((_e380 * 32u) + _e402.member_1)];
-                    if ((((((_e378.member[0] <= _e414.member_1[0]) && (_e414.member[0] <= _e378.member_1[0])) && (_e378.member[1] <= _e414.member_1[1])) && (_e414.member[1] <= _e378.member_1[1])) && (_e378.member[2] <= _e414.member_1[2])) && (_e414.member[2] <= _e378.member_1[2])) {
-                        if (_e205 == _e208) {
-                            let _e446 = (_e381 < _e410);
-                            if _e446 {
-                                phi_922_ = bool();
+                let _e404 = phi_836_;
+                let _e406 = phi_861_;
+                let _e410 = (bitcast<i32>(_e406.member) != 0i);
+                if _e410 {
+                    let _e414 = names[((_e384 * 32u) + _e406.member_1)];
+                    let _e418 = columns[((_e384 * 32u) + _e406.member_1)];
+                    if ((((((_e382.member[0] <= _e418.member_1[0]) && (_e418.member[0] <= _e382.member_1[0])) && (_e382.member[1] <= _e418.member_1[1])) && (_e418.member[1] <= _e382.member_1[1])) && (_e382.member[2] <= _e418.member_1[2])) && (_e418.member[2] <= _e382.member_1[2])) {
+                        if (_e209 == _e212) {
+                            let _e450 = (_e385 < _e414);
+                            if _e450 {
+                                phi_927_ = bool();
                             } else {
-                                phi_922_ = false;
+                                phi_927_ = false;
                             }
-                            let _e448 = phi_922_;
-                            phi_923_ = _e448;
-                            phi_924_ = _e446;
+                            let _e452 = phi_927_;
+                            phi_928_ = _e452;
+                            phi_929_ = _e450;
                         } else {
-                            phi_923_ = bool();
-                            phi_924_ = true;
-                        }
-                        let _e450 = phi_923_;
-                        let _e452 = phi_924_;
-                        if _e452 {
-                            phi_928_ = true;
-                        } else {
-                            phi_928_ = _e450;
+                            phi_928_ = bool();
+                            phi_929_ = true;
                         }
                         let _e454 = phi_928_;
-                        if _e454 {
-                            let _e456 = atomicAdd((&counters[4u]), 1u);
-                            if (_e456 < 2048u) {
-                                hits[_e456] = (((_e380 << bitcast<u32>(10i)) | (_e381 << bitcast<u32>(5i))) | _e410);
-                                phi_946_ = _e388;
-                            } else {
-                                phi_946_ = (_e388 | (1u << bitcast<u32>((_e402.member_1 & 31u))));
-                            }
-                            let _e470 = phi_946_;
-                            phi_947_ = _e470;
+                        let _e456 = phi_929_;
+                        if _e456 {
+                            phi_933_ = true;
                         } else {
-                            phi_947_ = _e388;
+                            phi_933_ = _e454;
                         }
-                        let _e472 = phi_947_;
-                        phi_948_ = _e472;
+                        let _e458 = phi_933_;
+                        if _e458 {
+                            let _e460 = atomicAdd((&counters[4u]), 1u);
+                            if (_e460 < 2048u) {
+                                hits[_e460] = (((_e384 << bitcast<u32>(10i)) | (_e385 << bitcast<u32>(5i))) | _e414);
+                                phi_951_ = _e392;
+                            } else {
+                                phi_951_ = (_e392 | (1u << bitcast<u32>((_e406.member_1 & 31u))));
+                            }
+                            let _e474 = phi_951_;
+                            phi_952_ = _e474;
+                        } else {
+                            phi_952_ = _e392;
+                        }
+                        let _e476 = phi_952_;
+                        phi_953_ = _e476;
                     } else {
-                        phi_948_ = _e388;
+                        phi_953_ = _e392;
                     }
-                    let _e474 = phi_948_;
-                    phi_834_ = _e474;
+                    let _e478 = phi_953_;
+                    phi_839_ = _e478;
                 } else {
-                    phi_834_ = u32();
+                    phi_839_ = u32();
                 }
-                let _e476 = phi_834_;
+                let _e480 = phi_839_;
                 continue;
                 continuing {
-                    phi_830_ = _e400;
-                    phi_833_ = _e476;
-                    break if !(_e406);
+                    phi_835_ = _e404;
+                    phi_838_ = _e480;
+                    break if !(_e410);
                 }
             }
-            phi_951_ = type_13(0u, 32u);
-            let _e4599 = local_3;
-            phi_954_ = _e4599;
+            phi_956_ = type_13(0u, 32u);
+            let _e4995 = local_7;
+            phi_959_ = _e4995;
             loop {
-                let _e479 = phi_951_;
-                let _e481 = phi_954_;
-                if (_e479.member < _e479.member_1) {
-                    phi_952_ = type_13((_e479.member + 1u), _e479.member_1);
-                    phi_977_ = type_13(1u, _e479.member);
+                let _e483 = phi_956_;
+                let _e485 = phi_959_;
+                if (_e483.member < _e483.member_1) {
+                    phi_957_ = type_13((_e483.member + 1u), _e483.member_1);
+                    phi_982_ = type_13(1u, _e483.member);
                 } else {
-                    phi_952_ = _e479;
-                    phi_977_ = type_13(0u, type_13().member_1);
+                    phi_957_ = _e483;
+                    phi_982_ = type_13(0u, type_13().member_1);
                 }
-                let _e493 = phi_952_;
-                let _e495 = phi_977_;
-                if (bitcast<i32>(_e495.member) != 0i) {
-                    if (_e481 == 0u) {
-                        phi_1845_ = u32();
-                        phi_1846_ = false;
+                let _e497 = phi_957_;
+                let _e499 = phi_982_;
+                if (bitcast<i32>(_e499.member) != 0i) {
+                    if (_e485 == 0u) {
+                        phi_2212_ = u32();
+                        phi_2213_ = false;
                     } else {
-                        let _e506 = names[((_e92 * 32u) + select(firstTrailingBit(_e481), 32u, (_e481 == 0u)))];
-                        let _e509 = (_e217 + _e93);
-                        let _e510 = (_e224 + _e506);
-                        let _e512 = leaves.member[_e509];
-                        let _e514 = leaves.member[_e510];
-                        let _e516 = nodes.member[_e509];
-                        let _e530 = nodes.member[_e510];
-                        let _e545 = params.member.member.member_1;
-                        if ((_e545 & 1u) != 0u) {
-                            if (_e514.member[0] == _e512.member[0]) {
-                                phi_1097_ = true;
+                        let _e510 = names[((_e96 * 32u) + select(firstTrailingBit(_e485), 32u, (_e485 == 0u)))];
+                        let _e513 = (_e221 + _e97);
+                        let _e514 = (_e228 + _e510);
+                        let _e516 = leaves.member[_e513];
+                        let _e518 = leaves.member[_e514];
+                        let _e520 = nodes.member[_e513];
+                        let _e534 = nodes.member[_e514];
+                        let _e549 = params.member.member.member_1;
+                        if ((_e549 & 1u) != 0u) {
+                            if (_e518.member[0] == _e516.member[0]) {
+                                phi_1102_ = true;
                             } else {
-                                phi_1097_ = (_e514.member[0] == _e512.member[1]);
+                                phi_1102_ = (_e518.member[0] == _e516.member[1]);
                             }
-                            let _e559 = phi_1097_;
-                            if (_e514.member[1] == _e512.member[0]) {
-                                phi_1103_ = true;
+                            let _e563 = phi_1102_;
+                            if (_e518.member[1] == _e516.member[0]) {
+                                phi_1108_ = true;
                             } else {
-                                phi_1103_ = (_e514.member[1] == _e512.member[1]);
+                                phi_1108_ = (_e518.member[1] == _e516.member[1]);
                             }
-                            let _e563 = phi_1103_;
-                            if (_e559 || _e563) {
-                                phi_1109_ = false;
+                            let _e567 = phi_1108_;
+                            if (_e563 || _e567) {
+                                phi_1114_ = false;
                             } else {
-                                phi_1109_ = true;
+                                phi_1114_ = true;
                             }
-                            let _e566 = phi_1109_;
-                            phi_1110_ = _e566;
+                            let _e570 = phi_1114_;
+                            phi_1115_ = _e570;
                         } else {
-                            phi_1110_ = true;
+                            phi_1115_ = true;
                         }
-                        let _e568 = phi_1110_;
-                        if _e568 {
-                            let _e570 = params.member.member.member_1;
-                            if ((_e570 & 2u) != 0u) {
-                                let _e574 = params.member.member.member_1;
-                                let _e580 = bodies.member[_e512.member[0]];
-                                let _e584 = bodies.member[_e514.member[0]];
-                                if ((_e580 / 2u) != (_e584 / 2u)) {
-                                    phi_1156_ = true;
+                        let _e572 = phi_1115_;
+                        if _e572 {
+                            let _e574 = params.member.member.member_1;
+                            if ((_e574 & 2u) != 0u) {
+                                let _e580 = bodies.member[_e516.member[0]];
+                                let _e584 = bodies.member[_e518.member[0]];
+                                if ((_e580 / 4u) != (_e584 / 4u)) {
+                                    phi_1160_ = true;
                                 } else {
-                                    phi_1156_ = ((_e574 & 4u) != 0u);
-                                }
-                                let _e589 = phi_1156_;
-                                if _e589 {
-                                    phi_1163_ = (((_e580 & _e584) & 1u) == 0u);
-                                } else {
-                                    phi_1163_ = false;
-                                }
-                                let _e594 = phi_1163_;
-                                phi_1167_ = _e594;
-                            } else {
-                                phi_1167_ = true;
-                            }
-                            let _e596 = phi_1167_;
-                            if _e596 {
-                                let _e598 = params.member.member.member_1;
-                                if ((_e598 & 32u) != 0u) {
-                                    let _e602 = params.member.member.member_6;
-                                    let _e619 = (((((_e516.member_1.y - _e530.member.x) > _e602) && ((_e530.member_1.y - _e516.member.x) > _e602)) && (((_e516.member_2.x - _e530.member.y) > _e602) && ((_e530.member_2.x - _e516.member.y) > _e602))) && (((_e516.member_2.y - _e530.member_1.x) > _e602) && ((_e530.member_2.y - _e516.member_1.x) > _e602)));
-                                    if _e619 {
-                                        phi_1769_ = bool();
+                                    if ((_e580 & 2u) == 0u) {
+                                        phi_1159_ = false;
                                     } else {
-                                        let _e623 = keys.member[_e512.member[0]];
-                                        let _e628 = keys.member[_e512.member[1]];
-                                        let _e630 = function_(_e623[0], _e628[0]);
-                                        let _e634 = keys.member[_e512.member[2]];
-                                        let _e636 = function_(_e630, _e634[0]);
-                                        let _e640 = keys.member[_e514.member[0]];
-                                        let _e645 = keys.member[_e514.member[1]];
-                                        let _e647 = function_1(_e640[3], _e645[3]);
-                                        let _e651 = keys.member[_e514.member[2]];
-                                        let _e653 = function_1(_e647, _e651[3]);
-                                        if (_e636[1] > _e653[1]) {
-                                            phi_1292_ = true;
-                                        } else {
-                                            if (_e636[1] == _e653[1]) {
-                                                phi_1291_ = (_e636[0] > _e653[0]);
-                                            } else {
-                                                phi_1291_ = false;
-                                            }
-                                            let _e664 = phi_1291_;
-                                            phi_1292_ = _e664;
-                                        }
-                                        let _e666 = phi_1292_;
-                                        let _e671 = keys.member[_e514.member[0]];
-                                        let _e676 = keys.member[_e514.member[1]];
-                                        let _e678 = function_(_e671[0], _e676[0]);
-                                        let _e682 = keys.member[_e514.member[2]];
-                                        let _e684 = function_(_e678, _e682[0]);
-                                        let _e688 = keys.member[_e512.member[0]];
-                                        let _e693 = keys.member[_e512.member[1]];
-                                        let _e695 = function_1(_e688[3], _e693[3]);
-                                        let _e699 = keys.member[_e512.member[2]];
-                                        let _e701 = function_1(_e695, _e699[3]);
-                                        if (_e684[1] > _e701[1]) {
-                                            phi_1386_ = true;
-                                        } else {
-                                            if (_e684[1] == _e701[1]) {
-                                                phi_1385_ = (_e684[0] > _e701[0]);
-                                            } else {
-                                                phi_1385_ = false;
-                                            }
-                                            let _e712 = phi_1385_;
-                                            phi_1386_ = _e712;
-                                        }
-                                        let _e714 = phi_1386_;
-                                        let _e720 = keys.member[_e512.member[0]];
-                                        let _e725 = keys.member[_e512.member[1]];
-                                        let _e727 = function_2(_e720[1], _e725[1]);
-                                        let _e731 = keys.member[_e512.member[2]];
-                                        let _e733 = function_2(_e727, _e731[1]);
-                                        let _e737 = keys.member[_e514.member[0]];
-                                        let _e742 = keys.member[_e514.member[1]];
-                                        let _e744 = function_3(_e737[4], _e742[4]);
-                                        let _e748 = keys.member[_e514.member[2]];
-                                        let _e750 = function_3(_e744, _e748[4]);
-                                        if (_e733[1] > _e750[1]) {
-                                            phi_1481_ = true;
-                                        } else {
-                                            if (_e733[1] == _e750[1]) {
-                                                phi_1480_ = (_e733[0] > _e750[0]);
-                                            } else {
-                                                phi_1480_ = false;
-                                            }
-                                            let _e761 = phi_1480_;
-                                            phi_1481_ = _e761;
-                                        }
-                                        let _e763 = phi_1481_;
-                                        let _e768 = keys.member[_e514.member[0]];
-                                        let _e773 = keys.member[_e514.member[1]];
-                                        let _e775 = function_2(_e768[1], _e773[1]);
-                                        let _e779 = keys.member[_e514.member[2]];
-                                        let _e781 = function_2(_e775, _e779[1]);
-                                        let _e785 = keys.member[_e512.member[0]];
-                                        let _e790 = keys.member[_e512.member[1]];
-                                        let _e792 = function_3(_e785[4], _e790[4]);
-                                        let _e796 = keys.member[_e512.member[2]];
-                                        let _e798 = function_3(_e792, _e796[4]);
-                                        if (_e781[1] > _e798[1]) {
-                                            phi_1575_ = true;
-                                        } else {
-                                            if (_e781[1] == _e798[1]) {
-                                                phi_1574_ = (_e781[0] > _e798[0]);
-                                            } else {
-                                                phi_1574_ = false;
-                                            }
-                                            let _e809 = phi_1574_;
-                                            phi_1575_ = _e809;
-                                        }
-                                        let _e811 = phi_1575_;
-                                        let _e818 = keys.member[_e512.member[0]];
-                                        let _e823 = keys.member[_e512.member[1]];
-                                        let _e825 = function_4(_e818[2], _e823[2]);
-                                        let _e829 = keys.member[_e512.member[2]];
-                                        let _e831 = function_4(_e825, _e829[2]);
-                                        let _e835 = keys.member[_e514.member[0]];
-                                        let _e840 = keys.member[_e514.member[1]];
-                                        let _e842 = function_5(_e835[5], _e840[5]);
-                                        let _e846 = keys.member[_e514.member[2]];
-                                        let _e848 = function_5(_e842, _e846[5]);
-                                        if (_e831[1] > _e848[1]) {
-                                            phi_1671_ = true;
-                                        } else {
-                                            if (_e831[1] == _e848[1]) {
-                                                phi_1670_ = (_e831[0] > _e848[0]);
-                                            } else {
-                                                phi_1670_ = false;
-                                            }
-                                            let _e859 = phi_1670_;
-                                            phi_1671_ = _e859;
-                                        }
-                                        let _e861 = phi_1671_;
-                                        let _e866 = keys.member[_e514.member[0]];
-                                        let _e871 = keys.member[_e514.member[1]];
-                                        let _e873 = function_4(_e866[2], _e871[2]);
-                                        let _e877 = keys.member[_e514.member[2]];
-                                        let _e879 = function_4(_e873, _e877[2]);
-                                        let _e883 = keys.member[_e512.member[0]];
-                                        let _e888 = keys.member[_e512.member[1]];
-                                        let _e890 = function_5(_e883[5], _e888[5]);
-                                        let _e894 = keys.member[_e512.member[2]];
-                                        let _e896 = function_5(_e890, _e894[5]);
-                                        if (_e879[1] > _e896[1]) {
-                                            phi_1765_ = true;
-                                        } else {
-                                            if (_e879[1] == _e896[1]) {
-                                                phi_1764_ = (_e879[0] > _e896[0]);
-                                            } else {
-                                                phi_1764_ = false;
-                                            }
-                                            let _e907 = phi_1764_;
-                                            phi_1765_ = _e907;
-                                        }
-                                        let _e909 = phi_1765_;
-                                        phi_1769_ = (((!(_e666) && !(_e714)) && (!(_e763) && !(_e811))) && (!(_e861) && !(_e909)));
+                                        phi_1159_ = true;
                                     }
-                                    let _e914 = phi_1769_;
-                                    phi_1770_ = _e914;
-                                    phi_1771_ = _e619;
-                                } else {
-                                    phi_1770_ = bool();
-                                    phi_1771_ = true;
+                                    let _e591 = phi_1159_;
+                                    phi_1160_ = _e591;
                                 }
-                                let _e916 = phi_1770_;
-                                let _e918 = phi_1771_;
-                                if _e918 {
-                                    phi_1775_ = false;
+                                let _e593 = phi_1160_;
+                                if _e593 {
+                                    phi_1167_ = (((_e580 & _e584) & 1u) == 0u);
                                 } else {
-                                    phi_1775_ = true;
+                                    phi_1167_ = false;
                                 }
-                                let _e920 = phi_1775_;
-                                phi_1776_ = _e916;
-                                phi_1777_ = _e920;
+                                let _e598 = phi_1167_;
+                                if _e598 {
+                                    let _e600 = params.member.member.member_1;
+                                    if ((_e600 & 4u) != 0u) {
+                                        let _e605 = params.member.member.member[0u];
+                                        let _e607 = bodies.member[_e605];
+                                        let _e610 = bodies.member[(_e605 + 1u)];
+                                        let _e615 = ((_e605 + 4u) + (2u * (_e580 >> bitcast<u32>(2i))));
+                                        let _e620 = ((_e605 + 4u) + (2u * (_e584 >> bitcast<u32>(2i))));
+                                        let _e622 = bodies.member[_e615];
+                                        let _e624 = bodies.member[_e620];
+                                        let _e633 = bodies.member[((((_e605 + 4u) + (2u * _e607)) + (_e622 * _e610)) + (_e624 / 32u))];
+                                        let _e636 = bodies.member[(_e615 + 1u)];
+                                        let _e639 = bodies.member[(_e620 + 1u)];
+                                        if (_e636 == _e639) {
+                                            if (((_e633 >> bitcast<u32>(((_e624 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_1283_ = true;
+                                            } else {
+                                                phi_1283_ = ((_e580 >> bitcast<u32>(2i)) == (_e584 >> bitcast<u32>(2i)));
+                                            }
+                                            let _e653 = phi_1283_;
+                                            phi_1284_ = _e653;
+                                        } else {
+                                            phi_1284_ = false;
+                                        }
+                                        let _e655 = phi_1284_;
+                                        if _e655 {
+                                            let _e660 = bodies.member[(_e605 + 2u)];
+                                            let _e663 = bodies.member[(_e605 + 3u)];
+                                            let _e664 = (_e663 + _e605);
+                                            if (_e518.member_1 < _e516.member_1) {
+                                                phi_1321_ = _e516.member_1;
+                                                phi_1322_ = _e518.member_1;
+                                            } else {
+                                                phi_1321_ = _e518.member_1;
+                                                phi_1322_ = _e516.member_1;
+                                            }
+                                            let _e667 = phi_1321_;
+                                            let _e669 = phi_1322_;
+                                            phi_1327_ = type_16(0i, 32i);
+                                            phi_1330_ = _e660;
+                                            phi_1332_ = 0u;
+                                            loop {
+                                                let _e671 = phi_1327_;
+                                                let _e673 = phi_1330_;
+                                                let _e675 = phi_1332_;
+                                                local_3 = _e675;
+                                                local_4 = _e675;
+                                                if (_e671.member < _e671.member_1) {
+                                                    let _e682 = (_e671.member + 1i);
+                                                    if ((false == (_e682 > _e671.member)) != false) {
+                                                        phi_1353_ = true;
+                                                    } else {
+                                                        phi_1353_ = false;
+                                                    }
+                                                    let _e687 = phi_1353_;
+                                                    if _e687 {
+                                                        phi_1359_ = type_17(0u, type_17().member_1);
+                                                    } else {
+                                                        phi_1359_ = type_17(1u, _e682);
+                                                    }
+                                                    let _e692 = phi_1359_;
+                                                    phi_1328_ = type_16(_e692.member_1, _e671.member_1);
+                                                    phi_1373_ = type_17(1u, _e671.member);
+                                                } else {
+                                                    phi_1328_ = _e671;
+                                                    phi_1373_ = type_17(0u, type_17().member_1);
+                                                }
+                                                let _e698 = phi_1328_;
+                                                let _e700 = phi_1373_;
+                                                if (bitcast<i32>(_e700.member) != 0i) {
+                                                    if (_e675 >= _e673) {
+                                                        phi_1456_ = u32();
+                                                        phi_1457_ = u32();
+                                                        phi_1458_ = false;
+                                                    } else {
+                                                        let _e707 = (_e675 + ((_e673 - _e675) / 2u));
+                                                        let _e709 = (_e664 + (3u * _e707));
+                                                        let _e711 = bodies.member[_e709];
+                                                        let _e714 = bodies.member[(_e709 + 1u)];
+                                                        let _e717 = bodies.member[(_e709 + 2u)];
+                                                        if (_e711 < 1u) {
+                                                            phi_1449_ = true;
+                                                        } else {
+                                                            if (_e711 == 1u) {
+                                                                if (_e714 < _e669) {
+                                                                    phi_1443_ = false;
+                                                                } else {
+                                                                    if (_e714 == _e669) {
+                                                                        if (_e717 < _e667) {
+                                                                            phi_1441_ = false;
+                                                                        } else {
+                                                                            phi_1441_ = true;
+                                                                        }
+                                                                        let _e724 = phi_1441_;
+                                                                        phi_1442_ = _e724;
+                                                                    } else {
+                                                                        phi_1442_ = true;
+                                                                    }
+                                                                    let _e726 = phi_1442_;
+                                                                    phi_1443_ = _e726;
+                                                                }
+                                                                let _e728 = phi_1443_;
+                                                                phi_1444_ = _e728;
+                                                            } else {
+                                                                phi_1444_ = true;
+                                                            }
+                                                            let _e730 = phi_1444_;
+                                                            if _e730 {
+                                                                phi_1448_ = false;
+                                                            } else {
+                                                                phi_1448_ = true;
+                                                            }
+                                                            let _e732 = phi_1448_;
+                                                            phi_1449_ = _e732;
+                                                        }
+                                                        let _e734 = phi_1449_;
+                                                        if _e734 {
+                                                            phi_1454_ = _e673;
+                                                            phi_1455_ = (_e707 + 1u);
+                                                        } else {
+                                                            phi_1454_ = _e707;
+                                                            phi_1455_ = _e675;
+                                                        }
+                                                        let _e737 = phi_1454_;
+                                                        let _e739 = phi_1455_;
+                                                        phi_1456_ = _e737;
+                                                        phi_1457_ = _e739;
+                                                        phi_1458_ = true;
+                                                    }
+                                                    let _e741 = phi_1456_;
+                                                    let _e743 = phi_1457_;
+                                                    let _e745 = phi_1458_;
+                                                    phi_1331_ = _e741;
+                                                    phi_1333_ = _e743;
+                                                    phi_1459_ = _e745;
+                                                } else {
+                                                    phi_1331_ = u32();
+                                                    phi_1333_ = u32();
+                                                    phi_1459_ = false;
+                                                }
+                                                let _e747 = phi_1331_;
+                                                let _e749 = phi_1333_;
+                                                let _e751 = phi_1459_;
+                                                continue;
+                                                continuing {
+                                                    phi_1327_ = _e698;
+                                                    phi_1330_ = _e747;
+                                                    phi_1332_ = _e749;
+                                                    break if !(_e751);
+                                                }
+                                            }
+                                            let _e754 = local_3;
+                                            if (_e754 < _e660) {
+                                                let _e757 = local_4;
+                                                let _e759 = (_e664 + (3u * _e757));
+                                                let _e761 = bodies.member[_e759];
+                                                if (_e761 == 1u) {
+                                                    let _e765 = bodies.member[(_e759 + 1u)];
+                                                    if (_e765 == _e669) {
+                                                        let _e769 = bodies.member[(_e759 + 2u)];
+                                                        phi_1507_ = (_e769 == _e667);
+                                                        phi_1508_ = false;
+                                                    } else {
+                                                        phi_1507_ = bool();
+                                                        phi_1508_ = true;
+                                                    }
+                                                    let _e772 = phi_1507_;
+                                                    let _e774 = phi_1508_;
+                                                    phi_1509_ = _e772;
+                                                    phi_1510_ = _e774;
+                                                } else {
+                                                    phi_1509_ = bool();
+                                                    phi_1510_ = true;
+                                                }
+                                                let _e776 = phi_1509_;
+                                                let _e778 = phi_1510_;
+                                                if _e778 {
+                                                    phi_1514_ = false;
+                                                } else {
+                                                    phi_1514_ = _e776;
+                                                }
+                                                let _e780 = phi_1514_;
+                                                phi_1515_ = _e780;
+                                            } else {
+                                                phi_1515_ = false;
+                                            }
+                                            let _e782 = phi_1515_;
+                                            phi_1519_ = _e782;
+                                        } else {
+                                            phi_1519_ = true;
+                                        }
+                                        let _e784 = phi_1519_;
+                                        if _e784 {
+                                            phi_1523_ = false;
+                                        } else {
+                                            phi_1523_ = true;
+                                        }
+                                        let _e786 = phi_1523_;
+                                        phi_1524_ = _e786;
+                                    } else {
+                                        phi_1524_ = true;
+                                    }
+                                    let _e788 = phi_1524_;
+                                    if _e788 {
+                                        phi_1528_ = false;
+                                    } else {
+                                        phi_1528_ = true;
+                                    }
+                                    let _e790 = phi_1528_;
+                                    phi_1529_ = _e790;
+                                } else {
+                                    phi_1529_ = true;
+                                }
+                                let _e792 = phi_1529_;
+                                if _e792 {
+                                    phi_1533_ = false;
+                                } else {
+                                    phi_1533_ = true;
+                                }
+                                let _e794 = phi_1533_;
+                                phi_1534_ = _e794;
                             } else {
-                                phi_1776_ = false;
-                                phi_1777_ = true;
+                                phi_1534_ = true;
                             }
-                            let _e922 = phi_1776_;
-                            let _e924 = phi_1777_;
-                            phi_1778_ = _e922;
-                            phi_1779_ = _e924;
-                        } else {
-                            phi_1778_ = false;
-                            phi_1779_ = true;
-                        }
-                        let _e926 = phi_1778_;
-                        let _e928 = phi_1779_;
-                        if _e928 {
-                            phi_1783_ = _e926;
-                        } else {
-                            phi_1783_ = true;
-                        }
-                        let _e930 = phi_1783_;
-                        if _e930 {
-                            let _e933 = params.member.member_1.member_3;
-                            if (_e512.member_1 < _e514.member_1) {
-                                phi_1802_ = type_13(_e512.member_1, _e514.member_1);
+                            let _e796 = phi_1534_;
+                            if _e796 {
+                                let _e798 = params.member.member.member_1;
+                                if ((_e798 & 32u) != 0u) {
+                                    let _e802 = params.member.member.member_6;
+                                    let _e819 = (((((_e520.member_1.y - _e534.member.x) > _e802) && ((_e534.member_1.y - _e520.member.x) > _e802)) && (((_e520.member_2.x - _e534.member.y) > _e802) && ((_e534.member_2.x - _e520.member.y) > _e802))) && (((_e520.member_2.y - _e534.member_1.x) > _e802) && ((_e534.member_2.y - _e520.member_1.x) > _e802)));
+                                    if _e819 {
+                                        phi_2136_ = bool();
+                                    } else {
+                                        let _e823 = keys.member[_e516.member[0]];
+                                        let _e828 = keys.member[_e516.member[1]];
+                                        let _e830 = function_(_e823[0], _e828[0]);
+                                        let _e834 = keys.member[_e516.member[2]];
+                                        let _e836 = function_(_e830, _e834[0]);
+                                        let _e840 = keys.member[_e518.member[0]];
+                                        let _e845 = keys.member[_e518.member[1]];
+                                        let _e847 = function_1(_e840[3], _e845[3]);
+                                        let _e851 = keys.member[_e518.member[2]];
+                                        let _e853 = function_1(_e847, _e851[3]);
+                                        if (_e836[1] > _e853[1]) {
+                                            phi_1659_ = true;
+                                        } else {
+                                            if (_e836[1] == _e853[1]) {
+                                                phi_1658_ = (_e836[0] > _e853[0]);
+                                            } else {
+                                                phi_1658_ = false;
+                                            }
+                                            let _e864 = phi_1658_;
+                                            phi_1659_ = _e864;
+                                        }
+                                        let _e866 = phi_1659_;
+                                        let _e871 = keys.member[_e518.member[0]];
+                                        let _e876 = keys.member[_e518.member[1]];
+                                        let _e878 = function_(_e871[0], _e876[0]);
+                                        let _e882 = keys.member[_e518.member[2]];
+                                        let _e884 = function_(_e878, _e882[0]);
+                                        let _e888 = keys.member[_e516.member[0]];
+                                        let _e893 = keys.member[_e516.member[1]];
+                                        let _e895 = function_1(_e888[3], _e893[3]);
+                                        let _e899 = keys.member[_e516.member[2]];
+                                        let _e901 = function_1(_e895, _e899[3]);
+                                        if (_e884[1] > _e901[1]) {
+                                            phi_1753_ = true;
+                                        } else {
+                                            if (_e884[1] == _e901[1]) {
+                                                phi_1752_ = (_e884[0] > _e901[0]);
+                                            } else {
+                                                phi_1752_ = false;
+                                            }
+                                            let _e912 = phi_1752_;
+                                            phi_1753_ = _e912;
+                                        }
+                                        let _e914 = phi_1753_;
+                                        let _e920 = keys.member[_e516.member[0]];
+                                        let _e925 = keys.member[_e516.member[1]];
+                                        let _e927 = function_2(_e920[1], _e925[1]);
+                                        let _e931 = keys.member[_e516.member[2]];
+                                        let _e933 = function_2(_e927, _e931[1]);
+                                        let _e937 = keys.member[_e518.member[0]];
+                                        let _e942 = keys.member[_e518.member[1]];
+                                        let _e944 = function_3(_e937[4], _e942[4]);
+                                        let _e948 = keys.member[_e518.member[2]];
+                                        let _e950 = function_3(_e944, _e948[4]);
+                                        if (_e933[1] > _e950[1]) {
+                                            phi_1848_ = true;
+                                        } else {
+                                            if (_e933[1] == _e950[1]) {
+                                                phi_1847_ = (_e933[0] > _e950[0]);
+                                            } else {
+                                                phi_1847_ = false;
+                                            }
+                                            let _e961 = phi_1847_;
+                                            phi_1848_ = _e961;
+                                        }
+                                        let _e963 = phi_1848_;
+                                        let _e968 = keys.member[_e518.member[0]];
+                                        let _e973 = keys.member[_e518.member[1]];
+                                        let _e975 = function_2(_e968[1], _e973[1]);
+                                        let _e979 = keys.member[_e518.member[2]];
+                                        let _e981 = function_2(_e975, _e979[1]);
+                                        let _e985 = keys.member[_e516.member[0]];
+                                        let _e990 = keys.member[_e516.member[1]];
+                                        let _e992 = function_3(_e985[4], _e990[4]);
+                                        let _e996 = keys.member[_e516.member[2]];
+                                        let _e998 = function_3(_e992, _e996[4]);
+                                        if (_e981[1] > _e998[1]) {
+                                            phi_1942_ = true;
+                                        } else {
+                                            if (_e981[1] == _e998[1]) {
+                                                phi_1941_ = (_e981[0] > _e998[0]);
+                                            } else {
+                                                phi_1941_ = false;
+                                            }
+                                            let _e1009 = phi_1941_;
+                                            phi_1942_ = _e1009;
+                                        }
+                                        let _e1011 = phi_1942_;
+                                        let _e1018 = keys.member[_e516.member[0]];
+                                        let _e1023 = keys.member[_e516.member[1]];
+                                        let _e1025 = function_4(_e1018[2], _e1023[2]);
+                                        let _e1029 = keys.member[_e516.member[2]];
+                                        let _e1031 = function_4(_e1025, _e1029[2]);
+                                        let _e1035 = keys.member[_e518.member[0]];
+                                        let _e1040 = keys.member[_e518.member[1]];
+                                        let _e1042 = function_5(_e1035[5], _e1040[5]);
+                                        let _e1046 = keys.member[_e518.member[2]];
+                                        let _e1048 = function_5(_e1042, _e1046[5]);
+                                        if (_e1031[1] > _e1048[1]) {
+                                            phi_2038_ = true;
+                                        } else {
+                                            if (_e1031[1] == _e1048[1]) {
+                                                phi_2037_ = (_e1031[0] > _e1048[0]);
+                                            } else {
+                                                phi_2037_ = false;
+                                            }
+                                            let _e1059 = phi_2037_;
+                                            phi_2038_ = _e1059;
+                                        }
+                                        let _e1061 = phi_2038_;
+                                        let _e1066 = keys.member[_e518.member[0]];
+                                        let _e1071 = keys.member[_e518.member[1]];
+                                        let _e1073 = function_4(_e1066[2], _e1071[2]);
+                                        let _e1077 = keys.member[_e518.member[2]];
+                                        let _e1079 = function_4(_e1073, _e1077[2]);
+                                        let _e1083 = keys.member[_e516.member[0]];
+                                        let _e1088 = keys.member[_e516.member[1]];
+                                        let _e1090 = function_5(_e1083[5], _e1088[5]);
+                                        let _e1094 = keys.member[_e516.member[2]];
+                                        let _e1096 = function_5(_e1090, _e1094[5]);
+                                        if (_e1079[1] > _e1096[1]) {
+                                            phi_2132_ = true;
+                                        } else {
+                                            if (_e1079[1] == _e1096[1]) {
+                                                phi_2131_ = (_e1079[0] > _e1096[0]);
+                                            } else {
+                                                phi_2131_ = false;
+                                            }
+                                            let _e1107 = phi_2131_;
+                                            phi_2132_ = _e1107;
+                                        }
+                                        let _e1109 = phi_2132_;
+                                        phi_2136_ = (((!(_e866) && !(_e914)) && (!(_e963) && !(_e1011))) && (!(_e1061) && !(_e1109)));
+                                    }
+                                    let _e1114 = phi_2136_;
+                                    phi_2137_ = _e1114;
+                                    phi_2138_ = _e819;
+                                } else {
+                                    phi_2137_ = bool();
+                                    phi_2138_ = true;
+                                }
+                                let _e1116 = phi_2137_;
+                                let _e1118 = phi_2138_;
+                                if _e1118 {
+                                    phi_2142_ = false;
+                                } else {
+                                    phi_2142_ = true;
+                                }
+                                let _e1120 = phi_2142_;
+                                phi_2143_ = _e1116;
+                                phi_2144_ = _e1120;
                             } else {
-                                phi_1802_ = type_13(_e514.member_1, _e512.member_1);
+                                phi_2143_ = false;
+                                phi_2144_ = true;
                             }
-                            let _e940 = phi_1802_;
-                            let _e944 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e944 + 1u) < _e944) {
-                                let _e948 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1122 = phi_2143_;
+                            let _e1124 = phi_2144_;
+                            phi_2145_ = _e1122;
+                            phi_2146_ = _e1124;
+                        } else {
+                            phi_2145_ = false;
+                            phi_2146_ = true;
+                        }
+                        let _e1126 = phi_2145_;
+                        let _e1128 = phi_2146_;
+                        if _e1128 {
+                            phi_2150_ = _e1126;
+                        } else {
+                            phi_2150_ = true;
+                        }
+                        let _e1130 = phi_2150_;
+                        if _e1130 {
+                            let _e1133 = params.member.member_1.member_3;
+                            if (_e516.member_1 < _e518.member_1) {
+                                phi_2169_ = type_13(_e516.member_1, _e518.member_1);
+                            } else {
+                                phi_2169_ = type_13(_e518.member_1, _e516.member_1);
                             }
-                            if (_e944 < _e933) {
-                                let _e950 = (2u * _e944);
-                                atomicStore((&output.member[(4u + _e950)]), _e940.member);
-                                atomicStore((&output.member[(_e950 + 5u)]), _e940.member_1);
+                            let _e1140 = phi_2169_;
+                            let _e1144 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1144 + 1u) < _e1144) {
+                                let _e1148 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e956 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e956 + 1u) < _e956) {
-                                let _e960 = atomicAdd((&output.member[3u]), 1u);
+                            if (_e1144 < _e1133) {
+                                let _e1150 = (2u * _e1144);
+                                atomicStore((&output.member[(4u + _e1150)]), _e1140.member);
+                                atomicStore((&output.member[(_e1150 + 5u)]), _e1140.member_1);
+                            }
+                            let _e1156 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1156 + 1u) < _e1156) {
+                                let _e1160 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1845_ = (_e481 & (_e481 - 1u));
-                        phi_1846_ = true;
+                        phi_2212_ = (_e485 & (_e485 - 1u));
+                        phi_2213_ = true;
                     }
-                    let _e962 = phi_1845_;
-                    let _e964 = phi_1846_;
-                    phi_955_ = _e962;
-                    phi_1847_ = _e964;
+                    let _e1162 = phi_2212_;
+                    let _e1164 = phi_2213_;
+                    phi_960_ = _e1162;
+                    phi_2214_ = _e1164;
                 } else {
-                    phi_955_ = u32();
-                    phi_1847_ = false;
+                    phi_960_ = u32();
+                    phi_2214_ = false;
                 }
-                let _e966 = phi_955_;
-                let _e968 = phi_1847_;
+                let _e1166 = phi_960_;
+                let _e1168 = phi_2214_;
                 continue;
                 continuing {
-                    phi_951_ = _e493;
-                    phi_954_ = _e966;
-                    break if !(_e968);
+                    phi_956_ = _e497;
+                    phi_959_ = _e1166;
+                    break if !(_e1168);
                 }
             }
             workgroupBarrier();
-            let _e971 = atomicLoad((&counters[4u]));
-            if (2048u < _e971) {
-                phi_1854_ = 2048u;
+            let _e1171 = atomicLoad((&counters[4u]));
+            if (2048u < _e1171) {
+                phi_2221_ = 2048u;
             } else {
-                phi_1854_ = _e971;
+                phi_2221_ = _e1171;
             }
-            let _e974 = phi_1854_;
-            phi_1857_ = type_13(0u, 16u);
+            let _e1174 = phi_2221_;
+            phi_2224_ = type_13(0u, 16u);
             loop {
-                let _e976 = phi_1857_;
-                if (_e976.member < _e976.member_1) {
-                    phi_1858_ = type_13((_e976.member + 1u), _e976.member_1);
-                    phi_1881_ = type_13(1u, _e976.member);
+                let _e1176 = phi_2224_;
+                if (_e1176.member < _e1176.member_1) {
+                    phi_2225_ = type_13((_e1176.member + 1u), _e1176.member_1);
+                    phi_2248_ = type_13(1u, _e1176.member);
                 } else {
-                    phi_1858_ = _e976;
-                    phi_1881_ = type_13(0u, type_13().member_1);
+                    phi_2225_ = _e1176;
+                    phi_2248_ = type_13(0u, type_13().member_1);
                 }
-                let _e988 = phi_1858_;
-                let _e990 = phi_1881_;
-                if (bitcast<i32>(_e990.member) != 0i) {
-                    let _e996 = (_e67 + (_e990.member_1 * 128u));
-                    if (_e996 >= _e974) {
-                        phi_7884_ = false;
+                let _e1188 = phi_2225_;
+                let _e1190 = phi_2248_;
+                if (bitcast<i32>(_e1190.member) != 0i) {
+                    let _e1196 = (_e71 + (_e1190.member_1 * 128u));
+                    if (_e1196 >= _e1174) {
+                        phi_8613_ = false;
                     } else {
-                        let _e999 = hits[_e996];
-                        let _e1002 = ((_e999 >> bitcast<u32>(10i)) & 3u);
-                        let _e1009 = firsts[(2u * _e1002)];
-                        let _e1010 = (_e1009 + ((_e999 >> bitcast<u32>(5i)) & 31u));
-                        let _e1014 = firsts[((2u * _e1002) + 1u)];
-                        let _e1015 = (_e1014 + (_e999 & 31u));
-                        let _e1017 = leaves.member[_e1010];
-                        let _e1019 = leaves.member[_e1015];
-                        let _e1021 = nodes.member[_e1010];
-                        let _e1035 = nodes.member[_e1015];
-                        let _e1050 = params.member.member.member_1;
-                        if ((_e1050 & 1u) != 0u) {
-                            if (_e1019.member[0] == _e1017.member[0]) {
-                                phi_2009_ = true;
+                        let _e1199 = hits[_e1196];
+                        let _e1202 = ((_e1199 >> bitcast<u32>(10i)) & 3u);
+                        let _e1209 = firsts[(2u * _e1202)];
+                        let _e1210 = (_e1209 + ((_e1199 >> bitcast<u32>(5i)) & 31u));
+                        let _e1214 = firsts[((2u * _e1202) + 1u)];
+                        let _e1215 = (_e1214 + (_e1199 & 31u));
+                        let _e1217 = leaves.member[_e1210];
+                        let _e1219 = leaves.member[_e1215];
+                        let _e1221 = nodes.member[_e1210];
+                        let _e1235 = nodes.member[_e1215];
+                        let _e1250 = params.member.member.member_1;
+                        if ((_e1250 & 1u) != 0u) {
+                            if (_e1219.member[0] == _e1217.member[0]) {
+                                phi_2376_ = true;
                             } else {
-                                phi_2009_ = (_e1019.member[0] == _e1017.member[1]);
+                                phi_2376_ = (_e1219.member[0] == _e1217.member[1]);
                             }
-                            let _e1064 = phi_2009_;
-                            if (_e1019.member[1] == _e1017.member[0]) {
-                                phi_2015_ = true;
+                            let _e1264 = phi_2376_;
+                            if (_e1219.member[1] == _e1217.member[0]) {
+                                phi_2382_ = true;
                             } else {
-                                phi_2015_ = (_e1019.member[1] == _e1017.member[1]);
+                                phi_2382_ = (_e1219.member[1] == _e1217.member[1]);
                             }
-                            let _e1068 = phi_2015_;
-                            if (_e1064 || _e1068) {
-                                phi_2021_ = false;
+                            let _e1268 = phi_2382_;
+                            if (_e1264 || _e1268) {
+                                phi_2388_ = false;
                             } else {
-                                phi_2021_ = true;
+                                phi_2388_ = true;
                             }
-                            let _e1071 = phi_2021_;
-                            phi_2022_ = _e1071;
+                            let _e1271 = phi_2388_;
+                            phi_2389_ = _e1271;
                         } else {
-                            phi_2022_ = true;
+                            phi_2389_ = true;
                         }
-                        let _e1073 = phi_2022_;
-                        if _e1073 {
-                            let _e1075 = params.member.member.member_1;
-                            if ((_e1075 & 2u) != 0u) {
-                                let _e1079 = params.member.member.member_1;
-                                let _e1085 = bodies.member[_e1017.member[0]];
-                                let _e1089 = bodies.member[_e1019.member[0]];
-                                if ((_e1085 / 2u) != (_e1089 / 2u)) {
-                                    phi_2068_ = true;
+                        let _e1273 = phi_2389_;
+                        if _e1273 {
+                            let _e1275 = params.member.member.member_1;
+                            if ((_e1275 & 2u) != 0u) {
+                                let _e1281 = bodies.member[_e1217.member[0]];
+                                let _e1285 = bodies.member[_e1219.member[0]];
+                                if ((_e1281 / 4u) != (_e1285 / 4u)) {
+                                    phi_2434_ = true;
                                 } else {
-                                    phi_2068_ = ((_e1079 & 4u) != 0u);
-                                }
-                                let _e1094 = phi_2068_;
-                                if _e1094 {
-                                    phi_2075_ = (((_e1085 & _e1089) & 1u) == 0u);
-                                } else {
-                                    phi_2075_ = false;
-                                }
-                                let _e1099 = phi_2075_;
-                                phi_2079_ = _e1099;
-                            } else {
-                                phi_2079_ = true;
-                            }
-                            let _e1101 = phi_2079_;
-                            if _e1101 {
-                                let _e1103 = params.member.member.member_1;
-                                if ((_e1103 & 32u) != 0u) {
-                                    let _e1107 = params.member.member.member_6;
-                                    let _e1124 = (((((_e1021.member_1.y - _e1035.member.x) > _e1107) && ((_e1035.member_1.y - _e1021.member.x) > _e1107)) && (((_e1021.member_2.x - _e1035.member.y) > _e1107) && ((_e1035.member_2.x - _e1021.member.y) > _e1107))) && (((_e1021.member_2.y - _e1035.member_1.x) > _e1107) && ((_e1035.member_2.y - _e1021.member_1.x) > _e1107)));
-                                    if _e1124 {
-                                        phi_2681_ = bool();
+                                    if ((_e1281 & 2u) == 0u) {
+                                        phi_2433_ = false;
                                     } else {
-                                        let _e1128 = keys.member[_e1017.member[0]];
-                                        let _e1133 = keys.member[_e1017.member[1]];
-                                        let _e1135 = function_(_e1128[0], _e1133[0]);
-                                        let _e1139 = keys.member[_e1017.member[2]];
-                                        let _e1141 = function_(_e1135, _e1139[0]);
-                                        let _e1145 = keys.member[_e1019.member[0]];
-                                        let _e1150 = keys.member[_e1019.member[1]];
-                                        let _e1152 = function_1(_e1145[3], _e1150[3]);
-                                        let _e1156 = keys.member[_e1019.member[2]];
-                                        let _e1158 = function_1(_e1152, _e1156[3]);
-                                        if (_e1141[1] > _e1158[1]) {
-                                            phi_2204_ = true;
-                                        } else {
-                                            if (_e1141[1] == _e1158[1]) {
-                                                phi_2203_ = (_e1141[0] > _e1158[0]);
-                                            } else {
-                                                phi_2203_ = false;
-                                            }
-                                            let _e1169 = phi_2203_;
-                                            phi_2204_ = _e1169;
-                                        }
-                                        let _e1171 = phi_2204_;
-                                        let _e1176 = keys.member[_e1019.member[0]];
-                                        let _e1181 = keys.member[_e1019.member[1]];
-                                        let _e1183 = function_(_e1176[0], _e1181[0]);
-                                        let _e1187 = keys.member[_e1019.member[2]];
-                                        let _e1189 = function_(_e1183, _e1187[0]);
-                                        let _e1193 = keys.member[_e1017.member[0]];
-                                        let _e1198 = keys.member[_e1017.member[1]];
-                                        let _e1200 = function_1(_e1193[3], _e1198[3]);
-                                        let _e1204 = keys.member[_e1017.member[2]];
-                                        let _e1206 = function_1(_e1200, _e1204[3]);
-                                        if (_e1189[1] > _e1206[1]) {
-                                            phi_2298_ = true;
-                                        } else {
-                                            if (_e1189[1] == _e1206[1]) {
-                                                phi_2297_ = (_e1189[0] > _e1206[0]);
-                                            } else {
-                                                phi_2297_ = false;
-                                            }
-                                            let _e1217 = phi_2297_;
-                                            phi_2298_ = _e1217;
-                                        }
-                                        let _e1219 = phi_2298_;
-                                        let _e1225 = keys.member[_e1017.member[0]];
-                                        let _e1230 = keys.member[_e1017.member[1]];
-                                        let _e1232 = function_2(_e1225[1], _e1230[1]);
-                                        let _e1236 = keys.member[_e1017.member[2]];
-                                        let _e1238 = function_2(_e1232, _e1236[1]);
-                                        let _e1242 = keys.member[_e1019.member[0]];
-                                        let _e1247 = keys.member[_e1019.member[1]];
-                                        let _e1249 = function_3(_e1242[4], _e1247[4]);
-                                        let _e1253 = keys.member[_e1019.member[2]];
-                                        let _e1255 = function_3(_e1249, _e1253[4]);
-                                        if (_e1238[1] > _e1255[1]) {
-                                            phi_2393_ = true;
-                                        } else {
-                                            if (_e1238[1] == _e1255[1]) {
-                                                phi_2392_ = (_e1238[0] > _e1255[0]);
-                                            } else {
-                                                phi_2392_ = false;
-                                            }
-                                            let _e1266 = phi_2392_;
-                                            phi_2393_ = _e1266;
-                                        }
-                                        let _e1268 = phi_2393_;
-                                        let _e1273 = keys.member[_e1019.member[0]];
-                                        let _e1278 = keys.member[_e1019.member[1]];
-                                        let _e1280 = function_2(_e1273[1], _e1278[1]);
-                                        let _e1284 = keys.member[_e1019.member[2]];
-                                        let _e1286 = function_2(_e1280, _e1284[1]);
-                                        let _e1290 = keys.member[_e1017.member[0]];
-                                        let _e1295 = keys.member[_e1017.member[1]];
-                                        let _e1297 = function_3(_e1290[4], _e1295[4]);
-                                        let _e1301 = keys.member[_e1017.member[2]];
-                                        let _e1303 = function_3(_e1297, _e1301[4]);
-                                        if (_e1286[1] > _e1303[1]) {
-                                            phi_2487_ = true;
-                                        } else {
-                                            if (_e1286[1] == _e1303[1]) {
-                                                phi_2486_ = (_e1286[0] > _e1303[0]);
-                                            } else {
-                                                phi_2486_ = false;
-                                            }
-                                            let _e1314 = phi_2486_;
-                                            phi_2487_ = _e1314;
-                                        }
-                                        let _e1316 = phi_2487_;
-                                        let _e1323 = keys.member[_e1017.member[0]];
-                                        let _e1328 = keys.member[_e1017.member[1]];
-                                        let _e1330 = function_4(_e1323[2], _e1328[2]);
-                                        let _e1334 = keys.member[_e1017.member[2]];
-                                        let _e1336 = function_4(_e1330, _e1334[2]);
-                                        let _e1340 = keys.member[_e1019.member[0]];
-                                        let _e1345 = keys.member[_e1019.member[1]];
-                                        let _e1347 = function_5(_e1340[5], _e1345[5]);
-                                        let _e1351 = keys.member[_e1019.member[2]];
-                                        let _e1353 = function_5(_e1347, _e1351[5]);
-                                        if (_e1336[1] > _e1353[1]) {
-                                            phi_2583_ = true;
-                                        } else {
-                                            if (_e1336[1] == _e1353[1]) {
-                                                phi_2582_ = (_e1336[0] > _e1353[0]);
-                                            } else {
-                                                phi_2582_ = false;
-                                            }
-                                            let _e1364 = phi_2582_;
-                                            phi_2583_ = _e1364;
-                                        }
-                                        let _e1366 = phi_2583_;
-                                        let _e1371 = keys.member[_e1019.member[0]];
-                                        let _e1376 = keys.member[_e1019.member[1]];
-                                        let _e1378 = function_4(_e1371[2], _e1376[2]);
-                                        let _e1382 = keys.member[_e1019.member[2]];
-                                        let _e1384 = function_4(_e1378, _e1382[2]);
-                                        let _e1388 = keys.member[_e1017.member[0]];
-                                        let _e1393 = keys.member[_e1017.member[1]];
-                                        let _e1395 = function_5(_e1388[5], _e1393[5]);
-                                        let _e1399 = keys.member[_e1017.member[2]];
-                                        let _e1401 = function_5(_e1395, _e1399[5]);
-                                        if (_e1384[1] > _e1401[1]) {
-                                            phi_2677_ = true;
-                                        } else {
-                                            if (_e1384[1] == _e1401[1]) {
-                                                phi_2676_ = (_e1384[0] > _e1401[0]);
-                                            } else {
-                                                phi_2676_ = false;
-                                            }
-                                            let _e1412 = phi_2676_;
-                                            phi_2677_ = _e1412;
-                                        }
-                                        let _e1414 = phi_2677_;
-                                        phi_2681_ = (((!(_e1171) && !(_e1219)) && (!(_e1268) && !(_e1316))) && (!(_e1366) && !(_e1414)));
+                                        phi_2433_ = true;
                                     }
-                                    let _e1419 = phi_2681_;
-                                    phi_2682_ = _e1419;
-                                    phi_2683_ = _e1124;
-                                } else {
-                                    phi_2682_ = bool();
-                                    phi_2683_ = true;
+                                    let _e1292 = phi_2433_;
+                                    phi_2434_ = _e1292;
                                 }
-                                let _e1421 = phi_2682_;
-                                let _e1423 = phi_2683_;
-                                if _e1423 {
-                                    phi_2687_ = false;
+                                let _e1294 = phi_2434_;
+                                if _e1294 {
+                                    phi_2441_ = (((_e1281 & _e1285) & 1u) == 0u);
                                 } else {
-                                    phi_2687_ = true;
+                                    phi_2441_ = false;
                                 }
-                                let _e1425 = phi_2687_;
-                                phi_2688_ = _e1421;
-                                phi_2689_ = _e1425;
+                                let _e1299 = phi_2441_;
+                                if _e1299 {
+                                    let _e1301 = params.member.member.member_1;
+                                    if ((_e1301 & 4u) != 0u) {
+                                        let _e1306 = params.member.member.member[0u];
+                                        let _e1308 = bodies.member[_e1306];
+                                        let _e1311 = bodies.member[(_e1306 + 1u)];
+                                        let _e1316 = ((_e1306 + 4u) + (2u * (_e1281 >> bitcast<u32>(2i))));
+                                        let _e1321 = ((_e1306 + 4u) + (2u * (_e1285 >> bitcast<u32>(2i))));
+                                        let _e1323 = bodies.member[_e1316];
+                                        let _e1325 = bodies.member[_e1321];
+                                        let _e1334 = bodies.member[((((_e1306 + 4u) + (2u * _e1308)) + (_e1323 * _e1311)) + (_e1325 / 32u))];
+                                        let _e1337 = bodies.member[(_e1316 + 1u)];
+                                        let _e1340 = bodies.member[(_e1321 + 1u)];
+                                        if (_e1337 == _e1340) {
+                                            if (((_e1334 >> bitcast<u32>(((_e1325 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_2557_ = true;
+                                            } else {
+                                                phi_2557_ = ((_e1281 >> bitcast<u32>(2i)) == (_e1285 >> bitcast<u32>(2i)));
+                                            }
+                                            let _e1354 = phi_2557_;
+                                            phi_2558_ = _e1354;
+                                        } else {
+                                            phi_2558_ = false;
+                                        }
+                                        let _e1356 = phi_2558_;
+                                        if _e1356 {
+                                            let _e1361 = bodies.member[(_e1306 + 2u)];
+                                            let _e1364 = bodies.member[(_e1306 + 3u)];
+                                            let _e1365 = (_e1364 + _e1306);
+                                            if (_e1219.member_1 < _e1217.member_1) {
+                                                phi_2595_ = _e1217.member_1;
+                                                phi_2596_ = _e1219.member_1;
+                                            } else {
+                                                phi_2595_ = _e1219.member_1;
+                                                phi_2596_ = _e1217.member_1;
+                                            }
+                                            let _e1368 = phi_2595_;
+                                            let _e1370 = phi_2596_;
+                                            phi_2601_ = type_16(0i, 32i);
+                                            phi_2604_ = _e1361;
+                                            phi_2606_ = 0u;
+                                            loop {
+                                                let _e1372 = phi_2601_;
+                                                let _e1374 = phi_2604_;
+                                                let _e1376 = phi_2606_;
+                                                local_5 = _e1376;
+                                                local_6 = _e1376;
+                                                if (_e1372.member < _e1372.member_1) {
+                                                    let _e1383 = (_e1372.member + 1i);
+                                                    if ((false == (_e1383 > _e1372.member)) != false) {
+                                                        phi_2627_ = true;
+                                                    } else {
+                                                        phi_2627_ = false;
+                                                    }
+                                                    let _e1388 = phi_2627_;
+                                                    if _e1388 {
+                                                        phi_2633_ = type_17(0u, type_17().member_1);
+                                                    } else {
+                                                        phi_2633_ = type_17(1u, _e1383);
+                                                    }
+                                                    let _e1393 = phi_2633_;
+                                                    phi_2602_ = type_16(_e1393.member_1, _e1372.member_1);
+                                                    phi_2647_ = type_17(1u, _e1372.member);
+                                                } else {
+                                                    phi_2602_ = _e1372;
+                                                    phi_2647_ = type_17(0u, type_17().member_1);
+                                                }
+                                                let _e1399 = phi_2602_;
+                                                let _e1401 = phi_2647_;
+                                                if (bitcast<i32>(_e1401.member) != 0i) {
+                                                    if (_e1376 >= _e1374) {
+                                                        phi_2730_ = u32();
+                                                        phi_2731_ = u32();
+                                                        phi_2732_ = false;
+                                                    } else {
+                                                        let _e1408 = (_e1376 + ((_e1374 - _e1376) / 2u));
+                                                        let _e1410 = (_e1365 + (3u * _e1408));
+                                                        let _e1412 = bodies.member[_e1410];
+                                                        let _e1415 = bodies.member[(_e1410 + 1u)];
+                                                        let _e1418 = bodies.member[(_e1410 + 2u)];
+                                                        if (_e1412 < 1u) {
+                                                            phi_2723_ = true;
+                                                        } else {
+                                                            if (_e1412 == 1u) {
+                                                                if (_e1415 < _e1370) {
+                                                                    phi_2717_ = false;
+                                                                } else {
+                                                                    if (_e1415 == _e1370) {
+                                                                        if (_e1418 < _e1368) {
+                                                                            phi_2715_ = false;
+                                                                        } else {
+                                                                            phi_2715_ = true;
+                                                                        }
+                                                                        let _e1425 = phi_2715_;
+                                                                        phi_2716_ = _e1425;
+                                                                    } else {
+                                                                        phi_2716_ = true;
+                                                                    }
+                                                                    let _e1427 = phi_2716_;
+                                                                    phi_2717_ = _e1427;
+                                                                }
+                                                                let _e1429 = phi_2717_;
+                                                                phi_2718_ = _e1429;
+                                                            } else {
+                                                                phi_2718_ = true;
+                                                            }
+                                                            let _e1431 = phi_2718_;
+                                                            if _e1431 {
+                                                                phi_2722_ = false;
+                                                            } else {
+                                                                phi_2722_ = true;
+                                                            }
+                                                            let _e1433 = phi_2722_;
+                                                            phi_2723_ = _e1433;
+                                                        }
+                                                        let _e1435 = phi_2723_;
+                                                        if _e1435 {
+                                                            phi_2728_ = _e1374;
+                                                            phi_2729_ = (_e1408 + 1u);
+                                                        } else {
+                                                            phi_2728_ = _e1408;
+                                                            phi_2729_ = _e1376;
+                                                        }
+                                                        let _e1438 = phi_2728_;
+                                                        let _e1440 = phi_2729_;
+                                                        phi_2730_ = _e1438;
+                                                        phi_2731_ = _e1440;
+                                                        phi_2732_ = true;
+                                                    }
+                                                    let _e1442 = phi_2730_;
+                                                    let _e1444 = phi_2731_;
+                                                    let _e1446 = phi_2732_;
+                                                    phi_2605_ = _e1442;
+                                                    phi_2607_ = _e1444;
+                                                    phi_2733_ = _e1446;
+                                                } else {
+                                                    phi_2605_ = u32();
+                                                    phi_2607_ = u32();
+                                                    phi_2733_ = false;
+                                                }
+                                                let _e1448 = phi_2605_;
+                                                let _e1450 = phi_2607_;
+                                                let _e1452 = phi_2733_;
+                                                continue;
+                                                continuing {
+                                                    phi_2601_ = _e1399;
+                                                    phi_2604_ = _e1448;
+                                                    phi_2606_ = _e1450;
+                                                    break if !(_e1452);
+                                                }
+                                            }
+                                            let _e1455 = local_5;
+                                            if (_e1455 < _e1361) {
+                                                let _e1458 = local_6;
+                                                let _e1460 = (_e1365 + (3u * _e1458));
+                                                let _e1462 = bodies.member[_e1460];
+                                                if (_e1462 == 1u) {
+                                                    let _e1466 = bodies.member[(_e1460 + 1u)];
+                                                    if (_e1466 == _e1370) {
+                                                        let _e1470 = bodies.member[(_e1460 + 2u)];
+                                                        phi_2781_ = (_e1470 == _e1368);
+                                                        phi_2782_ = false;
+                                                    } else {
+                                                        phi_2781_ = bool();
+                                                        phi_2782_ = true;
+                                                    }
+                                                    let _e1473 = phi_2781_;
+                                                    let _e1475 = phi_2782_;
+                                                    phi_2783_ = _e1473;
+                                                    phi_2784_ = _e1475;
+                                                } else {
+                                                    phi_2783_ = bool();
+                                                    phi_2784_ = true;
+                                                }
+                                                let _e1477 = phi_2783_;
+                                                let _e1479 = phi_2784_;
+                                                if _e1479 {
+                                                    phi_2788_ = false;
+                                                } else {
+                                                    phi_2788_ = _e1477;
+                                                }
+                                                let _e1481 = phi_2788_;
+                                                phi_2789_ = _e1481;
+                                            } else {
+                                                phi_2789_ = false;
+                                            }
+                                            let _e1483 = phi_2789_;
+                                            phi_2793_ = _e1483;
+                                        } else {
+                                            phi_2793_ = true;
+                                        }
+                                        let _e1485 = phi_2793_;
+                                        if _e1485 {
+                                            phi_2797_ = false;
+                                        } else {
+                                            phi_2797_ = true;
+                                        }
+                                        let _e1487 = phi_2797_;
+                                        phi_2798_ = _e1487;
+                                    } else {
+                                        phi_2798_ = true;
+                                    }
+                                    let _e1489 = phi_2798_;
+                                    if _e1489 {
+                                        phi_2802_ = false;
+                                    } else {
+                                        phi_2802_ = true;
+                                    }
+                                    let _e1491 = phi_2802_;
+                                    phi_2803_ = _e1491;
+                                } else {
+                                    phi_2803_ = true;
+                                }
+                                let _e1493 = phi_2803_;
+                                if _e1493 {
+                                    phi_2807_ = false;
+                                } else {
+                                    phi_2807_ = true;
+                                }
+                                let _e1495 = phi_2807_;
+                                phi_2808_ = _e1495;
                             } else {
-                                phi_2688_ = false;
-                                phi_2689_ = true;
+                                phi_2808_ = true;
                             }
-                            let _e1427 = phi_2688_;
-                            let _e1429 = phi_2689_;
-                            phi_2690_ = _e1427;
-                            phi_2691_ = _e1429;
+                            let _e1497 = phi_2808_;
+                            if _e1497 {
+                                let _e1499 = params.member.member.member_1;
+                                if ((_e1499 & 32u) != 0u) {
+                                    let _e1503 = params.member.member.member_6;
+                                    let _e1520 = (((((_e1221.member_1.y - _e1235.member.x) > _e1503) && ((_e1235.member_1.y - _e1221.member.x) > _e1503)) && (((_e1221.member_2.x - _e1235.member.y) > _e1503) && ((_e1235.member_2.x - _e1221.member.y) > _e1503))) && (((_e1221.member_2.y - _e1235.member_1.x) > _e1503) && ((_e1235.member_2.y - _e1221.member_1.x) > _e1503)));
+                                    if _e1520 {
+                                        phi_3410_ = bool();
+                                    } else {
+                                        let _e1524 = keys.member[_e1217.member[0]];
+                                        let _e1529 = keys.member[_e1217.member[1]];
+                                        let _e1531 = function_(_e1524[0], _e1529[0]);
+                                        let _e1535 = keys.member[_e1217.member[2]];
+                                        let _e1537 = function_(_e1531, _e1535[0]);
+                                        let _e1541 = keys.member[_e1219.member[0]];
+                                        let _e1546 = keys.member[_e1219.member[1]];
+                                        let _e1548 = function_1(_e1541[3], _e1546[3]);
+                                        let _e1552 = keys.member[_e1219.member[2]];
+                                        let _e1554 = function_1(_e1548, _e1552[3]);
+                                        if (_e1537[1] > _e1554[1]) {
+                                            phi_2933_ = true;
+                                        } else {
+                                            if (_e1537[1] == _e1554[1]) {
+                                                phi_2932_ = (_e1537[0] > _e1554[0]);
+                                            } else {
+                                                phi_2932_ = false;
+                                            }
+                                            let _e1565 = phi_2932_;
+                                            phi_2933_ = _e1565;
+                                        }
+                                        let _e1567 = phi_2933_;
+                                        let _e1572 = keys.member[_e1219.member[0]];
+                                        let _e1577 = keys.member[_e1219.member[1]];
+                                        let _e1579 = function_(_e1572[0], _e1577[0]);
+                                        let _e1583 = keys.member[_e1219.member[2]];
+                                        let _e1585 = function_(_e1579, _e1583[0]);
+                                        let _e1589 = keys.member[_e1217.member[0]];
+                                        let _e1594 = keys.member[_e1217.member[1]];
+                                        let _e1596 = function_1(_e1589[3], _e1594[3]);
+                                        let _e1600 = keys.member[_e1217.member[2]];
+                                        let _e1602 = function_1(_e1596, _e1600[3]);
+                                        if (_e1585[1] > _e1602[1]) {
+                                            phi_3027_ = true;
+                                        } else {
+                                            if (_e1585[1] == _e1602[1]) {
+                                                phi_3026_ = (_e1585[0] > _e1602[0]);
+                                            } else {
+                                                phi_3026_ = false;
+                                            }
+                                            let _e1613 = phi_3026_;
+                                            phi_3027_ = _e1613;
+                                        }
+                                        let _e1615 = phi_3027_;
+                                        let _e1621 = keys.member[_e1217.member[0]];
+                                        let _e1626 = keys.member[_e1217.member[1]];
+                                        let _e1628 = function_2(_e1621[1], _e1626[1]);
+                                        let _e1632 = keys.member[_e1217.member[2]];
+                                        let _e1634 = function_2(_e1628, _e1632[1]);
+                                        let _e1638 = keys.member[_e1219.member[0]];
+                                        let _e1643 = keys.member[_e1219.member[1]];
+                                        let _e1645 = function_3(_e1638[4], _e1643[4]);
+                                        let _e1649 = keys.member[_e1219.member[2]];
+                                        let _e1651 = function_3(_e1645, _e1649[4]);
+                                        if (_e1634[1] > _e1651[1]) {
+                                            phi_3122_ = true;
+                                        } else {
+                                            if (_e1634[1] == _e1651[1]) {
+                                                phi_3121_ = (_e1634[0] > _e1651[0]);
+                                            } else {
+                                                phi_3121_ = false;
+                                            }
+                                            let _e1662 = phi_3121_;
+                                            phi_3122_ = _e1662;
+                                        }
+                                        let _e1664 = phi_3122_;
+                                        let _e1669 = keys.member[_e1219.member[0]];
+                                        let _e1674 = keys.member[_e1219.member[1]];
+                                        let _e1676 = function_2(_e1669[1], _e1674[1]);
+                                        let _e1680 = keys.member[_e1219.member[2]];
+                                        let _e1682 = function_2(_e1676, _e1680[1]);
+                                        let _e1686 = keys.member[_e1217.member[0]];
+                                        let _e1691 = keys.member[_e1217.member[1]];
+                                        let _e1693 = function_3(_e1686[4], _e1691[4]);
+                                        let _e1697 = keys.member[_e1217.member[2]];
+                                        let _e1699 = function_3(_e1693, _e1697[4]);
+                                        if (_e1682[1] > _e1699[1]) {
+                                            phi_3216_ = true;
+                                        } else {
+                                            if (_e1682[1] == _e1699[1]) {
+                                                phi_3215_ = (_e1682[0] > _e1699[0]);
+                                            } else {
+                                                phi_3215_ = false;
+                                            }
+                                            let _e1710 = phi_3215_;
+                                            phi_3216_ = _e1710;
+                                        }
+                                        let _e1712 = phi_3216_;
+                                        let _e1719 = keys.member[_e1217.member[0]];
+                                        let _e1724 = keys.member[_e1217.member[1]];
+                                        let _e1726 = function_4(_e1719[2], _e1724[2]);
+                                        let _e1730 = keys.member[_e1217.member[2]];
+                                        let _e1732 = function_4(_e1726, _e1730[2]);
+                                        let _e1736 = keys.member[_e1219.member[0]];
+                                        let _e1741 = keys.member[_e1219.member[1]];
+                                        let _e1743 = function_5(_e1736[5], _e1741[5]);
+                                        let _e1747 = keys.member[_e1219.member[2]];
+                                        let _e1749 = function_5(_e1743, _e1747[5]);
+                                        if (_e1732[1] > _e1749[1]) {
+                                            phi_3312_ = true;
+                                        } else {
+                                            if (_e1732[1] == _e1749[1]) {
+                                                phi_3311_ = (_e1732[0] > _e1749[0]);
+                                            } else {
+                                                phi_3311_ = false;
+                                            }
+                                            let _e1760 = phi_3311_;
+                                            phi_3312_ = _e1760;
+                                        }
+                                        let _e1762 = phi_3312_;
+                                        let _e1767 = keys.member[_e1219.member[0]];
+                                        let _e1772 = keys.member[_e1219.member[1]];
+                                        let _e1774 = function_4(_e1767[2], _e1772[2]);
+                                        let _e1778 = keys.member[_e1219.member[2]];
+                                        let _e1780 = function_4(_e1774, _e1778[2]);
+                                        let _e1784 = keys.member[_e1217.member[0]];
+                                        let _e1789 = keys.member[_e1217.member[1]];
+                                        let _e1791 = function_5(_e1784[5], _e1789[5]);
+                                        let _e1795 = keys.member[_e1217.member[2]];
+                                        let _e1797 = function_5(_e1791, _e1795[5]);
+                                        if (_e1780[1] > _e1797[1]) {
+                                            phi_3406_ = true;
+                                        } else {
+                                            if (_e1780[1] == _e1797[1]) {
+                                                phi_3405_ = (_e1780[0] > _e1797[0]);
+                                            } else {
+                                                phi_3405_ = false;
+                                            }
+                                            let _e1808 = phi_3405_;
+                                            phi_3406_ = _e1808;
+                                        }
+                                        let _e1810 = phi_3406_;
+                                        phi_3410_ = (((!(_e1567) && !(_e1615)) && (!(_e1664) && !(_e1712))) && (!(_e1762) && !(_e1810)));
+                                    }
+                                    let _e1815 = phi_3410_;
+                                    phi_3411_ = _e1815;
+                                    phi_3412_ = _e1520;
+                                } else {
+                                    phi_3411_ = bool();
+                                    phi_3412_ = true;
+                                }
+                                let _e1817 = phi_3411_;
+                                let _e1819 = phi_3412_;
+                                if _e1819 {
+                                    phi_3416_ = false;
+                                } else {
+                                    phi_3416_ = true;
+                                }
+                                let _e1821 = phi_3416_;
+                                phi_3417_ = _e1817;
+                                phi_3418_ = _e1821;
+                            } else {
+                                phi_3417_ = false;
+                                phi_3418_ = true;
+                            }
+                            let _e1823 = phi_3417_;
+                            let _e1825 = phi_3418_;
+                            phi_3419_ = _e1823;
+                            phi_3420_ = _e1825;
                         } else {
-                            phi_2690_ = false;
-                            phi_2691_ = true;
+                            phi_3419_ = false;
+                            phi_3420_ = true;
                         }
-                        let _e1431 = phi_2690_;
-                        let _e1433 = phi_2691_;
-                        if _e1433 {
-                            phi_2695_ = _e1431;
+                        let _e1827 = phi_3419_;
+                        let _e1829 = phi_3420_;
+                        if _e1829 {
+                            phi_3424_ = _e1827;
                         } else {
-                            phi_2695_ = true;
+                            phi_3424_ = true;
                         }
-                        let _e1435 = phi_2695_;
-                        if _e1435 {
-                            let _e1437 = atomicAdd((&counters[7u]), 1u);
-                            if (_e1017.member_1 < _e1019.member_1) {
-                                phi_2708_ = _e1019;
-                                phi_2709_ = _e1017;
+                        let _e1831 = phi_3424_;
+                        if _e1831 {
+                            let _e1833 = atomicAdd((&counters[7u]), 1u);
+                            if (_e1217.member_1 < _e1219.member_1) {
+                                phi_3437_ = _e1219;
+                                phi_3438_ = _e1217;
                             } else {
-                                phi_2708_ = _e1017;
-                                phi_2709_ = _e1019;
+                                phi_3437_ = _e1217;
+                                phi_3438_ = _e1219;
                             }
-                            let _e1443 = phi_2708_;
-                            let _e1445 = phi_2709_;
-                            let _e1447 = params.member.member.member_4;
-                            let _e1449 = params.member.member.member_5;
-                            let _e1459 = paths.member[_e1445.member[0]];
-                            let _e1461 = paths.member[_e1445.member[1]];
-                            let _e1467 = paths.member[_e1443.member[0]];
-                            let _e1469 = paths.member[_e1443.member[1]];
-                            local_2 = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e1467.member[0] - _e1459.member[0]), (_e1467.member[1] - _e1459.member[1]), (_e1467.member[2] - _e1459.member[2])), array<f32, 3>((_e1467.member_1[0] - _e1459.member_1[0]), (_e1467.member_1[1] - _e1459.member_1[1]), (_e1467.member_1[2] - _e1459.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1461.member[0] - _e1459.member[0]), (_e1461.member[1] - _e1459.member[1]), (_e1461.member[2] - _e1459.member[2])), array<f32, 3>((_e1461.member_1[0] - _e1459.member_1[0]), (_e1461.member_1[1] - _e1459.member_1[1]), (_e1461.member_1[2] - _e1459.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1467.member[0] - _e1469.member[0]), (_e1467.member[1] - _e1469.member[1]), (_e1467.member[2] - _e1469.member[2])), array<f32, 3>((_e1467.member_1[0] - _e1469.member_1[0]), (_e1467.member_1[1] - _e1469.member_1[1]), (_e1467.member_1[2] - _e1469.member_1[2]))), (_e1447 + _e1447));
-                            let _e1529 = local_2.member_1[0u];
-                            let _e1535 = local_2.member_2[0u];
-                            let _e1541 = ((_e1529[1] * _e1535[2]) - (_e1529[2] * _e1535[1]));
-                            let _e1544 = ((_e1529[2] * _e1535[0]) - (_e1529[0] * _e1535[2]));
-                            let _e1547 = ((_e1529[0] * _e1535[1]) - (_e1529[1] * _e1535[0]));
-                            let _e1550 = local_2.member_1[1u];
-                            let _e1556 = local_2.member_2[1u];
-                            let _e1562 = ((_e1550[1] * _e1556[2]) - (_e1550[2] * _e1556[1]));
-                            let _e1565 = ((_e1550[2] * _e1556[0]) - (_e1550[0] * _e1556[2]));
-                            let _e1568 = ((_e1550[0] * _e1556[1]) - (_e1550[1] * _e1556[0]));
-                            let _e1571 = local_2.member_1[0u];
-                            let _e1577 = local_2.member_2[1u];
-                            let _e1592 = local_2.member_1[1u];
-                            let _e1598 = local_2.member_2[0u];
-                            let _e1611 = (((_e1571[1] * _e1577[2]) - (_e1571[2] * _e1577[1])) + ((_e1592[1] * _e1598[2]) - (_e1592[2] * _e1598[1])));
-                            let _e1612 = (((_e1571[2] * _e1577[0]) - (_e1571[0] * _e1577[2])) + ((_e1592[2] * _e1598[0]) - (_e1592[0] * _e1598[2])));
-                            let _e1613 = (((_e1571[0] * _e1577[1]) - (_e1571[1] * _e1577[0])) + ((_e1592[0] * _e1598[1]) - (_e1592[1] * _e1598[0])));
-                            let _e1616 = local_2.member[0u];
-                            let _e1627 = local_2.member[1u];
-                            let _e1638 = local_2.member[0u];
-                            let _e1647 = ((((_e1627[0] * _e1541) + (_e1627[1] * _e1544)) + (_e1627[2] * _e1547)) + (((_e1638[0] * _e1611) + (_e1638[1] * _e1612)) + (_e1638[2] * _e1613)));
-                            let _e1650 = local_2.member[0u];
-                            let _e1661 = local_2.member[1u];
-                            let _e1670 = ((((_e1650[0] * _e1562) + (_e1650[1] * _e1565)) + (_e1650[2] * _e1568)) + (((_e1661[0] * _e1611) + (_e1661[1] * _e1612)) + (_e1661[2] * _e1613)));
-                            let _e1673 = local_2.member[1u];
-                            let _e1684 = local_2.member[0u];
-                            if (_e1684[0] < 0f) {
-                                phi_3098_ = -(_e1684[0]);
+                            let _e1839 = phi_3437_;
+                            let _e1841 = phi_3438_;
+                            let _e1843 = params.member.member.member_4;
+                            let _e1845 = params.member.member.member_5;
+                            let _e1855 = paths.member[_e1841.member[0]];
+                            let _e1857 = paths.member[_e1841.member[1]];
+                            let _e1863 = paths.member[_e1839.member[0]];
+                            let _e1865 = paths.member[_e1839.member[1]];
+                            local_2 = type_41(array<array<f32, 3>, 2>(array<f32, 3>((_e1863.member[0] - _e1855.member[0]), (_e1863.member[1] - _e1855.member[1]), (_e1863.member[2] - _e1855.member[2])), array<f32, 3>((_e1863.member_1[0] - _e1855.member_1[0]), (_e1863.member_1[1] - _e1855.member_1[1]), (_e1863.member_1[2] - _e1855.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1857.member[0] - _e1855.member[0]), (_e1857.member[1] - _e1855.member[1]), (_e1857.member[2] - _e1855.member[2])), array<f32, 3>((_e1857.member_1[0] - _e1855.member_1[0]), (_e1857.member_1[1] - _e1855.member_1[1]), (_e1857.member_1[2] - _e1855.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1863.member[0] - _e1865.member[0]), (_e1863.member[1] - _e1865.member[1]), (_e1863.member[2] - _e1865.member[2])), array<f32, 3>((_e1863.member_1[0] - _e1865.member_1[0]), (_e1863.member_1[1] - _e1865.member_1[1]), (_e1863.member_1[2] - _e1865.member_1[2]))), (_e1843 + _e1843));
+                            let _e1925 = local_2.member_1[0u];
+                            let _e1931 = local_2.member_2[0u];
+                            let _e1937 = ((_e1925[1] * _e1931[2]) - (_e1925[2] * _e1931[1]));
+                            let _e1940 = ((_e1925[2] * _e1931[0]) - (_e1925[0] * _e1931[2]));
+                            let _e1943 = ((_e1925[0] * _e1931[1]) - (_e1925[1] * _e1931[0]));
+                            let _e1946 = local_2.member_1[1u];
+                            let _e1952 = local_2.member_2[1u];
+                            let _e1958 = ((_e1946[1] * _e1952[2]) - (_e1946[2] * _e1952[1]));
+                            let _e1961 = ((_e1946[2] * _e1952[0]) - (_e1946[0] * _e1952[2]));
+                            let _e1964 = ((_e1946[0] * _e1952[1]) - (_e1946[1] * _e1952[0]));
+                            let _e1967 = local_2.member_1[0u];
+                            let _e1973 = local_2.member_2[1u];
+                            let _e1988 = local_2.member_1[1u];
+                            let _e1994 = local_2.member_2[0u];
+                            let _e2007 = (((_e1967[1] * _e1973[2]) - (_e1967[2] * _e1973[1])) + ((_e1988[1] * _e1994[2]) - (_e1988[2] * _e1994[1])));
+                            let _e2008 = (((_e1967[2] * _e1973[0]) - (_e1967[0] * _e1973[2])) + ((_e1988[2] * _e1994[0]) - (_e1988[0] * _e1994[2])));
+                            let _e2009 = (((_e1967[0] * _e1973[1]) - (_e1967[1] * _e1973[0])) + ((_e1988[0] * _e1994[1]) - (_e1988[1] * _e1994[0])));
+                            let _e2012 = local_2.member[0u];
+                            let _e2023 = local_2.member[1u];
+                            let _e2034 = local_2.member[0u];
+                            let _e2043 = ((((_e2023[0] * _e1937) + (_e2023[1] * _e1940)) + (_e2023[2] * _e1943)) + (((_e2034[0] * _e2007) + (_e2034[1] * _e2008)) + (_e2034[2] * _e2009)));
+                            let _e2046 = local_2.member[0u];
+                            let _e2057 = local_2.member[1u];
+                            let _e2066 = ((((_e2046[0] * _e1958) + (_e2046[1] * _e1961)) + (_e2046[2] * _e1964)) + (((_e2057[0] * _e2007) + (_e2057[1] * _e2008)) + (_e2057[2] * _e2009)));
+                            let _e2069 = local_2.member[1u];
+                            let _e2080 = local_2.member[0u];
+                            if (_e2080[0] < 0f) {
+                                phi_3827_ = -(_e2080[0]);
                             } else {
-                                phi_3098_ = _e1684[0];
+                                phi_3827_ = _e2080[0];
                             }
-                            let _e1691 = phi_3098_;
-                            if (_e1684[1] < 0f) {
-                                phi_3105_ = -(_e1684[1]);
+                            let _e2087 = phi_3827_;
+                            if (_e2080[1] < 0f) {
+                                phi_3834_ = -(_e2080[1]);
                             } else {
-                                phi_3105_ = _e1684[1];
+                                phi_3834_ = _e2080[1];
                             }
-                            let _e1695 = phi_3105_;
-                            if (_e1691 > _e1695) {
-                                phi_3110_ = _e1691;
+                            let _e2091 = phi_3834_;
+                            if (_e2087 > _e2091) {
+                                phi_3839_ = _e2087;
                             } else {
-                                phi_3110_ = _e1695;
+                                phi_3839_ = _e2091;
                             }
-                            let _e1698 = phi_3110_;
-                            if (_e1684[2] < 0f) {
-                                phi_3117_ = -(_e1684[2]);
+                            let _e2094 = phi_3839_;
+                            if (_e2080[2] < 0f) {
+                                phi_3846_ = -(_e2080[2]);
                             } else {
-                                phi_3117_ = _e1684[2];
+                                phi_3846_ = _e2080[2];
                             }
-                            let _e1702 = phi_3117_;
-                            if (_e1698 > _e1702) {
-                                phi_3122_ = _e1698;
+                            let _e2098 = phi_3846_;
+                            if (_e2094 > _e2098) {
+                                phi_3851_ = _e2094;
                             } else {
-                                phi_3122_ = _e1702;
+                                phi_3851_ = _e2098;
                             }
-                            let _e1705 = phi_3122_;
-                            let _e1708 = local_2.member[1u];
-                            if (_e1708[0] < 0f) {
-                                phi_3135_ = -(_e1708[0]);
+                            let _e2101 = phi_3851_;
+                            let _e2104 = local_2.member[1u];
+                            if (_e2104[0] < 0f) {
+                                phi_3864_ = -(_e2104[0]);
                             } else {
-                                phi_3135_ = _e1708[0];
+                                phi_3864_ = _e2104[0];
                             }
-                            let _e1715 = phi_3135_;
-                            if (_e1708[1] < 0f) {
-                                phi_3142_ = -(_e1708[1]);
+                            let _e2111 = phi_3864_;
+                            if (_e2104[1] < 0f) {
+                                phi_3871_ = -(_e2104[1]);
                             } else {
-                                phi_3142_ = _e1708[1];
+                                phi_3871_ = _e2104[1];
                             }
-                            let _e1719 = phi_3142_;
-                            if (_e1715 > _e1719) {
-                                phi_3147_ = _e1715;
+                            let _e2115 = phi_3871_;
+                            if (_e2111 > _e2115) {
+                                phi_3876_ = _e2111;
                             } else {
-                                phi_3147_ = _e1719;
+                                phi_3876_ = _e2115;
                             }
-                            let _e1722 = phi_3147_;
-                            if (_e1708[2] < 0f) {
-                                phi_3154_ = -(_e1708[2]);
+                            let _e2118 = phi_3876_;
+                            if (_e2104[2] < 0f) {
+                                phi_3883_ = -(_e2104[2]);
                             } else {
-                                phi_3154_ = _e1708[2];
+                                phi_3883_ = _e2104[2];
                             }
-                            let _e1726 = phi_3154_;
-                            if (_e1722 > _e1726) {
-                                phi_3159_ = _e1722;
+                            let _e2122 = phi_3883_;
+                            if (_e2118 > _e2122) {
+                                phi_3888_ = _e2118;
                             } else {
-                                phi_3159_ = _e1726;
+                                phi_3888_ = _e2122;
                             }
-                            let _e1729 = phi_3159_;
-                            if (_e1705 > _e1729) {
-                                phi_3164_ = _e1705;
+                            let _e2125 = phi_3888_;
+                            if (_e2101 > _e2125) {
+                                phi_3893_ = _e2101;
                             } else {
-                                phi_3164_ = _e1729;
+                                phi_3893_ = _e2125;
                             }
-                            let _e1732 = phi_3164_;
-                            let _e1734 = local_2.member_3;
-                            let _e1735 = (_e1732 + _e1734);
-                            let _e1738 = local_2.member_1[0u];
-                            if (_e1738[0] < 0f) {
-                                phi_3181_ = -(_e1738[0]);
+                            let _e2128 = phi_3893_;
+                            let _e2130 = local_2.member_3;
+                            let _e2131 = (_e2128 + _e2130);
+                            let _e2134 = local_2.member_1[0u];
+                            if (_e2134[0] < 0f) {
+                                phi_3910_ = -(_e2134[0]);
                             } else {
-                                phi_3181_ = _e1738[0];
+                                phi_3910_ = _e2134[0];
                             }
-                            let _e1745 = phi_3181_;
-                            if (_e1738[1] < 0f) {
-                                phi_3188_ = -(_e1738[1]);
+                            let _e2141 = phi_3910_;
+                            if (_e2134[1] < 0f) {
+                                phi_3917_ = -(_e2134[1]);
                             } else {
-                                phi_3188_ = _e1738[1];
+                                phi_3917_ = _e2134[1];
                             }
-                            let _e1749 = phi_3188_;
-                            if (_e1745 > _e1749) {
-                                phi_3193_ = _e1745;
+                            let _e2145 = phi_3917_;
+                            if (_e2141 > _e2145) {
+                                phi_3922_ = _e2141;
                             } else {
-                                phi_3193_ = _e1749;
+                                phi_3922_ = _e2145;
                             }
-                            let _e1752 = phi_3193_;
-                            if (_e1738[2] < 0f) {
-                                phi_3200_ = -(_e1738[2]);
+                            let _e2148 = phi_3922_;
+                            if (_e2134[2] < 0f) {
+                                phi_3929_ = -(_e2134[2]);
                             } else {
-                                phi_3200_ = _e1738[2];
+                                phi_3929_ = _e2134[2];
                             }
-                            let _e1756 = phi_3200_;
-                            if (_e1752 > _e1756) {
-                                phi_3205_ = _e1752;
+                            let _e2152 = phi_3929_;
+                            if (_e2148 > _e2152) {
+                                phi_3934_ = _e2148;
                             } else {
-                                phi_3205_ = _e1756;
+                                phi_3934_ = _e2152;
                             }
-                            let _e1759 = phi_3205_;
-                            let _e1762 = local_2.member_1[1u];
-                            if (_e1762[0] < 0f) {
-                                phi_3219_ = -(_e1762[0]);
+                            let _e2155 = phi_3934_;
+                            let _e2158 = local_2.member_1[1u];
+                            if (_e2158[0] < 0f) {
+                                phi_3948_ = -(_e2158[0]);
                             } else {
-                                phi_3219_ = _e1762[0];
+                                phi_3948_ = _e2158[0];
                             }
-                            let _e1769 = phi_3219_;
-                            if (_e1762[1] < 0f) {
-                                phi_3226_ = -(_e1762[1]);
+                            let _e2165 = phi_3948_;
+                            if (_e2158[1] < 0f) {
+                                phi_3955_ = -(_e2158[1]);
                             } else {
-                                phi_3226_ = _e1762[1];
+                                phi_3955_ = _e2158[1];
                             }
-                            let _e1773 = phi_3226_;
-                            if (_e1769 > _e1773) {
-                                phi_3231_ = _e1769;
+                            let _e2169 = phi_3955_;
+                            if (_e2165 > _e2169) {
+                                phi_3960_ = _e2165;
                             } else {
-                                phi_3231_ = _e1773;
+                                phi_3960_ = _e2169;
                             }
-                            let _e1776 = phi_3231_;
-                            if (_e1762[2] < 0f) {
-                                phi_3238_ = -(_e1762[2]);
+                            let _e2172 = phi_3960_;
+                            if (_e2158[2] < 0f) {
+                                phi_3967_ = -(_e2158[2]);
                             } else {
-                                phi_3238_ = _e1762[2];
+                                phi_3967_ = _e2158[2];
                             }
-                            let _e1780 = phi_3238_;
-                            if (_e1776 > _e1780) {
-                                phi_3243_ = _e1776;
+                            let _e2176 = phi_3967_;
+                            if (_e2172 > _e2176) {
+                                phi_3972_ = _e2172;
                             } else {
-                                phi_3243_ = _e1780;
+                                phi_3972_ = _e2176;
                             }
-                            let _e1783 = phi_3243_;
-                            if (_e1759 > _e1783) {
-                                phi_3248_ = _e1759;
+                            let _e2179 = phi_3972_;
+                            if (_e2155 > _e2179) {
+                                phi_3977_ = _e2155;
                             } else {
-                                phi_3248_ = _e1783;
+                                phi_3977_ = _e2179;
                             }
-                            let _e1786 = phi_3248_;
-                            let _e1788 = local_2.member_3;
-                            let _e1789 = (_e1786 + _e1788);
-                            let _e1792 = local_2.member_2[0u];
-                            if (_e1792[0] < 0f) {
-                                phi_3265_ = -(_e1792[0]);
+                            let _e2182 = phi_3977_;
+                            let _e2184 = local_2.member_3;
+                            let _e2185 = (_e2182 + _e2184);
+                            let _e2188 = local_2.member_2[0u];
+                            if (_e2188[0] < 0f) {
+                                phi_3994_ = -(_e2188[0]);
                             } else {
-                                phi_3265_ = _e1792[0];
+                                phi_3994_ = _e2188[0];
                             }
-                            let _e1799 = phi_3265_;
-                            if (_e1792[1] < 0f) {
-                                phi_3272_ = -(_e1792[1]);
+                            let _e2195 = phi_3994_;
+                            if (_e2188[1] < 0f) {
+                                phi_4001_ = -(_e2188[1]);
                             } else {
-                                phi_3272_ = _e1792[1];
+                                phi_4001_ = _e2188[1];
                             }
-                            let _e1803 = phi_3272_;
-                            if (_e1799 > _e1803) {
-                                phi_3277_ = _e1799;
+                            let _e2199 = phi_4001_;
+                            if (_e2195 > _e2199) {
+                                phi_4006_ = _e2195;
                             } else {
-                                phi_3277_ = _e1803;
+                                phi_4006_ = _e2199;
                             }
-                            let _e1806 = phi_3277_;
-                            if (_e1792[2] < 0f) {
-                                phi_3284_ = -(_e1792[2]);
+                            let _e2202 = phi_4006_;
+                            if (_e2188[2] < 0f) {
+                                phi_4013_ = -(_e2188[2]);
                             } else {
-                                phi_3284_ = _e1792[2];
+                                phi_4013_ = _e2188[2];
                             }
-                            let _e1810 = phi_3284_;
-                            if (_e1806 > _e1810) {
-                                phi_3289_ = _e1806;
+                            let _e2206 = phi_4013_;
+                            if (_e2202 > _e2206) {
+                                phi_4018_ = _e2202;
                             } else {
-                                phi_3289_ = _e1810;
+                                phi_4018_ = _e2206;
                             }
-                            let _e1813 = phi_3289_;
-                            let _e1816 = local_2.member_2[1u];
-                            if (_e1816[0] < 0f) {
-                                phi_3303_ = -(_e1816[0]);
+                            let _e2209 = phi_4018_;
+                            let _e2212 = local_2.member_2[1u];
+                            if (_e2212[0] < 0f) {
+                                phi_4032_ = -(_e2212[0]);
                             } else {
-                                phi_3303_ = _e1816[0];
+                                phi_4032_ = _e2212[0];
                             }
-                            let _e1823 = phi_3303_;
-                            if (_e1816[1] < 0f) {
-                                phi_3310_ = -(_e1816[1]);
+                            let _e2219 = phi_4032_;
+                            if (_e2212[1] < 0f) {
+                                phi_4039_ = -(_e2212[1]);
                             } else {
-                                phi_3310_ = _e1816[1];
+                                phi_4039_ = _e2212[1];
                             }
-                            let _e1827 = phi_3310_;
-                            if (_e1823 > _e1827) {
-                                phi_3315_ = _e1823;
+                            let _e2223 = phi_4039_;
+                            if (_e2219 > _e2223) {
+                                phi_4044_ = _e2219;
                             } else {
-                                phi_3315_ = _e1827;
+                                phi_4044_ = _e2223;
                             }
-                            let _e1830 = phi_3315_;
-                            if (_e1816[2] < 0f) {
-                                phi_3322_ = -(_e1816[2]);
+                            let _e2226 = phi_4044_;
+                            if (_e2212[2] < 0f) {
+                                phi_4051_ = -(_e2212[2]);
                             } else {
-                                phi_3322_ = _e1816[2];
+                                phi_4051_ = _e2212[2];
                             }
-                            let _e1834 = phi_3322_;
-                            if (_e1830 > _e1834) {
-                                phi_3327_ = _e1830;
+                            let _e2230 = phi_4051_;
+                            if (_e2226 > _e2230) {
+                                phi_4056_ = _e2226;
                             } else {
-                                phi_3327_ = _e1834;
+                                phi_4056_ = _e2230;
                             }
-                            let _e1837 = phi_3327_;
-                            if (_e1813 > _e1837) {
-                                phi_3332_ = _e1813;
+                            let _e2233 = phi_4056_;
+                            if (_e2209 > _e2233) {
+                                phi_4061_ = _e2209;
                             } else {
-                                phi_3332_ = _e1837;
+                                phi_4061_ = _e2233;
                             }
-                            let _e1840 = phi_3332_;
-                            let _e1842 = local_2.member_3;
-                            let _e1843 = (_e1840 + _e1842);
-                            let _e1845 = ((_e1789 * 8f) * _e1843);
-                            let _e1852 = local_2.member_3;
-                            if (_e1541 < 0f) {
-                                phi_3363_ = -(_e1541);
+                            let _e2236 = phi_4061_;
+                            let _e2238 = local_2.member_3;
+                            let _e2239 = (_e2236 + _e2238);
+                            let _e2241 = ((_e2185 * 8f) * _e2239);
+                            let _e2248 = local_2.member_3;
+                            if (_e1937 < 0f) {
+                                phi_4092_ = -(_e1937);
                             } else {
-                                phi_3363_ = _e1541;
+                                phi_4092_ = _e1937;
                             }
-                            let _e1869 = phi_3363_;
-                            if (_e1544 < 0f) {
-                                phi_3369_ = -(_e1544);
+                            let _e2265 = phi_4092_;
+                            if (_e1940 < 0f) {
+                                phi_4098_ = -(_e1940);
                             } else {
-                                phi_3369_ = _e1544;
+                                phi_4098_ = _e1940;
                             }
-                            let _e1873 = phi_3369_;
-                            if (_e1547 < 0f) {
-                                phi_3376_ = -(_e1547);
+                            let _e2269 = phi_4098_;
+                            if (_e1943 < 0f) {
+                                phi_4105_ = -(_e1943);
                             } else {
-                                phi_3376_ = _e1547;
+                                phi_4105_ = _e1943;
                             }
-                            let _e1878 = phi_3376_;
-                            let _e1879 = ((_e1869 + _e1873) + _e1878);
-                            if (_e1562 < 0f) {
-                                phi_3383_ = -(_e1562);
+                            let _e2274 = phi_4105_;
+                            let _e2275 = ((_e2265 + _e2269) + _e2274);
+                            if (_e1958 < 0f) {
+                                phi_4112_ = -(_e1958);
                             } else {
-                                phi_3383_ = _e1562;
+                                phi_4112_ = _e1958;
                             }
-                            let _e1883 = phi_3383_;
-                            if (_e1565 < 0f) {
-                                phi_3389_ = -(_e1565);
+                            let _e2279 = phi_4112_;
+                            if (_e1961 < 0f) {
+                                phi_4118_ = -(_e1961);
                             } else {
-                                phi_3389_ = _e1565;
+                                phi_4118_ = _e1961;
                             }
-                            let _e1887 = phi_3389_;
-                            if (_e1568 < 0f) {
-                                phi_3396_ = -(_e1568);
+                            let _e2283 = phi_4118_;
+                            if (_e1964 < 0f) {
+                                phi_4125_ = -(_e1964);
                             } else {
-                                phi_3396_ = _e1568;
+                                phi_4125_ = _e1964;
                             }
-                            let _e1892 = phi_3396_;
-                            let _e1893 = ((_e1883 + _e1887) + _e1892);
-                            if (_e1879 > _e1893) {
-                                phi_3402_ = _e1879;
+                            let _e2288 = phi_4125_;
+                            let _e2289 = ((_e2279 + _e2283) + _e2288);
+                            if (_e2275 > _e2289) {
+                                phi_4131_ = _e2275;
                             } else {
-                                phi_3402_ = _e1893;
+                                phi_4131_ = _e2289;
                             }
-                            let _e1896 = phi_3402_;
-                            if (_e1611 < 0f) {
-                                phi_3408_ = -(_e1611);
+                            let _e2292 = phi_4131_;
+                            if (_e2007 < 0f) {
+                                phi_4137_ = -(_e2007);
                             } else {
-                                phi_3408_ = _e1611;
+                                phi_4137_ = _e2007;
                             }
-                            let _e1900 = phi_3408_;
-                            if (_e1612 < 0f) {
-                                phi_3414_ = -(_e1612);
+                            let _e2296 = phi_4137_;
+                            if (_e2008 < 0f) {
+                                phi_4143_ = -(_e2008);
                             } else {
-                                phi_3414_ = _e1612;
+                                phi_4143_ = _e2008;
                             }
-                            let _e1904 = phi_3414_;
-                            if (_e1613 < 0f) {
-                                phi_3421_ = -(_e1613);
+                            let _e2300 = phi_4143_;
+                            if (_e2009 < 0f) {
+                                phi_4150_ = -(_e2009);
                             } else {
-                                phi_3421_ = _e1613;
+                                phi_4150_ = _e2009;
                             }
-                            let _e1909 = phi_3421_;
-                            let _e1911 = (((_e1900 + _e1904) + _e1909) * 0.5f);
-                            if (_e1896 > _e1911) {
-                                phi_3428_ = _e1896;
+                            let _e2305 = phi_4150_;
+                            let _e2307 = (((_e2296 + _e2300) + _e2305) * 0.5f);
+                            if (_e2292 > _e2307) {
+                                phi_4157_ = _e2292;
                             } else {
-                                phi_3428_ = _e1911;
+                                phi_4157_ = _e2307;
                             }
-                            let _e1914 = phi_3428_;
-                            let _e1919 = local_2.member_3;
-                            let _e1932 = ((((_e1616[0] * _e1541) + (_e1616[1] * _e1544)) + (_e1616[2] * _e1547)) * 3f);
-                            let _e1933 = ((((_e1673[0] * _e1562) + (_e1673[1] * _e1565)) + (_e1673[2] * _e1568)) * 3f);
-                            if (_e1932 < _e1933) {
-                                phi_3452_ = _e1932;
+                            let _e2310 = phi_4157_;
+                            let _e2315 = local_2.member_3;
+                            let _e2328 = ((((_e2012[0] * _e1937) + (_e2012[1] * _e1940)) + (_e2012[2] * _e1943)) * 3f);
+                            let _e2329 = ((((_e2069[0] * _e1958) + (_e2069[1] * _e1961)) + (_e2069[2] * _e1964)) * 3f);
+                            if (_e2328 < _e2329) {
+                                phi_4181_ = _e2328;
                             } else {
-                                phi_3452_ = _e1933;
+                                phi_4181_ = _e2329;
                             }
-                            let _e1936 = phi_3452_;
-                            if (_e1647 < _e1670) {
-                                phi_3457_ = _e1647;
+                            let _e2332 = phi_4181_;
+                            if (_e2043 < _e2066) {
+                                phi_4186_ = _e2043;
                             } else {
-                                phi_3457_ = _e1670;
+                                phi_4186_ = _e2066;
                             }
-                            let _e1939 = phi_3457_;
-                            if (_e1936 < _e1939) {
-                                phi_3462_ = _e1936;
+                            let _e2335 = phi_4186_;
+                            if (_e2332 < _e2335) {
+                                phi_4191_ = _e2332;
                             } else {
-                                phi_3462_ = _e1939;
+                                phi_4191_ = _e2335;
                             }
-                            let _e1942 = phi_3462_;
-                            if (_e1932 > _e1933) {
-                                phi_3467_ = _e1932;
+                            let _e2338 = phi_4191_;
+                            if (_e2328 > _e2329) {
+                                phi_4196_ = _e2328;
                             } else {
-                                phi_3467_ = _e1933;
+                                phi_4196_ = _e2329;
                             }
-                            let _e1945 = phi_3467_;
-                            if (_e1647 > _e1670) {
-                                phi_3472_ = _e1647;
+                            let _e2341 = phi_4196_;
+                            if (_e2043 > _e2066) {
+                                phi_4201_ = _e2043;
                             } else {
-                                phi_3472_ = _e1670;
+                                phi_4201_ = _e2066;
                             }
-                            let _e1948 = phi_3472_;
-                            if (_e1945 > _e1948) {
-                                phi_3477_ = _e1945;
+                            let _e2344 = phi_4201_;
+                            if (_e2341 > _e2344) {
+                                phi_4206_ = _e2341;
                             } else {
-                                phi_3477_ = _e1948;
+                                phi_4206_ = _e2344;
                             }
-                            let _e1951 = phi_3477_;
-                            let _e1956 = -(_e1951);
-                            if (_e1942 > _e1956) {
-                                phi_3487_ = _e1942;
+                            let _e2347 = phi_4206_;
+                            let _e2352 = -(_e2347);
+                            if (_e2338 > _e2352) {
+                                phi_4216_ = _e2338;
                             } else {
-                                phi_3487_ = _e1956;
+                                phi_4216_ = _e2352;
                             }
-                            let _e1959 = phi_3487_;
-                            let _e1961 = ((_e1959 - ((((((_e1735 * 8f) * _e1845) * (0.000000059604645f * (524f / 64f))) + ((_e1852 * 19f) * ((_e1735 * (_e1789 + _e1843)) + (_e1789 * _e1843)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1735) * ((1f + _e1789) * (1f + _e1843))))) + ((_e1449 * (((_e1914 + (_e1845 * (0.000000059604645f * 8f))) + ((_e1919 * 6f) * (_e1789 + _e1843))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1789) * (1f + _e1843))))) * (3f * 1.0001f)))) > 0f);
-                            if _e1961 {
-                                phi_4456_ = _e1961;
+                            let _e2355 = phi_4216_;
+                            let _e2357 = ((_e2355 - ((((((_e2131 * 8f) * _e2241) * (0.000000059604645f * (524f / 64f))) + ((_e2248 * 19f) * ((_e2131 * (_e2185 + _e2239)) + (_e2185 * _e2239)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2131) * ((1f + _e2185) * (1f + _e2239))))) + ((_e1845 * (((_e2310 + (_e2241 * (0.000000059604645f * 8f))) + ((_e2315 * 6f) * (_e2185 + _e2239))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2185) * (1f + _e2239))))) * (3f * 1.0001f)))) > 0f);
+                            if _e2357 {
+                                phi_5185_ = _e2357;
                             } else {
-                                let _e1964 = local_2.member_1[0u];
-                                let _e1970 = local_2.member_1[1u];
-                                let _e1974 = (_e1964[0] + _e1970[0]);
-                                let _e1975 = (_e1964[1] + _e1970[1]);
-                                let _e1976 = (_e1964[2] + _e1970[2]);
-                                let _e1979 = local_2.member_2[0u];
-                                let _e1985 = local_2.member_2[1u];
-                                let _e1989 = (_e1979[0] + _e1985[0]);
-                                let _e1990 = (_e1979[1] + _e1985[1]);
-                                let _e1991 = (_e1979[2] + _e1985[2]);
-                                let _e1994 = ((_e1975 * _e1991) - (_e1976 * _e1990));
-                                let _e1997 = ((_e1976 * _e1989) - (_e1974 * _e1991));
-                                let _e2000 = ((_e1974 * _e1990) - (_e1975 * _e1989));
-                                let _e2003 = local_2.member[0u];
-                                let _e2009 = local_2.member_1[0u];
-                                let _e2015 = local_2.member_2[0u];
-                                let _e2019 = (_e2003[0] - _e2009[0]);
-                                let _e2020 = (_e2003[1] - _e2009[1]);
-                                let _e2021 = (_e2003[2] - _e2009[2]);
-                                let _e2022 = (_e2019 - _e2015[0]);
-                                let _e2023 = (_e2020 - _e2015[1]);
-                                let _e2024 = (_e2021 - _e2015[2]);
-                                let _e2025 = (_e2003[0] - _e2015[0]);
-                                let _e2026 = (_e2003[1] - _e2015[1]);
-                                let _e2027 = (_e2003[2] - _e2015[2]);
-                                let _e2030 = local_2.member[1u];
-                                let _e2036 = local_2.member_1[1u];
-                                let _e2042 = local_2.member_2[1u];
-                                let _e2046 = (_e2030[0] - _e2036[0]);
-                                let _e2047 = (_e2030[1] - _e2036[1]);
-                                let _e2048 = (_e2030[2] - _e2036[2]);
-                                let _e2049 = (_e2046 - _e2042[0]);
-                                let _e2050 = (_e2047 - _e2042[1]);
-                                let _e2051 = (_e2048 - _e2042[2]);
-                                let _e2052 = (_e2030[0] - _e2042[0]);
-                                let _e2053 = (_e2030[1] - _e2042[1]);
-                                let _e2054 = (_e2030[2] - _e2042[2]);
-                                let _e2057 = local_2.member[0u];
-                                if (_e2057[0] < 0f) {
-                                    phi_3690_ = -(_e2057[0]);
-                                } else {
-                                    phi_3690_ = _e2057[0];
-                                }
-                                let _e2064 = phi_3690_;
-                                if (_e2057[1] < 0f) {
-                                    phi_3697_ = -(_e2057[1]);
-                                } else {
-                                    phi_3697_ = _e2057[1];
-                                }
-                                let _e2068 = phi_3697_;
-                                if (_e2064 > _e2068) {
-                                    phi_3702_ = _e2064;
-                                } else {
-                                    phi_3702_ = _e2068;
-                                }
-                                let _e2071 = phi_3702_;
-                                if (_e2057[2] < 0f) {
-                                    phi_3709_ = -(_e2057[2]);
-                                } else {
-                                    phi_3709_ = _e2057[2];
-                                }
-                                let _e2075 = phi_3709_;
-                                if (_e2071 > _e2075) {
-                                    phi_3714_ = _e2071;
-                                } else {
-                                    phi_3714_ = _e2075;
-                                }
-                                let _e2078 = phi_3714_;
-                                let _e2081 = local_2.member[1u];
-                                if (_e2081[0] < 0f) {
-                                    phi_3727_ = -(_e2081[0]);
+                                let _e2360 = local_2.member_1[0u];
+                                let _e2366 = local_2.member_1[1u];
+                                let _e2370 = (_e2360[0] + _e2366[0]);
+                                let _e2371 = (_e2360[1] + _e2366[1]);
+                                let _e2372 = (_e2360[2] + _e2366[2]);
+                                let _e2375 = local_2.member_2[0u];
+                                let _e2381 = local_2.member_2[1u];
+                                let _e2385 = (_e2375[0] + _e2381[0]);
+                                let _e2386 = (_e2375[1] + _e2381[1]);
+                                let _e2387 = (_e2375[2] + _e2381[2]);
+                                let _e2390 = ((_e2371 * _e2387) - (_e2372 * _e2386));
+                                let _e2393 = ((_e2372 * _e2385) - (_e2370 * _e2387));
+                                let _e2396 = ((_e2370 * _e2386) - (_e2371 * _e2385));
+                                let _e2399 = local_2.member[0u];
+                                let _e2405 = local_2.member_1[0u];
+                                let _e2411 = local_2.member_2[0u];
+                                let _e2415 = (_e2399[0] - _e2405[0]);
+                                let _e2416 = (_e2399[1] - _e2405[1]);
+                                let _e2417 = (_e2399[2] - _e2405[2]);
+                                let _e2418 = (_e2415 - _e2411[0]);
+                                let _e2419 = (_e2416 - _e2411[1]);
+                                let _e2420 = (_e2417 - _e2411[2]);
+                                let _e2421 = (_e2399[0] - _e2411[0]);
+                                let _e2422 = (_e2399[1] - _e2411[1]);
+                                let _e2423 = (_e2399[2] - _e2411[2]);
+                                let _e2426 = local_2.member[1u];
+                                let _e2432 = local_2.member_1[1u];
+                                let _e2438 = local_2.member_2[1u];
+                                let _e2442 = (_e2426[0] - _e2432[0]);
+                                let _e2443 = (_e2426[1] - _e2432[1]);
+                                let _e2444 = (_e2426[2] - _e2432[2]);
+                                let _e2445 = (_e2442 - _e2438[0]);
+                                let _e2446 = (_e2443 - _e2438[1]);
+                                let _e2447 = (_e2444 - _e2438[2]);
+                                let _e2448 = (_e2426[0] - _e2438[0]);
+                                let _e2449 = (_e2426[1] - _e2438[1]);
+                                let _e2450 = (_e2426[2] - _e2438[2]);
+                                let _e2453 = local_2.member[0u];
+                                if (_e2453[0] < 0f) {
+                                    phi_4419_ = -(_e2453[0]);
+                                } else {
+                                    phi_4419_ = _e2453[0];
+                                }
+                                let _e2460 = phi_4419_;
+                                if (_e2453[1] < 0f) {
+                                    phi_4426_ = -(_e2453[1]);
+                                } else {
+                                    phi_4426_ = _e2453[1];
+                                }
+                                let _e2464 = phi_4426_;
+                                if (_e2460 > _e2464) {
+                                    phi_4431_ = _e2460;
+                                } else {
+                                    phi_4431_ = _e2464;
+                                }
+                                let _e2467 = phi_4431_;
+                                if (_e2453[2] < 0f) {
+                                    phi_4438_ = -(_e2453[2]);
+                                } else {
+                                    phi_4438_ = _e2453[2];
+                                }
+                                let _e2471 = phi_4438_;
+                                if (_e2467 > _e2471) {
+                                    phi_4443_ = _e2467;
+                                } else {
+                                    phi_4443_ = _e2471;
+                                }
+                                let _e2474 = phi_4443_;
+                                let _e2477 = local_2.member[1u];
+                                if (_e2477[0] < 0f) {
+                                    phi_4456_ = -(_e2477[0]);
                                 } else {
-                                    phi_3727_ = _e2081[0];
+                                    phi_4456_ = _e2477[0];
                                 }
-                                let _e2088 = phi_3727_;
-                                if (_e2081[1] < 0f) {
-                                    phi_3734_ = -(_e2081[1]);
-                                } else {
-                                    phi_3734_ = _e2081[1];
+                                let _e2484 = phi_4456_;
+                                if (_e2477[1] < 0f) {
+                                    phi_4463_ = -(_e2477[1]);
+                                } else {
+                                    phi_4463_ = _e2477[1];
                                 }
-                                let _e2092 = phi_3734_;
-                                if (_e2088 > _e2092) {
-                                    phi_3739_ = _e2088;
+                                let _e2488 = phi_4463_;
+                                if (_e2484 > _e2488) {
+                                    phi_4468_ = _e2484;
                                 } else {
-                                    phi_3739_ = _e2092;
+                                    phi_4468_ = _e2488;
                                 }
-                                let _e2095 = phi_3739_;
-                                if (_e2081[2] < 0f) {
-                                    phi_3746_ = -(_e2081[2]);
+                                let _e2491 = phi_4468_;
+                                if (_e2477[2] < 0f) {
+                                    phi_4475_ = -(_e2477[2]);
                                 } else {
-                                    phi_3746_ = _e2081[2];
+                                    phi_4475_ = _e2477[2];
                                 }
-                                let _e2099 = phi_3746_;
-                                if (_e2095 > _e2099) {
-                                    phi_3751_ = _e2095;
+                                let _e2495 = phi_4475_;
+                                if (_e2491 > _e2495) {
+                                    phi_4480_ = _e2491;
                                 } else {
-                                    phi_3751_ = _e2099;
+                                    phi_4480_ = _e2495;
                                 }
-                                let _e2102 = phi_3751_;
-                                if (_e2078 > _e2102) {
-                                    phi_3756_ = _e2078;
+                                let _e2498 = phi_4480_;
+                                if (_e2474 > _e2498) {
+                                    phi_4485_ = _e2474;
                                 } else {
-                                    phi_3756_ = _e2102;
+                                    phi_4485_ = _e2498;
                                 }
-                                let _e2105 = phi_3756_;
-                                let _e2107 = local_2.member_3;
-                                let _e2111 = local_2.member_1[0u];
-                                if (_e2111[0] < 0f) {
-                                    phi_3773_ = -(_e2111[0]);
+                                let _e2501 = phi_4485_;
+                                let _e2503 = local_2.member_3;
+                                let _e2507 = local_2.member_1[0u];
+                                if (_e2507[0] < 0f) {
+                                    phi_4502_ = -(_e2507[0]);
                                 } else {
-                                    phi_3773_ = _e2111[0];
+                                    phi_4502_ = _e2507[0];
                                 }
-                                let _e2118 = phi_3773_;
-                                if (_e2111[1] < 0f) {
-                                    phi_3780_ = -(_e2111[1]);
+                                let _e2514 = phi_4502_;
+                                if (_e2507[1] < 0f) {
+                                    phi_4509_ = -(_e2507[1]);
                                 } else {
-                                    phi_3780_ = _e2111[1];
+                                    phi_4509_ = _e2507[1];
                                 }
-                                let _e2122 = phi_3780_;
-                                if (_e2118 > _e2122) {
-                                    phi_3785_ = _e2118;
+                                let _e2518 = phi_4509_;
+                                if (_e2514 > _e2518) {
+                                    phi_4514_ = _e2514;
                                 } else {
-                                    phi_3785_ = _e2122;
+                                    phi_4514_ = _e2518;
                                 }
-                                let _e2125 = phi_3785_;
-                                if (_e2111[2] < 0f) {
-                                    phi_3792_ = -(_e2111[2]);
+                                let _e2521 = phi_4514_;
+                                if (_e2507[2] < 0f) {
+                                    phi_4521_ = -(_e2507[2]);
                                 } else {
-                                    phi_3792_ = _e2111[2];
+                                    phi_4521_ = _e2507[2];
                                 }
-                                let _e2129 = phi_3792_;
-                                if (_e2125 > _e2129) {
-                                    phi_3797_ = _e2125;
+                                let _e2525 = phi_4521_;
+                                if (_e2521 > _e2525) {
+                                    phi_4526_ = _e2521;
                                 } else {
-                                    phi_3797_ = _e2129;
+                                    phi_4526_ = _e2525;
                                 }
-                                let _e2132 = phi_3797_;
-                                let _e2135 = local_2.member_1[1u];
-                                if (_e2135[0] < 0f) {
-                                    phi_3811_ = -(_e2135[0]);
+                                let _e2528 = phi_4526_;
+                                let _e2531 = local_2.member_1[1u];
+                                if (_e2531[0] < 0f) {
+                                    phi_4540_ = -(_e2531[0]);
                                 } else {
-                                    phi_3811_ = _e2135[0];
+                                    phi_4540_ = _e2531[0];
                                 }
-                                let _e2142 = phi_3811_;
-                                if (_e2135[1] < 0f) {
-                                    phi_3818_ = -(_e2135[1]);
+                                let _e2538 = phi_4540_;
+                                if (_e2531[1] < 0f) {
+                                    phi_4547_ = -(_e2531[1]);
                                 } else {
-                                    phi_3818_ = _e2135[1];
+                                    phi_4547_ = _e2531[1];
                                 }
-                                let _e2146 = phi_3818_;
-                                if (_e2142 > _e2146) {
-                                    phi_3823_ = _e2142;
+                                let _e2542 = phi_4547_;
+                                if (_e2538 > _e2542) {
+                                    phi_4552_ = _e2538;
                                 } else {
-                                    phi_3823_ = _e2146;
+                                    phi_4552_ = _e2542;
                                 }
-                                let _e2149 = phi_3823_;
-                                if (_e2135[2] < 0f) {
-                                    phi_3830_ = -(_e2135[2]);
+                                let _e2545 = phi_4552_;
+                                if (_e2531[2] < 0f) {
+                                    phi_4559_ = -(_e2531[2]);
                                 } else {
-                                    phi_3830_ = _e2135[2];
+                                    phi_4559_ = _e2531[2];
                                 }
-                                let _e2153 = phi_3830_;
-                                if (_e2149 > _e2153) {
-                                    phi_3835_ = _e2149;
+                                let _e2549 = phi_4559_;
+                                if (_e2545 > _e2549) {
+                                    phi_4564_ = _e2545;
                                 } else {
-                                    phi_3835_ = _e2153;
+                                    phi_4564_ = _e2549;
                                 }
-                                let _e2156 = phi_3835_;
-                                if (_e2132 > _e2156) {
-                                    phi_3840_ = _e2132;
+                                let _e2552 = phi_4564_;
+                                if (_e2528 > _e2552) {
+                                    phi_4569_ = _e2528;
                                 } else {
-                                    phi_3840_ = _e2156;
+                                    phi_4569_ = _e2552;
                                 }
-                                let _e2159 = phi_3840_;
-                                let _e2161 = local_2.member_3;
-                                let _e2165 = local_2.member_2[0u];
-                                if (_e2165[0] < 0f) {
-                                    phi_3857_ = -(_e2165[0]);
+                                let _e2555 = phi_4569_;
+                                let _e2557 = local_2.member_3;
+                                let _e2561 = local_2.member_2[0u];
+                                if (_e2561[0] < 0f) {
+                                    phi_4586_ = -(_e2561[0]);
                                 } else {
-                                    phi_3857_ = _e2165[0];
+                                    phi_4586_ = _e2561[0];
                                 }
-                                let _e2172 = phi_3857_;
-                                if (_e2165[1] < 0f) {
-                                    phi_3864_ = -(_e2165[1]);
+                                let _e2568 = phi_4586_;
+                                if (_e2561[1] < 0f) {
+                                    phi_4593_ = -(_e2561[1]);
                                 } else {
-                                    phi_3864_ = _e2165[1];
+                                    phi_4593_ = _e2561[1];
                                 }
-                                let _e2176 = phi_3864_;
-                                if (_e2172 > _e2176) {
-                                    phi_3869_ = _e2172;
+                                let _e2572 = phi_4593_;
+                                if (_e2568 > _e2572) {
+                                    phi_4598_ = _e2568;
                                 } else {
-                                    phi_3869_ = _e2176;
+                                    phi_4598_ = _e2572;
                                 }
-                                let _e2179 = phi_3869_;
-                                if (_e2165[2] < 0f) {
-                                    phi_3876_ = -(_e2165[2]);
+                                let _e2575 = phi_4598_;
+                                if (_e2561[2] < 0f) {
+                                    phi_4605_ = -(_e2561[2]);
                                 } else {
-                                    phi_3876_ = _e2165[2];
+                                    phi_4605_ = _e2561[2];
                                 }
-                                let _e2183 = phi_3876_;
-                                if (_e2179 > _e2183) {
-                                    phi_3881_ = _e2179;
+                                let _e2579 = phi_4605_;
+                                if (_e2575 > _e2579) {
+                                    phi_4610_ = _e2575;
                                 } else {
-                                    phi_3881_ = _e2183;
+                                    phi_4610_ = _e2579;
                                 }
-                                let _e2186 = phi_3881_;
-                                let _e2189 = local_2.member_2[1u];
-                                if (_e2189[0] < 0f) {
-                                    phi_3895_ = -(_e2189[0]);
+                                let _e2582 = phi_4610_;
+                                let _e2585 = local_2.member_2[1u];
+                                if (_e2585[0] < 0f) {
+                                    phi_4624_ = -(_e2585[0]);
                                 } else {
-                                    phi_3895_ = _e2189[0];
+                                    phi_4624_ = _e2585[0];
                                 }
-                                let _e2196 = phi_3895_;
-                                if (_e2189[1] < 0f) {
-                                    phi_3902_ = -(_e2189[1]);
+                                let _e2592 = phi_4624_;
+                                if (_e2585[1] < 0f) {
+                                    phi_4631_ = -(_e2585[1]);
                                 } else {
-                                    phi_3902_ = _e2189[1];
+                                    phi_4631_ = _e2585[1];
                                 }
-                                let _e2200 = phi_3902_;
-                                if (_e2196 > _e2200) {
-                                    phi_3907_ = _e2196;
+                                let _e2596 = phi_4631_;
+                                if (_e2592 > _e2596) {
+                                    phi_4636_ = _e2592;
                                 } else {
-                                    phi_3907_ = _e2200;
+                                    phi_4636_ = _e2596;
                                 }
-                                let _e2203 = phi_3907_;
-                                if (_e2189[2] < 0f) {
-                                    phi_3914_ = -(_e2189[2]);
+                                let _e2599 = phi_4636_;
+                                if (_e2585[2] < 0f) {
+                                    phi_4643_ = -(_e2585[2]);
                                 } else {
-                                    phi_3914_ = _e2189[2];
+                                    phi_4643_ = _e2585[2];
                                 }
-                                let _e2207 = phi_3914_;
-                                if (_e2203 > _e2207) {
-                                    phi_3919_ = _e2203;
+                                let _e2603 = phi_4643_;
+                                if (_e2599 > _e2603) {
+                                    phi_4648_ = _e2599;
                                 } else {
-                                    phi_3919_ = _e2207;
+                                    phi_4648_ = _e2603;
                                 }
-                                let _e2210 = phi_3919_;
-                                if (_e2186 > _e2210) {
-                                    phi_3924_ = _e2186;
+                                let _e2606 = phi_4648_;
+                                if (_e2582 > _e2606) {
+                                    phi_4653_ = _e2582;
                                 } else {
-                                    phi_3924_ = _e2210;
+                                    phi_4653_ = _e2606;
                                 }
-                                let _e2213 = phi_3924_;
-                                let _e2215 = local_2.member_3;
-                                let _e2219 = ((((_e2105 + _e2107) + (_e2159 + _e2161)) + (_e2213 + _e2215)) * 2f);
-                                let _e2222 = local_2.member_3;
-                                let _e2226 = (((_e1449 * 1.0001f) + (_e2222 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2229 = ((_e1997 * _e1976) - (_e2000 * _e1975));
-                                let _e2232 = ((_e2000 * _e1974) - (_e1994 * _e1976));
-                                let _e2235 = ((_e1994 * _e1975) - (_e1997 * _e1974));
-                                let _e2240 = (((_e2229 * _e2003[0]) + (_e2232 * _e2003[1])) + (_e2235 * _e2003[2]));
-                                let _e2245 = (((_e2229 * _e2019) + (_e2232 * _e2020)) + (_e2235 * _e2021));
-                                let _e2250 = (((_e2229 * _e2025) + (_e2232 * _e2026)) + (_e2235 * _e2027));
-                                let _e2255 = (((_e2229 * _e2022) + (_e2232 * _e2023)) + (_e2235 * _e2024));
-                                let _e2260 = (((_e2229 * _e2030[0]) + (_e2232 * _e2030[1])) + (_e2235 * _e2030[2]));
-                                let _e2265 = (((_e2229 * _e2046) + (_e2232 * _e2047)) + (_e2235 * _e2048));
-                                let _e2270 = (((_e2229 * _e2052) + (_e2232 * _e2053)) + (_e2235 * _e2054));
-                                let _e2275 = (((_e2229 * _e2049) + (_e2232 * _e2050)) + (_e2235 * _e2051));
-                                if (_e2240 < _e2245) {
-                                    phi_4003_ = _e2240;
+                                let _e2609 = phi_4653_;
+                                let _e2611 = local_2.member_3;
+                                let _e2615 = ((((_e2501 + _e2503) + (_e2555 + _e2557)) + (_e2609 + _e2611)) * 2f);
+                                let _e2618 = local_2.member_3;
+                                let _e2622 = (((_e1845 * 1.0001f) + (_e2618 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2625 = ((_e2393 * _e2372) - (_e2396 * _e2371));
+                                let _e2628 = ((_e2396 * _e2370) - (_e2390 * _e2372));
+                                let _e2631 = ((_e2390 * _e2371) - (_e2393 * _e2370));
+                                let _e2636 = (((_e2625 * _e2399[0]) + (_e2628 * _e2399[1])) + (_e2631 * _e2399[2]));
+                                let _e2641 = (((_e2625 * _e2415) + (_e2628 * _e2416)) + (_e2631 * _e2417));
+                                let _e2646 = (((_e2625 * _e2421) + (_e2628 * _e2422)) + (_e2631 * _e2423));
+                                let _e2651 = (((_e2625 * _e2418) + (_e2628 * _e2419)) + (_e2631 * _e2420));
+                                let _e2656 = (((_e2625 * _e2426[0]) + (_e2628 * _e2426[1])) + (_e2631 * _e2426[2]));
+                                let _e2661 = (((_e2625 * _e2442) + (_e2628 * _e2443)) + (_e2631 * _e2444));
+                                let _e2666 = (((_e2625 * _e2448) + (_e2628 * _e2449)) + (_e2631 * _e2450));
+                                let _e2671 = (((_e2625 * _e2445) + (_e2628 * _e2446)) + (_e2631 * _e2447));
+                                if (_e2636 < _e2641) {
+                                    phi_4732_ = _e2636;
                                 } else {
-                                    phi_4003_ = _e2245;
+                                    phi_4732_ = _e2641;
                                 }
-                                let _e2278 = phi_4003_;
-                                if (_e2250 < _e2255) {
-                                    phi_4008_ = _e2250;
+                                let _e2674 = phi_4732_;
+                                if (_e2646 < _e2651) {
+                                    phi_4737_ = _e2646;
                                 } else {
-                                    phi_4008_ = _e2255;
+                                    phi_4737_ = _e2651;
                                 }
-                                let _e2281 = phi_4008_;
-                                if (_e2278 < _e2281) {
-                                    phi_4013_ = _e2278;
+                                let _e2677 = phi_4737_;
+                                if (_e2674 < _e2677) {
+                                    phi_4742_ = _e2674;
                                 } else {
-                                    phi_4013_ = _e2281;
+                                    phi_4742_ = _e2677;
                                 }
-                                let _e2284 = phi_4013_;
-                                if (_e2260 < _e2265) {
-                                    phi_4018_ = _e2260;
+                                let _e2680 = phi_4742_;
+                                if (_e2656 < _e2661) {
+                                    phi_4747_ = _e2656;
                                 } else {
-                                    phi_4018_ = _e2265;
+                                    phi_4747_ = _e2661;
                                 }
-                                let _e2287 = phi_4018_;
-                                if (_e2270 < _e2275) {
-                                    phi_4023_ = _e2270;
+                                let _e2683 = phi_4747_;
+                                if (_e2666 < _e2671) {
+                                    phi_4752_ = _e2666;
                                 } else {
-                                    phi_4023_ = _e2275;
+                                    phi_4752_ = _e2671;
                                 }
-                                let _e2290 = phi_4023_;
-                                if (_e2287 < _e2290) {
-                                    phi_4028_ = _e2287;
+                                let _e2686 = phi_4752_;
+                                if (_e2683 < _e2686) {
+                                    phi_4757_ = _e2683;
                                 } else {
-                                    phi_4028_ = _e2290;
+                                    phi_4757_ = _e2686;
                                 }
-                                let _e2293 = phi_4028_;
-                                if (_e2284 < _e2293) {
-                                    phi_4033_ = _e2284;
+                                let _e2689 = phi_4757_;
+                                if (_e2680 < _e2689) {
+                                    phi_4762_ = _e2680;
                                 } else {
-                                    phi_4033_ = _e2293;
+                                    phi_4762_ = _e2689;
                                 }
-                                let _e2296 = phi_4033_;
-                                if (_e2240 > _e2245) {
-                                    phi_4038_ = _e2240;
+                                let _e2692 = phi_4762_;
+                                if (_e2636 > _e2641) {
+                                    phi_4767_ = _e2636;
                                 } else {
-                                    phi_4038_ = _e2245;
+                                    phi_4767_ = _e2641;
                                 }
-                                let _e2299 = phi_4038_;
-                                if (_e2250 > _e2255) {
-                                    phi_4043_ = _e2250;
+                                let _e2695 = phi_4767_;
+                                if (_e2646 > _e2651) {
+                                    phi_4772_ = _e2646;
                                 } else {
-                                    phi_4043_ = _e2255;
+                                    phi_4772_ = _e2651;
                                 }
-                                let _e2302 = phi_4043_;
-                                if (_e2299 > _e2302) {
-                                    phi_4048_ = _e2299;
+                                let _e2698 = phi_4772_;
+                                if (_e2695 > _e2698) {
+                                    phi_4777_ = _e2695;
                                 } else {
-                                    phi_4048_ = _e2302;
+                                    phi_4777_ = _e2698;
                                 }
-                                let _e2305 = phi_4048_;
-                                if (_e2260 > _e2265) {
-                                    phi_4053_ = _e2260;
+                                let _e2701 = phi_4777_;
+                                if (_e2656 > _e2661) {
+                                    phi_4782_ = _e2656;
                                 } else {
-                                    phi_4053_ = _e2265;
+                                    phi_4782_ = _e2661;
                                 }
-                                let _e2308 = phi_4053_;
-                                if (_e2270 > _e2275) {
-                                    phi_4058_ = _e2270;
+                                let _e2704 = phi_4782_;
+                                if (_e2666 > _e2671) {
+                                    phi_4787_ = _e2666;
                                 } else {
-                                    phi_4058_ = _e2275;
+                                    phi_4787_ = _e2671;
                                 }
-                                let _e2311 = phi_4058_;
-                                if (_e2308 > _e2311) {
-                                    phi_4063_ = _e2308;
+                                let _e2707 = phi_4787_;
+                                if (_e2704 > _e2707) {
+                                    phi_4792_ = _e2704;
                                 } else {
-                                    phi_4063_ = _e2311;
+                                    phi_4792_ = _e2707;
                                 }
-                                let _e2314 = phi_4063_;
-                                if (_e2305 > _e2314) {
-                                    phi_4068_ = _e2305;
+                                let _e2710 = phi_4792_;
+                                if (_e2701 > _e2710) {
+                                    phi_4797_ = _e2701;
                                 } else {
-                                    phi_4068_ = _e2314;
+                                    phi_4797_ = _e2710;
                                 }
-                                let _e2317 = phi_4068_;
-                                if (_e2229 < 0f) {
-                                    phi_4074_ = -(_e2229);
+                                let _e2713 = phi_4797_;
+                                if (_e2625 < 0f) {
+                                    phi_4803_ = -(_e2625);
                                 } else {
-                                    phi_4074_ = _e2229;
+                                    phi_4803_ = _e2625;
                                 }
-                                let _e2321 = phi_4074_;
-                                if (_e2232 < 0f) {
-                                    phi_4080_ = -(_e2232);
+                                let _e2717 = phi_4803_;
+                                if (_e2628 < 0f) {
+                                    phi_4809_ = -(_e2628);
                                 } else {
-                                    phi_4080_ = _e2232;
+                                    phi_4809_ = _e2628;
                                 }
-                                let _e2325 = phi_4080_;
-                                if (_e2235 < 0f) {
-                                    phi_4087_ = -(_e2235);
+                                let _e2721 = phi_4809_;
+                                if (_e2631 < 0f) {
+                                    phi_4816_ = -(_e2631);
                                 } else {
-                                    phi_4087_ = _e2235;
+                                    phi_4816_ = _e2631;
                                 }
-                                let _e2330 = phi_4087_;
-                                let _e2331 = ((_e2321 + _e2325) + _e2330);
-                                let _e2336 = -(_e2317);
-                                if (_e2296 > _e2336) {
-                                    phi_4098_ = _e2296;
+                                let _e2726 = phi_4816_;
+                                let _e2727 = ((_e2717 + _e2721) + _e2726);
+                                let _e2732 = -(_e2713);
+                                if (_e2692 > _e2732) {
+                                    phi_4827_ = _e2692;
                                 } else {
-                                    phi_4098_ = _e2336;
+                                    phi_4827_ = _e2732;
                                 }
-                                let _e2339 = phi_4098_;
-                                let _e2344 = (((_e2339 - ((_e2331 * _e2219) * (0.000000059604645f * (17f / 2f)))) - (_e2331 * _e2226)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2347 = ((_e1997 * _e1991) - (_e2000 * _e1990));
-                                let _e2350 = ((_e2000 * _e1989) - (_e1994 * _e1991));
-                                let _e2353 = ((_e1994 * _e1990) - (_e1997 * _e1989));
-                                let _e2358 = (((_e2347 * _e2003[0]) + (_e2350 * _e2003[1])) + (_e2353 * _e2003[2]));
-                                let _e2363 = (((_e2347 * _e2019) + (_e2350 * _e2020)) + (_e2353 * _e2021));
-                                let _e2368 = (((_e2347 * _e2025) + (_e2350 * _e2026)) + (_e2353 * _e2027));
-                                let _e2373 = (((_e2347 * _e2022) + (_e2350 * _e2023)) + (_e2353 * _e2024));
-                                let _e2378 = (((_e2347 * _e2030[0]) + (_e2350 * _e2030[1])) + (_e2353 * _e2030[2]));
-                                let _e2383 = (((_e2347 * _e2046) + (_e2350 * _e2047)) + (_e2353 * _e2048));
-                                let _e2388 = (((_e2347 * _e2052) + (_e2350 * _e2053)) + (_e2353 * _e2054));
-                                let _e2393 = (((_e2347 * _e2049) + (_e2350 * _e2050)) + (_e2353 * _e2051));
-                                if (_e2358 < _e2363) {
-                                    phi_4169_ = _e2358;
+                                let _e2735 = phi_4827_;
+                                let _e2740 = (((_e2735 - ((_e2727 * _e2615) * (0.000000059604645f * (17f / 2f)))) - (_e2727 * _e2622)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2743 = ((_e2393 * _e2387) - (_e2396 * _e2386));
+                                let _e2746 = ((_e2396 * _e2385) - (_e2390 * _e2387));
+                                let _e2749 = ((_e2390 * _e2386) - (_e2393 * _e2385));
+                                let _e2754 = (((_e2743 * _e2399[0]) + (_e2746 * _e2399[1])) + (_e2749 * _e2399[2]));
+                                let _e2759 = (((_e2743 * _e2415) + (_e2746 * _e2416)) + (_e2749 * _e2417));
+                                let _e2764 = (((_e2743 * _e2421) + (_e2746 * _e2422)) + (_e2749 * _e2423));
+                                let _e2769 = (((_e2743 * _e2418) + (_e2746 * _e2419)) + (_e2749 * _e2420));
+                                let _e2774 = (((_e2743 * _e2426[0]) + (_e2746 * _e2426[1])) + (_e2749 * _e2426[2]));
+                                let _e2779 = (((_e2743 * _e2442) + (_e2746 * _e2443)) + (_e2749 * _e2444));
+                                let _e2784 = (((_e2743 * _e2448) + (_e2746 * _e2449)) + (_e2749 * _e2450));
+                                let _e2789 = (((_e2743 * _e2445) + (_e2746 * _e2446)) + (_e2749 * _e2447));
+                                if (_e2754 < _e2759) {
+                                    phi_4898_ = _e2754;
                                 } else {
-                                    phi_4169_ = _e2363;
+                                    phi_4898_ = _e2759;
                                 }
-                                let _e2396 = phi_4169_;
-                                if (_e2368 < _e2373) {
-                                    phi_4174_ = _e2368;
+                                let _e2792 = phi_4898_;
+                                if (_e2764 < _e2769) {
+                                    phi_4903_ = _e2764;
                                 } else {
-                                    phi_4174_ = _e2373;
+                                    phi_4903_ = _e2769;
                                 }
-                                let _e2399 = phi_4174_;
-                                if (_e2396 < _e2399) {
-                                    phi_4179_ = _e2396;
+                                let _e2795 = phi_4903_;
+                                if (_e2792 < _e2795) {
+                                    phi_4908_ = _e2792;
                                 } else {
-                                    phi_4179_ = _e2399;
+                                    phi_4908_ = _e2795;
                                 }
-                                let _e2402 = phi_4179_;
-                                if (_e2378 < _e2383) {
-                                    phi_4184_ = _e2378;
+                                let _e2798 = phi_4908_;
+                                if (_e2774 < _e2779) {
+                                    phi_4913_ = _e2774;
                                 } else {
-                                    phi_4184_ = _e2383;
+                                    phi_4913_ = _e2779;
                                 }
-                                let _e2405 = phi_4184_;
-                                if (_e2388 < _e2393) {
-                                    phi_4189_ = _e2388;
+                                let _e2801 = phi_4913_;
+                                if (_e2784 < _e2789) {
+                                    phi_4918_ = _e2784;
                                 } else {
-                                    phi_4189_ = _e2393;
+                                    phi_4918_ = _e2789;
                                 }
-                                let _e2408 = phi_4189_;
-                                if (_e2405 < _e2408) {
-                                    phi_4194_ = _e2405;
+                                let _e2804 = phi_4918_;
+                                if (_e2801 < _e2804) {
+                                    phi_4923_ = _e2801;
                                 } else {
-                                    phi_4194_ = _e2408;
+                                    phi_4923_ = _e2804;
                                 }
-                                let _e2411 = phi_4194_;
-                                if (_e2402 < _e2411) {
-                                    phi_4199_ = _e2402;
+                                let _e2807 = phi_4923_;
+                                if (_e2798 < _e2807) {
+                                    phi_4928_ = _e2798;
                                 } else {
-                                    phi_4199_ = _e2411;
+                                    phi_4928_ = _e2807;
                                 }
-                                let _e2414 = phi_4199_;
-                                if (_e2358 > _e2363) {
-                                    phi_4204_ = _e2358;
+                                let _e2810 = phi_4928_;
+                                if (_e2754 > _e2759) {
+                                    phi_4933_ = _e2754;
                                 } else {
-                                    phi_4204_ = _e2363;
+                                    phi_4933_ = _e2759;
                                 }
-                                let _e2417 = phi_4204_;
-                                if (_e2368 > _e2373) {
-                                    phi_4209_ = _e2368;
+                                let _e2813 = phi_4933_;
+                                if (_e2764 > _e2769) {
+                                    phi_4938_ = _e2764;
                                 } else {
-                                    phi_4209_ = _e2373;
+                                    phi_4938_ = _e2769;
                                 }
-                                let _e2420 = phi_4209_;
-                                if (_e2417 > _e2420) {
-                                    phi_4214_ = _e2417;
+                                let _e2816 = phi_4938_;
+                                if (_e2813 > _e2816) {
+                                    phi_4943_ = _e2813;
                                 } else {
-                                    phi_4214_ = _e2420;
+                                    phi_4943_ = _e2816;
                                 }
-                                let _e2423 = phi_4214_;
-                                if (_e2378 > _e2383) {
-                                    phi_4219_ = _e2378;
+                                let _e2819 = phi_4943_;
+                                if (_e2774 > _e2779) {
+                                    phi_4948_ = _e2774;
                                 } else {
-                                    phi_4219_ = _e2383;
+                                    phi_4948_ = _e2779;
                                 }
-                                let _e2426 = phi_4219_;
-                                if (_e2388 > _e2393) {
-                                    phi_4224_ = _e2388;
+                                let _e2822 = phi_4948_;
+                                if (_e2784 > _e2789) {
+                                    phi_4953_ = _e2784;
                                 } else {
-                                    phi_4224_ = _e2393;
+                                    phi_4953_ = _e2789;
                                 }
-                                let _e2429 = phi_4224_;
-                                if (_e2426 > _e2429) {
-                                    phi_4229_ = _e2426;
+                                let _e2825 = phi_4953_;
+                                if (_e2822 > _e2825) {
+                                    phi_4958_ = _e2822;
                                 } else {
-                                    phi_4229_ = _e2429;
+                                    phi_4958_ = _e2825;
                                 }
-                                let _e2432 = phi_4229_;
-                                if (_e2423 > _e2432) {
-                                    phi_4234_ = _e2423;
+                                let _e2828 = phi_4958_;
+                                if (_e2819 > _e2828) {
+                                    phi_4963_ = _e2819;
                                 } else {
-                                    phi_4234_ = _e2432;
+                                    phi_4963_ = _e2828;
                                 }
-                                let _e2435 = phi_4234_;
-                                if (_e2347 < 0f) {
-                                    phi_4240_ = -(_e2347);
+                                let _e2831 = phi_4963_;
+                                if (_e2743 < 0f) {
+                                    phi_4969_ = -(_e2743);
                                 } else {
-                                    phi_4240_ = _e2347;
+                                    phi_4969_ = _e2743;
                                 }
-                                let _e2439 = phi_4240_;
-                                if (_e2350 < 0f) {
-                                    phi_4246_ = -(_e2350);
+                                let _e2835 = phi_4969_;
+                                if (_e2746 < 0f) {
+                                    phi_4975_ = -(_e2746);
                                 } else {
-                                    phi_4246_ = _e2350;
+                                    phi_4975_ = _e2746;
                                 }
-                                let _e2443 = phi_4246_;
-                                if (_e2353 < 0f) {
-                                    phi_4253_ = -(_e2353);
+                                let _e2839 = phi_4975_;
+                                if (_e2749 < 0f) {
+                                    phi_4982_ = -(_e2749);
                                 } else {
-                                    phi_4253_ = _e2353;
+                                    phi_4982_ = _e2749;
                                 }
-                                let _e2448 = phi_4253_;
-                                let _e2449 = ((_e2439 + _e2443) + _e2448);
-                                let _e2454 = -(_e2435);
-                                if (_e2414 > _e2454) {
-                                    phi_4264_ = _e2414;
+                                let _e2844 = phi_4982_;
+                                let _e2845 = ((_e2835 + _e2839) + _e2844);
+                                let _e2850 = -(_e2831);
+                                if (_e2810 > _e2850) {
+                                    phi_4993_ = _e2810;
                                 } else {
-                                    phi_4264_ = _e2454;
+                                    phi_4993_ = _e2850;
                                 }
-                                let _e2457 = phi_4264_;
-                                let _e2462 = (((_e2457 - ((_e2449 * _e2219) * (0.000000059604645f * (17f / 2f)))) - (_e2449 * _e2226)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2344 > _e2462) {
-                                    phi_4274_ = _e2344;
+                                let _e2853 = phi_4993_;
+                                let _e2858 = (((_e2853 - ((_e2845 * _e2615) * (0.000000059604645f * (17f / 2f)))) - (_e2845 * _e2622)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2740 > _e2858) {
+                                    phi_5003_ = _e2740;
                                 } else {
-                                    phi_4274_ = _e2462;
+                                    phi_5003_ = _e2858;
                                 }
-                                let _e2465 = phi_4274_;
-                                phi_4456_ = (_e1961 || (_e2465 > 0f));
+                                let _e2861 = phi_5003_;
+                                phi_5185_ = (_e2357 || (_e2861 > 0f));
                             }
-                            let _e2469 = phi_4456_;
-                            if _e2469 {
-                                phi_7873_ = _e2469;
+                            let _e2865 = phi_5185_;
+                            if _e2865 {
+                                phi_8602_ = _e2865;
                             } else {
-                                let _e2472 = local_2.member[0u];
-                                let _e2478 = local_2.member[1u];
-                                let _e2485 = ((_e2472[0] + _e2478[0]) * 0.5f);
-                                let _e2486 = ((_e2472[1] + _e2478[1]) * 0.5f);
-                                let _e2487 = ((_e2472[2] + _e2478[2]) * 0.5f);
-                                let _e2490 = local_2.member_1[0u];
-                                let _e2496 = local_2.member_1[1u];
-                                let _e2503 = ((_e2490[0] + _e2496[0]) * 0.5f);
-                                let _e2504 = ((_e2490[1] + _e2496[1]) * 0.5f);
-                                let _e2505 = ((_e2490[2] + _e2496[2]) * 0.5f);
-                                let _e2508 = local_2.member_2[0u];
-                                let _e2514 = local_2.member_2[1u];
-                                let _e2521 = ((_e2508[0] + _e2514[0]) * 0.5f);
-                                let _e2522 = ((_e2508[1] + _e2514[1]) * 0.5f);
-                                let _e2523 = ((_e2508[2] + _e2514[2]) * 0.5f);
-                                let _e2526 = local_2.member[0u];
-                                let _e2529 = local_2.member_1[0u];
-                                let _e2532 = local_2.member_2[0u];
-                                let _e2534 = local_2.member_3;
-                                let _e2537 = local_2.member[1u];
-                                let _e2540 = local_2.member_1[1u];
-                                let _e2543 = local_2.member_2[1u];
-                                let _e2545 = local_2.member_3;
-                                local = type_39(array<array<f32, 3>, 2>(_e2526, array<f32, 3>(_e2485, _e2486, _e2487)), array<array<f32, 3>, 2>(_e2529, array<f32, 3>(_e2503, _e2504, _e2505)), array<array<f32, 3>, 2>(_e2532, array<f32, 3>(_e2521, _e2522, _e2523)), _e2534);
-                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e2485, _e2486, _e2487), _e2537), array<array<f32, 3>, 2>(array<f32, 3>(_e2503, _e2504, _e2505), _e2540), array<array<f32, 3>, 2>(array<f32, 3>(_e2521, _e2522, _e2523), _e2543), _e2545);
-                                let _e2562 = local.member_1[0u];
-                                let _e2568 = local.member_2[0u];
-                                let _e2574 = ((_e2562[1] * _e2568[2]) - (_e2562[2] * _e2568[1]));
-                                let _e2577 = ((_e2562[2] * _e2568[0]) - (_e2562[0] * _e2568[2]));
-                                let _e2580 = ((_e2562[0] * _e2568[1]) - (_e2562[1] * _e2568[0]));
-                                let _e2583 = local.member_1[1u];
-                                let _e2589 = local.member_2[1u];
-                                let _e2595 = ((_e2583[1] * _e2589[2]) - (_e2583[2] * _e2589[1]));
-                                let _e2598 = ((_e2583[2] * _e2589[0]) - (_e2583[0] * _e2589[2]));
-                                let _e2601 = ((_e2583[0] * _e2589[1]) - (_e2583[1] * _e2589[0]));
-                                let _e2604 = local.member_1[0u];
-                                let _e2610 = local.member_2[1u];
-                                let _e2625 = local.member_1[1u];
-                                let _e2631 = local.member_2[0u];
-                                let _e2644 = (((_e2604[1] * _e2610[2]) - (_e2604[2] * _e2610[1])) + ((_e2625[1] * _e2631[2]) - (_e2625[2] * _e2631[1])));
-                                let _e2645 = (((_e2604[2] * _e2610[0]) - (_e2604[0] * _e2610[2])) + ((_e2625[2] * _e2631[0]) - (_e2625[0] * _e2631[2])));
-                                let _e2646 = (((_e2604[0] * _e2610[1]) - (_e2604[1] * _e2610[0])) + ((_e2625[0] * _e2631[1]) - (_e2625[1] * _e2631[0])));
-                                let _e2649 = local.member[0u];
-                                let _e2660 = local.member[1u];
-                                let _e2671 = local.member[0u];
-                                let _e2680 = ((((_e2660[0] * _e2574) + (_e2660[1] * _e2577)) + (_e2660[2] * _e2580)) + (((_e2671[0] * _e2644) + (_e2671[1] * _e2645)) + (_e2671[2] * _e2646)));
-                                let _e2683 = local.member[0u];
-                                let _e2694 = local.member[1u];
-                                let _e2703 = ((((_e2683[0] * _e2595) + (_e2683[1] * _e2598)) + (_e2683[2] * _e2601)) + (((_e2694[0] * _e2644) + (_e2694[1] * _e2645)) + (_e2694[2] * _e2646)));
-                                let _e2706 = local.member[1u];
-                                let _e2717 = local.member[0u];
-                                if (_e2717[0] < 0f) {
-                                    phi_4908_ = -(_e2717[0]);
+                                let _e2868 = local_2.member[0u];
+                                let _e2874 = local_2.member[1u];
+                                let _e2881 = ((_e2868[0] + _e2874[0]) * 0.5f);
+                                let _e2882 = ((_e2868[1] + _e2874[1]) * 0.5f);
+                                let _e2883 = ((_e2868[2] + _e2874[2]) * 0.5f);
+                                let _e2886 = local_2.member_1[0u];
+                                let _e2892 = local_2.member_1[1u];
+                                let _e2899 = ((_e2886[0] + _e2892[0]) * 0.5f);
+                                let _e2900 = ((_e2886[1] + _e2892[1]) * 0.5f);
+                                let _e2901 = ((_e2886[2] + _e2892[2]) * 0.5f);
+                                let _e2904 = local_2.member_2[0u];
+                                let _e2910 = local_2.member_2[1u];
+                                let _e2917 = ((_e2904[0] + _e2910[0]) * 0.5f);
+                                let _e2918 = ((_e2904[1] + _e2910[1]) * 0.5f);
+                                let _e2919 = ((_e2904[2] + _e2910[2]) * 0.5f);
+                                let _e2922 = local_2.member[0u];
+                                let _e2925 = local_2.member_1[0u];
+                                let _e2928 = local_2.member_2[0u];
+                                let _e2930 = local_2.member_3;
+                                let _e2933 = local_2.member[1u];
+                                let _e2936 = local_2.member_1[1u];
+                                let _e2939 = local_2.member_2[1u];
+                                let _e2941 = local_2.member_3;
+                                local = type_41(array<array<f32, 3>, 2>(_e2922, array<f32, 3>(_e2881, _e2882, _e2883)), array<array<f32, 3>, 2>(_e2925, array<f32, 3>(_e2899, _e2900, _e2901)), array<array<f32, 3>, 2>(_e2928, array<f32, 3>(_e2917, _e2918, _e2919)), _e2930);
+                                local_1 = type_41(array<array<f32, 3>, 2>(array<f32, 3>(_e2881, _e2882, _e2883), _e2933), array<array<f32, 3>, 2>(array<f32, 3>(_e2899, _e2900, _e2901), _e2936), array<array<f32, 3>, 2>(array<f32, 3>(_e2917, _e2918, _e2919), _e2939), _e2941);
+                                let _e2958 = local.member_1[0u];
+                                let _e2964 = local.member_2[0u];
+                                let _e2970 = ((_e2958[1] * _e2964[2]) - (_e2958[2] * _e2964[1]));
+                                let _e2973 = ((_e2958[2] * _e2964[0]) - (_e2958[0] * _e2964[2]));
+                                let _e2976 = ((_e2958[0] * _e2964[1]) - (_e2958[1] * _e2964[0]));
+                                let _e2979 = local.member_1[1u];
+                                let _e2985 = local.member_2[1u];
+                                let _e2991 = ((_e2979[1] * _e2985[2]) - (_e2979[2] * _e2985[1]));
+                                let _e2994 = ((_e2979[2] * _e2985[0]) - (_e2979[0] * _e2985[2]));
+                                let _e2997 = ((_e2979[0] * _e2985[1]) - (_e2979[1] * _e2985[0]));
+                                let _e3000 = local.member_1[0u];
+                                let _e3006 = local.member_2[1u];
+                                let _e3021 = local.member_1[1u];
+                                let _e3027 = local.member_2[0u];
+                                let _e3040 = (((_e3000[1] * _e3006[2]) - (_e3000[2] * _e3006[1])) + ((_e3021[1] * _e3027[2]) - (_e3021[2] * _e3027[1])));
+                                let _e3041 = (((_e3000[2] * _e3006[0]) - (_e3000[0] * _e3006[2])) + ((_e3021[2] * _e3027[0]) - (_e3021[0] * _e3027[2])));
+                                let _e3042 = (((_e3000[0] * _e3006[1]) - (_e3000[1] * _e3006[0])) + ((_e3021[0] * _e3027[1]) - (_e3021[1] * _e3027[0])));
+                                let _e3045 = local.member[0u];
+                                let _e3056 = local.member[1u];
+                                let _e3067 = local.member[0u];
+                                let _e3076 = ((((_e3056[0] * _e2970) + (_e3056[1] * _e2973)) + (_e3056[2] * _e2976)) + (((_e3067[0] * _e3040) + (_e3067[1] * _e3041)) + (_e3067[2] * _e3042)));
+                                let _e3079 = local.member[0u];
+                                let _e3090 = local.member[1u];
+                                let _e3099 = ((((_e3079[0] * _e2991) + (_e3079[1] * _e2994)) + (_e3079[2] * _e2997)) + (((_e3090[0] * _e3040) + (_e3090[1] * _e3041)) + (_e3090[2] * _e3042)));
+                                let _e3102 = local.member[1u];
+                                let _e3113 = local.member[0u];
+                                if (_e3113[0] < 0f) {
+                                    phi_5637_ = -(_e3113[0]);
                                 } else {
-                                    phi_4908_ = _e2717[0];
+                                    phi_5637_ = _e3113[0];
                                 }
-                                let _e2724 = phi_4908_;
-                                if (_e2717[1] < 0f) {
-                                    phi_4915_ = -(_e2717[1]);
+                                let _e3120 = phi_5637_;
+                                if (_e3113[1] < 0f) {
+                                    phi_5644_ = -(_e3113[1]);
                                 } else {
-                                    phi_4915_ = _e2717[1];
+                                    phi_5644_ = _e3113[1];
                                 }
-                                let _e2728 = phi_4915_;
-                                if (_e2724 > _e2728) {
-                                    phi_4920_ = _e2724;
+                                let _e3124 = phi_5644_;
+                                if (_e3120 > _e3124) {
+                                    phi_5649_ = _e3120;
                                 } else {
-                                    phi_4920_ = _e2728;
+                                    phi_5649_ = _e3124;
                                 }
-                                let _e2731 = phi_4920_;
-                                if (_e2717[2] < 0f) {
-                                    phi_4927_ = -(_e2717[2]);
+                                let _e3127 = phi_5649_;
+                                if (_e3113[2] < 0f) {
+                                    phi_5656_ = -(_e3113[2]);
                                 } else {
-                                    phi_4927_ = _e2717[2];
+                                    phi_5656_ = _e3113[2];
                                 }
-                                let _e2735 = phi_4927_;
-                                if (_e2731 > _e2735) {
-                                    phi_4932_ = _e2731;
+                                let _e3131 = phi_5656_;
+                                if (_e3127 > _e3131) {
+                                    phi_5661_ = _e3127;
                                 } else {
-                                    phi_4932_ = _e2735;
+                                    phi_5661_ = _e3131;
                                 }
-                                let _e2738 = phi_4932_;
-                                let _e2741 = local.member[1u];
-                                if (_e2741[0] < 0f) {
-                                    phi_4945_ = -(_e2741[0]);
+                                let _e3134 = phi_5661_;
+                                let _e3137 = local.member[1u];
+                                if (_e3137[0] < 0f) {
+                                    phi_5674_ = -(_e3137[0]);
                                 } else {
-                                    phi_4945_ = _e2741[0];
+                                    phi_5674_ = _e3137[0];
                                 }
-                                let _e2748 = phi_4945_;
-                                if (_e2741[1] < 0f) {
-                                    phi_4952_ = -(_e2741[1]);
+                                let _e3144 = phi_5674_;
+                                if (_e3137[1] < 0f) {
+                                    phi_5681_ = -(_e3137[1]);
                                 } else {
-                                    phi_4952_ = _e2741[1];
+                                    phi_5681_ = _e3137[1];
                                 }
-                                let _e2752 = phi_4952_;
-                                if (_e2748 > _e2752) {
-                                    phi_4957_ = _e2748;
+                                let _e3148 = phi_5681_;
+                                if (_e3144 > _e3148) {
+                                    phi_5686_ = _e3144;
                                 } else {
-                                    phi_4957_ = _e2752;
+                                    phi_5686_ = _e3148;
                                 }
-                                let _e2755 = phi_4957_;
-                                if (_e2741[2] < 0f) {
-                                    phi_4964_ = -(_e2741[2]);
+                                let _e3151 = phi_5686_;
+                                if (_e3137[2] < 0f) {
+                                    phi_5693_ = -(_e3137[2]);
                                 } else {
-                                    phi_4964_ = _e2741[2];
+                                    phi_5693_ = _e3137[2];
                                 }
-                                let _e2759 = phi_4964_;
-                                if (_e2755 > _e2759) {
-                                    phi_4969_ = _e2755;
+                                let _e3155 = phi_5693_;
+                                if (_e3151 > _e3155) {
+                                    phi_5698_ = _e3151;
                                 } else {
-                                    phi_4969_ = _e2759;
+                                    phi_5698_ = _e3155;
                                 }
-                                let _e2762 = phi_4969_;
-                                if (_e2738 > _e2762) {
-                                    phi_4974_ = _e2738;
+                                let _e3158 = phi_5698_;
+                                if (_e3134 > _e3158) {
+                                    phi_5703_ = _e3134;
                                 } else {
-                                    phi_4974_ = _e2762;
+                                    phi_5703_ = _e3158;
                                 }
-                                let _e2765 = phi_4974_;
-                                let _e2767 = local.member_3;
-                                let _e2768 = (_e2765 + _e2767);
-                                let _e2771 = local.member_1[0u];
-                                if (_e2771[0] < 0f) {
-                                    phi_4991_ = -(_e2771[0]);
+                                let _e3161 = phi_5703_;
+                                let _e3163 = local.member_3;
+                                let _e3164 = (_e3161 + _e3163);
+                                let _e3167 = local.member_1[0u];
+                                if (_e3167[0] < 0f) {
+                                    phi_5720_ = -(_e3167[0]);
                                 } else {
-                                    phi_4991_ = _e2771[0];
+                                    phi_5720_ = _e3167[0];
                                 }
-                                let _e2778 = phi_4991_;
-                                if (_e2771[1] < 0f) {
-                                    phi_4998_ = -(_e2771[1]);
+                                let _e3174 = phi_5720_;
+                                if (_e3167[1] < 0f) {
+                                    phi_5727_ = -(_e3167[1]);
                                 } else {
-                                    phi_4998_ = _e2771[1];
+                                    phi_5727_ = _e3167[1];
                                 }
-                                let _e2782 = phi_4998_;
-                                if (_e2778 > _e2782) {
-                                    phi_5003_ = _e2778;
+                                let _e3178 = phi_5727_;
+                                if (_e3174 > _e3178) {
+                                    phi_5732_ = _e3174;
                                 } else {
-                                    phi_5003_ = _e2782;
+                                    phi_5732_ = _e3178;
                                 }
-                                let _e2785 = phi_5003_;
-                                if (_e2771[2] < 0f) {
-                                    phi_5010_ = -(_e2771[2]);
+                                let _e3181 = phi_5732_;
+                                if (_e3167[2] < 0f) {
+                                    phi_5739_ = -(_e3167[2]);
                                 } else {
-                                    phi_5010_ = _e2771[2];
+                                    phi_5739_ = _e3167[2];
                                 }
-                                let _e2789 = phi_5010_;
-                                if (_e2785 > _e2789) {
-                                    phi_5015_ = _e2785;
+                                let _e3185 = phi_5739_;
+                                if (_e3181 > _e3185) {
+                                    phi_5744_ = _e3181;
                                 } else {
-                                    phi_5015_ = _e2789;
+                                    phi_5744_ = _e3185;
                                 }
-                                let _e2792 = phi_5015_;
-                                let _e2795 = local.member_1[1u];
-                                if (_e2795[0] < 0f) {
-                                    phi_5029_ = -(_e2795[0]);
+                                let _e3188 = phi_5744_;
+                                let _e3191 = local.member_1[1u];
+                                if (_e3191[0] < 0f) {
+                                    phi_5758_ = -(_e3191[0]);
                                 } else {
-                                    phi_5029_ = _e2795[0];
+                                    phi_5758_ = _e3191[0];
                                 }
-                                let _e2802 = phi_5029_;
-                                if (_e2795[1] < 0f) {
-                                    phi_5036_ = -(_e2795[1]);
+                                let _e3198 = phi_5758_;
+                                if (_e3191[1] < 0f) {
+                                    phi_5765_ = -(_e3191[1]);
                                 } else {
-                                    phi_5036_ = _e2795[1];
+                                    phi_5765_ = _e3191[1];
                                 }
-                                let _e2806 = phi_5036_;
-                                if (_e2802 > _e2806) {
-                                    phi_5041_ = _e2802;
+                                let _e3202 = phi_5765_;
+                                if (_e3198 > _e3202) {
+                                    phi_5770_ = _e3198;
                                 } else {
-                                    phi_5041_ = _e2806;
+                                    phi_5770_ = _e3202;
                                 }
-                                let _e2809 = phi_5041_;
-                                if (_e2795[2] < 0f) {
-                                    phi_5048_ = -(_e2795[2]);
+                                let _e3205 = phi_5770_;
+                                if (_e3191[2] < 0f) {
+                                    phi_5777_ = -(_e3191[2]);
                                 } else {
-                                    phi_5048_ = _e2795[2];
+                                    phi_5777_ = _e3191[2];
                                 }
-                                let _e2813 = phi_5048_;
-                                if (_e2809 > _e2813) {
-                                    phi_5053_ = _e2809;
+                                let _e3209 = phi_5777_;
+                                if (_e3205 > _e3209) {
+                                    phi_5782_ = _e3205;
                                 } else {
-                                    phi_5053_ = _e2813;
+                                    phi_5782_ = _e3209;
                                 }
-                                let _e2816 = phi_5053_;
-                                if (_e2792 > _e2816) {
-                                    phi_5058_ = _e2792;
+                                let _e3212 = phi_5782_;
+                                if (_e3188 > _e3212) {
+                                    phi_5787_ = _e3188;
                                 } else {
-                                    phi_5058_ = _e2816;
+                                    phi_5787_ = _e3212;
                                 }
-                                let _e2819 = phi_5058_;
-                                let _e2821 = local.member_3;
-                                let _e2822 = (_e2819 + _e2821);
-                                let _e2825 = local.member_2[0u];
-                                if (_e2825[0] < 0f) {
-                                    phi_5075_ = -(_e2825[0]);
+                                let _e3215 = phi_5787_;
+                                let _e3217 = local.member_3;
+                                let _e3218 = (_e3215 + _e3217);
+                                let _e3221 = local.member_2[0u];
+                                if (_e3221[0] < 0f) {
+                                    phi_5804_ = -(_e3221[0]);
                                 } else {
-                                    phi_5075_ = _e2825[0];
+                                    phi_5804_ = _e3221[0];
                                 }
-                                let _e2832 = phi_5075_;
-                                if (_e2825[1] < 0f) {
-                                    phi_5082_ = -(_e2825[1]);
+                                let _e3228 = phi_5804_;
+                                if (_e3221[1] < 0f) {
+                                    phi_5811_ = -(_e3221[1]);
                                 } else {
-                                    phi_5082_ = _e2825[1];
+                                    phi_5811_ = _e3221[1];
                                 }
-                                let _e2836 = phi_5082_;
-                                if (_e2832 > _e2836) {
-                                    phi_5087_ = _e2832;
+                                let _e3232 = phi_5811_;
+                                if (_e3228 > _e3232) {
+                                    phi_5816_ = _e3228;
                                 } else {
-                                    phi_5087_ = _e2836;
+                                    phi_5816_ = _e3232;
                                 }
-                                let _e2839 = phi_5087_;
-                                if (_e2825[2] < 0f) {
-                                    phi_5094_ = -(_e2825[2]);
+                                let _e3235 = phi_5816_;
+                                if (_e3221[2] < 0f) {
+                                    phi_5823_ = -(_e3221[2]);
                                 } else {
-                                    phi_5094_ = _e2825[2];
+                                    phi_5823_ = _e3221[2];
                                 }
-                                let _e2843 = phi_5094_;
-                                if (_e2839 > _e2843) {
-                                    phi_5099_ = _e2839;
+                                let _e3239 = phi_5823_;
+                                if (_e3235 > _e3239) {
+                                    phi_5828_ = _e3235;
                                 } else {
-                                    phi_5099_ = _e2843;
+                                    phi_5828_ = _e3239;
                                 }
-                                let _e2846 = phi_5099_;
-                                let _e2849 = local.member_2[1u];
-                                if (_e2849[0] < 0f) {
-                                    phi_5113_ = -(_e2849[0]);
+                                let _e3242 = phi_5828_;
+                                let _e3245 = local.member_2[1u];
+                                if (_e3245[0] < 0f) {
+                                    phi_5842_ = -(_e3245[0]);
                                 } else {
-                                    phi_5113_ = _e2849[0];
+                                    phi_5842_ = _e3245[0];
                                 }
-                                let _e2856 = phi_5113_;
-                                if (_e2849[1] < 0f) {
-                                    phi_5120_ = -(_e2849[1]);
+                                let _e3252 = phi_5842_;
+                                if (_e3245[1] < 0f) {
+                                    phi_5849_ = -(_e3245[1]);
                                 } else {
-                                    phi_5120_ = _e2849[1];
+                                    phi_5849_ = _e3245[1];
                                 }
-                                let _e2860 = phi_5120_;
-                                if (_e2856 > _e2860) {
-                                    phi_5125_ = _e2856;
+                                let _e3256 = phi_5849_;
+                                if (_e3252 > _e3256) {
+                                    phi_5854_ = _e3252;
                                 } else {
-                                    phi_5125_ = _e2860;
+                                    phi_5854_ = _e3256;
                                 }
-                                let _e2863 = phi_5125_;
-                                if (_e2849[2] < 0f) {
-                                    phi_5132_ = -(_e2849[2]);
+                                let _e3259 = phi_5854_;
+                                if (_e3245[2] < 0f) {
+                                    phi_5861_ = -(_e3245[2]);
                                 } else {
-                                    phi_5132_ = _e2849[2];
+                                    phi_5861_ = _e3245[2];
                                 }
-                                let _e2867 = phi_5132_;
-                                if (_e2863 > _e2867) {
-                                    phi_5137_ = _e2863;
+                                let _e3263 = phi_5861_;
+                                if (_e3259 > _e3263) {
+                                    phi_5866_ = _e3259;
                                 } else {
-                                    phi_5137_ = _e2867;
+                                    phi_5866_ = _e3263;
                                 }
-                                let _e2870 = phi_5137_;
-                                if (_e2846 > _e2870) {
-                                    phi_5142_ = _e2846;
+                                let _e3266 = phi_5866_;
+                                if (_e3242 > _e3266) {
+                                    phi_5871_ = _e3242;
                                 } else {
-                                    phi_5142_ = _e2870;
+                                    phi_5871_ = _e3266;
                                 }
-                                let _e2873 = phi_5142_;
-                                let _e2875 = local.member_3;
-                                let _e2876 = (_e2873 + _e2875);
-                                let _e2878 = ((_e2822 * 8f) * _e2876);
-                                let _e2885 = local.member_3;
-                                if (_e2574 < 0f) {
-                                    phi_5173_ = -(_e2574);
+                                let _e3269 = phi_5871_;
+                                let _e3271 = local.member_3;
+                                let _e3272 = (_e3269 + _e3271);
+                                let _e3274 = ((_e3218 * 8f) * _e3272);
+                                let _e3281 = local.member_3;
+                                if (_e2970 < 0f) {
+                                    phi_5902_ = -(_e2970);
                                 } else {
-                                    phi_5173_ = _e2574;
+                                    phi_5902_ = _e2970;
                                 }
-                                let _e2902 = phi_5173_;
-                                if (_e2577 < 0f) {
-                                    phi_5179_ = -(_e2577);
+                                let _e3298 = phi_5902_;
+                                if (_e2973 < 0f) {
+                                    phi_5908_ = -(_e2973);
                                 } else {
-                                    phi_5179_ = _e2577;
+                                    phi_5908_ = _e2973;
                                 }
-                                let _e2906 = phi_5179_;
-                                if (_e2580 < 0f) {
-                                    phi_5186_ = -(_e2580);
+                                let _e3302 = phi_5908_;
+                                if (_e2976 < 0f) {
+                                    phi_5915_ = -(_e2976);
                                 } else {
-                                    phi_5186_ = _e2580;
+                                    phi_5915_ = _e2976;
                                 }
-                                let _e2911 = phi_5186_;
-                                let _e2912 = ((_e2902 + _e2906) + _e2911);
-                                if (_e2595 < 0f) {
-                                    phi_5193_ = -(_e2595);
+                                let _e3307 = phi_5915_;
+                                let _e3308 = ((_e3298 + _e3302) + _e3307);
+                                if (_e2991 < 0f) {
+                                    phi_5922_ = -(_e2991);
                                 } else {
-                                    phi_5193_ = _e2595;
+                                    phi_5922_ = _e2991;
                                 }
-                                let _e2916 = phi_5193_;
-                                if (_e2598 < 0f) {
-                                    phi_5199_ = -(_e2598);
+                                let _e3312 = phi_5922_;
+                                if (_e2994 < 0f) {
+                                    phi_5928_ = -(_e2994);
                                 } else {
-                                    phi_5199_ = _e2598;
+                                    phi_5928_ = _e2994;
                                 }
-                                let _e2920 = phi_5199_;
-                                if (_e2601 < 0f) {
-                                    phi_5206_ = -(_e2601);
+                                let _e3316 = phi_5928_;
+                                if (_e2997 < 0f) {
+                                    phi_5935_ = -(_e2997);
                                 } else {
-                                    phi_5206_ = _e2601;
+                                    phi_5935_ = _e2997;
                                 }
-                                let _e2925 = phi_5206_;
-                                let _e2926 = ((_e2916 + _e2920) + _e2925);
-                                if (_e2912 > _e2926) {
-                                    phi_5212_ = _e2912;
+                                let _e3321 = phi_5935_;
+                                let _e3322 = ((_e3312 + _e3316) + _e3321);
+                                if (_e3308 > _e3322) {
+                                    phi_5941_ = _e3308;
                                 } else {
-                                    phi_5212_ = _e2926;
+                                    phi_5941_ = _e3322;
                                 }
-                                let _e2929 = phi_5212_;
-                                if (_e2644 < 0f) {
-                                    phi_5218_ = -(_e2644);
+                                let _e3325 = phi_5941_;
+                                if (_e3040 < 0f) {
+                                    phi_5947_ = -(_e3040);
                                 } else {
-                                    phi_5218_ = _e2644;
+                                    phi_5947_ = _e3040;
                                 }
-                                let _e2933 = phi_5218_;
-                                if (_e2645 < 0f) {
-                                    phi_5224_ = -(_e2645);
+                                let _e3329 = phi_5947_;
+                                if (_e3041 < 0f) {
+                                    phi_5953_ = -(_e3041);
                                 } else {
-                                    phi_5224_ = _e2645;
+                                    phi_5953_ = _e3041;
                                 }
-                                let _e2937 = phi_5224_;
-                                if (_e2646 < 0f) {
-                                    phi_5231_ = -(_e2646);
+                                let _e3333 = phi_5953_;
+                                if (_e3042 < 0f) {
+                                    phi_5960_ = -(_e3042);
                                 } else {
-                                    phi_5231_ = _e2646;
+                                    phi_5960_ = _e3042;
                                 }
-                                let _e2942 = phi_5231_;
-                                let _e2944 = (((_e2933 + _e2937) + _e2942) * 0.5f);
-                                if (_e2929 > _e2944) {
-                                    phi_5238_ = _e2929;
+                                let _e3338 = phi_5960_;
+                                let _e3340 = (((_e3329 + _e3333) + _e3338) * 0.5f);
+                                if (_e3325 > _e3340) {
+                                    phi_5967_ = _e3325;
                                 } else {
-                                    phi_5238_ = _e2944;
+                                    phi_5967_ = _e3340;
                                 }
-                                let _e2947 = phi_5238_;
-                                let _e2952 = local.member_3;
-                                let _e2965 = ((((_e2649[0] * _e2574) + (_e2649[1] * _e2577)) + (_e2649[2] * _e2580)) * 3f);
-                                let _e2966 = ((((_e2706[0] * _e2595) + (_e2706[1] * _e2598)) + (_e2706[2] * _e2601)) * 3f);
-                                if (_e2965 < _e2966) {
-                                    phi_5262_ = _e2965;
+                                let _e3343 = phi_5967_;
+                                let _e3348 = local.member_3;
+                                let _e3361 = ((((_e3045[0] * _e2970) + (_e3045[1] * _e2973)) + (_e3045[2] * _e2976)) * 3f);
+                                let _e3362 = ((((_e3102[0] * _e2991) + (_e3102[1] * _e2994)) + (_e3102[2] * _e2997)) * 3f);
+                                if (_e3361 < _e3362) {
+                                    phi_5991_ = _e3361;
                                 } else {
-                                    phi_5262_ = _e2966;
+                                    phi_5991_ = _e3362;
                                 }
-                                let _e2969 = phi_5262_;
-                                if (_e2680 < _e2703) {
-                                    phi_5267_ = _e2680;
+                                let _e3365 = phi_5991_;
+                                if (_e3076 < _e3099) {
+                                    phi_5996_ = _e3076;
                                 } else {
-                                    phi_5267_ = _e2703;
+                                    phi_5996_ = _e3099;
                                 }
-                                let _e2972 = phi_5267_;
-                                if (_e2969 < _e2972) {
-                                    phi_5272_ = _e2969;
+                                let _e3368 = phi_5996_;
+                                if (_e3365 < _e3368) {
+                                    phi_6001_ = _e3365;
                                 } else {
-                                    phi_5272_ = _e2972;
+                                    phi_6001_ = _e3368;
                                 }
-                                let _e2975 = phi_5272_;
-                                if (_e2965 > _e2966) {
-                                    phi_5277_ = _e2965;
+                                let _e3371 = phi_6001_;
+                                if (_e3361 > _e3362) {
+                                    phi_6006_ = _e3361;
                                 } else {
-                                    phi_5277_ = _e2966;
+                                    phi_6006_ = _e3362;
                                 }
-                                let _e2978 = phi_5277_;
-                                if (_e2680 > _e2703) {
-                                    phi_5282_ = _e2680;
+                                let _e3374 = phi_6006_;
+                                if (_e3076 > _e3099) {
+                                    phi_6011_ = _e3076;
                                 } else {
-                                    phi_5282_ = _e2703;
+                                    phi_6011_ = _e3099;
                                 }
-                                let _e2981 = phi_5282_;
-                                if (_e2978 > _e2981) {
-                                    phi_5287_ = _e2978;
+                                let _e3377 = phi_6011_;
+                                if (_e3374 > _e3377) {
+                                    phi_6016_ = _e3374;
                                 } else {
-                                    phi_5287_ = _e2981;
+                                    phi_6016_ = _e3377;
                                 }
-                                let _e2984 = phi_5287_;
-                                let _e2989 = -(_e2984);
-                                if (_e2975 > _e2989) {
-                                    phi_5297_ = _e2975;
+                                let _e3380 = phi_6016_;
+                                let _e3385 = -(_e3380);
+                                if (_e3371 > _e3385) {
+                                    phi_6026_ = _e3371;
                                 } else {
-                                    phi_5297_ = _e2989;
+                                    phi_6026_ = _e3385;
                                 }
-                                let _e2992 = phi_5297_;
-                                let _e2994 = ((_e2992 - ((((((_e2768 * 8f) * _e2878) * (0.000000059604645f * (524f / 64f))) + ((_e2885 * 19f) * ((_e2768 * (_e2822 + _e2876)) + (_e2822 * _e2876)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2768) * ((1f + _e2822) * (1f + _e2876))))) + ((_e1449 * (((_e2947 + (_e2878 * (0.000000059604645f * 8f))) + ((_e2952 * 6f) * (_e2822 + _e2876))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2822) * (1f + _e2876))))) * (3f * 1.0001f)))) > 0f);
-                                if _e2994 {
-                                    phi_6266_ = _e2994;
+                                let _e3388 = phi_6026_;
+                                let _e3390 = ((_e3388 - ((((((_e3164 * 8f) * _e3274) * (0.000000059604645f * (524f / 64f))) + ((_e3281 * 19f) * ((_e3164 * (_e3218 + _e3272)) + (_e3218 * _e3272)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3164) * ((1f + _e3218) * (1f + _e3272))))) + ((_e1845 * (((_e3343 + (_e3274 * (0.000000059604645f * 8f))) + ((_e3348 * 6f) * (_e3218 + _e3272))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3218) * (1f + _e3272))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3390 {
+                                    phi_6995_ = _e3390;
                                 } else {
-                                    let _e2997 = local.member_1[0u];
-                                    let _e3003 = local.member_1[1u];
-                                    let _e3007 = (_e2997[0] + _e3003[0]);
-                                    let _e3008 = (_e2997[1] + _e3003[1]);
-                                    let _e3009 = (_e2997[2] + _e3003[2]);
-                                    let _e3012 = local.member_2[0u];
-                                    let _e3018 = local.member_2[1u];
-                                    let _e3022 = (_e3012[0] + _e3018[0]);
-                                    let _e3023 = (_e3012[1] + _e3018[1]);
-                                    let _e3024 = (_e3012[2] + _e3018[2]);
-                                    let _e3027 = ((_e3008 * _e3024) - (_e3009 * _e3023));
-                                    let _e3030 = ((_e3009 * _e3022) - (_e3007 * _e3024));
-                                    let _e3033 = ((_e3007 * _e3023) - (_e3008 * _e3022));
-                                    let _e3036 = local.member[0u];
-                                    let _e3042 = local.member_1[0u];
-                                    let _e3048 = local.member_2[0u];
-                                    let _e3052 = (_e3036[0] - _e3042[0]);
-                                    let _e3053 = (_e3036[1] - _e3042[1]);
-                                    let _e3054 = (_e3036[2] - _e3042[2]);
-                                    let _e3055 = (_e3052 - _e3048[0]);
-                                    let _e3056 = (_e3053 - _e3048[1]);
-                                    let _e3057 = (_e3054 - _e3048[2]);
-                                    let _e3058 = (_e3036[0] - _e3048[0]);
-                                    let _e3059 = (_e3036[1] - _e3048[1]);
-                                    let _e3060 = (_e3036[2] - _e3048[2]);
-                                    let _e3063 = local.member[1u];
-                                    let _e3069 = local.member_1[1u];
-                                    let _e3075 = local.member_2[1u];
-                                    let _e3079 = (_e3063[0] - _e3069[0]);
-                                    let _e3080 = (_e3063[1] - _e3069[1]);
-                                    let _e3081 = (_e3063[2] - _e3069[2]);
-                                    let _e3082 = (_e3079 - _e3075[0]);
-                                    let _e3083 = (_e3080 - _e3075[1]);
-                                    let _e3084 = (_e3081 - _e3075[2]);
-                                    let _e3085 = (_e3063[0] - _e3075[0]);
-                                    let _e3086 = (_e3063[1] - _e3075[1]);
-                                    let _e3087 = (_e3063[2] - _e3075[2]);
-                                    let _e3090 = local.member[0u];
-                                    if (_e3090[0] < 0f) {
-                                        phi_5500_ = -(_e3090[0]);
-                                    } else {
-                                        phi_5500_ = _e3090[0];
-                                    }
-                                    let _e3097 = phi_5500_;
-                                    if (_e3090[1] < 0f) {
-                                        phi_5507_ = -(_e3090[1]);
-                                    } else {
-                                        phi_5507_ = _e3090[1];
-                                    }
-                                    let _e3101 = phi_5507_;
-                                    if (_e3097 > _e3101) {
-                                        phi_5512_ = _e3097;
-                                    } else {
-                                        phi_5512_ = _e3101;
-                                    }
-                                    let _e3104 = phi_5512_;
-                                    if (_e3090[2] < 0f) {
-                                        phi_5519_ = -(_e3090[2]);
-                                    } else {
-                                        phi_5519_ = _e3090[2];
-                                    }
-                                    let _e3108 = phi_5519_;
-                                    if (_e3104 > _e3108) {
-                                        phi_5524_ = _e3104;
-                                    } else {
-                                        phi_5524_ = _e3108;
-                                    }
-                                    let _e3111 = phi_5524_;
-                                    let _e3114 = local.member[1u];
-                                    if (_e3114[0] < 0f) {
-                                        phi_5537_ = -(_e3114[0]);
+                                    let _e3393 = local.member_1[0u];
+                                    let _e3399 = local.member_1[1u];
+                                    let _e3403 = (_e3393[0] + _e3399[0]);
+                                    let _e3404 = (_e3393[1] + _e3399[1]);
+                                    let _e3405 = (_e3393[2] + _e3399[2]);
+                                    let _e3408 = local.member_2[0u];
+                                    let _e3414 = local.member_2[1u];
+                                    let _e3418 = (_e3408[0] + _e3414[0]);
+                                    let _e3419 = (_e3408[1] + _e3414[1]);
+                                    let _e3420 = (_e3408[2] + _e3414[2]);
+                                    let _e3423 = ((_e3404 * _e3420) - (_e3405 * _e3419));
+                                    let _e3426 = ((_e3405 * _e3418) - (_e3403 * _e3420));
+                                    let _e3429 = ((_e3403 * _e3419) - (_e3404 * _e3418));
+                                    let _e3432 = local.member[0u];
+                                    let _e3438 = local.member_1[0u];
+                                    let _e3444 = local.member_2[0u];
+                                    let _e3448 = (_e3432[0] - _e3438[0]);
+                                    let _e3449 = (_e3432[1] - _e3438[1]);
+                                    let _e3450 = (_e3432[2] - _e3438[2]);
+                                    let _e3451 = (_e3448 - _e3444[0]);
+                                    let _e3452 = (_e3449 - _e3444[1]);
+                                    let _e3453 = (_e3450 - _e3444[2]);
+                                    let _e3454 = (_e3432[0] - _e3444[0]);
+                                    let _e3455 = (_e3432[1] - _e3444[1]);
+                                    let _e3456 = (_e3432[2] - _e3444[2]);
+                                    let _e3459 = local.member[1u];
+                                    let _e3465 = local.member_1[1u];
+                                    let _e3471 = local.member_2[1u];
+                                    let _e3475 = (_e3459[0] - _e3465[0]);
+                                    let _e3476 = (_e3459[1] - _e3465[1]);
+                                    let _e3477 = (_e3459[2] - _e3465[2]);
+                                    let _e3478 = (_e3475 - _e3471[0]);
+                                    let _e3479 = (_e3476 - _e3471[1]);
+                                    let _e3480 = (_e3477 - _e3471[2]);
+                                    let _e3481 = (_e3459[0] - _e3471[0]);
+                                    let _e3482 = (_e3459[1] - _e3471[1]);
+                                    let _e3483 = (_e3459[2] - _e3471[2]);
+                                    let _e3486 = local.member[0u];
+                                    if (_e3486[0] < 0f) {
+                                        phi_6229_ = -(_e3486[0]);
+                                    } else {
+                                        phi_6229_ = _e3486[0];
+                                    }
+                                    let _e3493 = phi_6229_;
+                                    if (_e3486[1] < 0f) {
+                                        phi_6236_ = -(_e3486[1]);
+                                    } else {
+                                        phi_6236_ = _e3486[1];
+                                    }
+                                    let _e3497 = phi_6236_;
+                                    if (_e3493 > _e3497) {
+                                        phi_6241_ = _e3493;
+                                    } else {
+                                        phi_6241_ = _e3497;
+                                    }
+                                    let _e3500 = phi_6241_;
+                                    if (_e3486[2] < 0f) {
+                                        phi_6248_ = -(_e3486[2]);
+                                    } else {
+                                        phi_6248_ = _e3486[2];
+                                    }
+                                    let _e3504 = phi_6248_;
+                                    if (_e3500 > _e3504) {
+                                        phi_6253_ = _e3500;
+                                    } else {
+                                        phi_6253_ = _e3504;
+                                    }
+                                    let _e3507 = phi_6253_;
+                                    let _e3510 = local.member[1u];
+                                    if (_e3510[0] < 0f) {
+                                        phi_6266_ = -(_e3510[0]);
                                     } else {
-                                        phi_5537_ = _e3114[0];
+                                        phi_6266_ = _e3510[0];
                                     }
-                                    let _e3121 = phi_5537_;
-                                    if (_e3114[1] < 0f) {
-                                        phi_5544_ = -(_e3114[1]);
-                                    } else {
-                                        phi_5544_ = _e3114[1];
+                                    let _e3517 = phi_6266_;
+                                    if (_e3510[1] < 0f) {
+                                        phi_6273_ = -(_e3510[1]);
+                                    } else {
+                                        phi_6273_ = _e3510[1];
                                     }
-                                    let _e3125 = phi_5544_;
-                                    if (_e3121 > _e3125) {
-                                        phi_5549_ = _e3121;
+                                    let _e3521 = phi_6273_;
+                                    if (_e3517 > _e3521) {
+                                        phi_6278_ = _e3517;
                                     } else {
-                                        phi_5549_ = _e3125;
+                                        phi_6278_ = _e3521;
                                     }
-                                    let _e3128 = phi_5549_;
-                                    if (_e3114[2] < 0f) {
-                                        phi_5556_ = -(_e3114[2]);
+                                    let _e3524 = phi_6278_;
+                                    if (_e3510[2] < 0f) {
+                                        phi_6285_ = -(_e3510[2]);
                                     } else {
-                                        phi_5556_ = _e3114[2];
+                                        phi_6285_ = _e3510[2];
                                     }
-                                    let _e3132 = phi_5556_;
-                                    if (_e3128 > _e3132) {
-                                        phi_5561_ = _e3128;
+                                    let _e3528 = phi_6285_;
+                                    if (_e3524 > _e3528) {
+                                        phi_6290_ = _e3524;
                                     } else {
-                                        phi_5561_ = _e3132;
+                                        phi_6290_ = _e3528;
                                     }
-                                    let _e3135 = phi_5561_;
-                                    if (_e3111 > _e3135) {
-                                        phi_5566_ = _e3111;
+                                    let _e3531 = phi_6290_;
+                                    if (_e3507 > _e3531) {
+                                        phi_6295_ = _e3507;
                                     } else {
-                                        phi_5566_ = _e3135;
+                                        phi_6295_ = _e3531;
                                     }
-                                    let _e3138 = phi_5566_;
-                                    let _e3140 = local.member_3;
-                                    let _e3144 = local.member_1[0u];
-                                    if (_e3144[0] < 0f) {
-                                        phi_5583_ = -(_e3144[0]);
+                                    let _e3534 = phi_6295_;
+                                    let _e3536 = local.member_3;
+                                    let _e3540 = local.member_1[0u];
+                                    if (_e3540[0] < 0f) {
+                                        phi_6312_ = -(_e3540[0]);
                                     } else {
-                                        phi_5583_ = _e3144[0];
+                                        phi_6312_ = _e3540[0];
                                     }
-                                    let _e3151 = phi_5583_;
-                                    if (_e3144[1] < 0f) {
-                                        phi_5590_ = -(_e3144[1]);
+                                    let _e3547 = phi_6312_;
+                                    if (_e3540[1] < 0f) {
+                                        phi_6319_ = -(_e3540[1]);
                                     } else {
-                                        phi_5590_ = _e3144[1];
+                                        phi_6319_ = _e3540[1];
                                     }
-                                    let _e3155 = phi_5590_;
-                                    if (_e3151 > _e3155) {
-                                        phi_5595_ = _e3151;
+                                    let _e3551 = phi_6319_;
+                                    if (_e3547 > _e3551) {
+                                        phi_6324_ = _e3547;
                                     } else {
-                                        phi_5595_ = _e3155;
+                                        phi_6324_ = _e3551;
                                     }
-                                    let _e3158 = phi_5595_;
-                                    if (_e3144[2] < 0f) {
-                                        phi_5602_ = -(_e3144[2]);
+                                    let _e3554 = phi_6324_;
+                                    if (_e3540[2] < 0f) {
+                                        phi_6331_ = -(_e3540[2]);
                                     } else {
-                                        phi_5602_ = _e3144[2];
+                                        phi_6331_ = _e3540[2];
                                     }
-                                    let _e3162 = phi_5602_;
-                                    if (_e3158 > _e3162) {
-                                        phi_5607_ = _e3158;
+                                    let _e3558 = phi_6331_;
+                                    if (_e3554 > _e3558) {
+                                        phi_6336_ = _e3554;
                                     } else {
-                                        phi_5607_ = _e3162;
+                                        phi_6336_ = _e3558;
                                     }
-                                    let _e3165 = phi_5607_;
-                                    let _e3168 = local.member_1[1u];
-                                    if (_e3168[0] < 0f) {
-                                        phi_5621_ = -(_e3168[0]);
+                                    let _e3561 = phi_6336_;
+                                    let _e3564 = local.member_1[1u];
+                                    if (_e3564[0] < 0f) {
+                                        phi_6350_ = -(_e3564[0]);
                                     } else {
-                                        phi_5621_ = _e3168[0];
+                                        phi_6350_ = _e3564[0];
                                     }
-                                    let _e3175 = phi_5621_;
-                                    if (_e3168[1] < 0f) {
-                                        phi_5628_ = -(_e3168[1]);
+                                    let _e3571 = phi_6350_;
+                                    if (_e3564[1] < 0f) {
+                                        phi_6357_ = -(_e3564[1]);
                                     } else {
-                                        phi_5628_ = _e3168[1];
+                                        phi_6357_ = _e3564[1];
                                     }
-                                    let _e3179 = phi_5628_;
-                                    if (_e3175 > _e3179) {
-                                        phi_5633_ = _e3175;
+                                    let _e3575 = phi_6357_;
+                                    if (_e3571 > _e3575) {
+                                        phi_6362_ = _e3571;
                                     } else {
-                                        phi_5633_ = _e3179;
+                                        phi_6362_ = _e3575;
                                     }
-                                    let _e3182 = phi_5633_;
-                                    if (_e3168[2] < 0f) {
-                                        phi_5640_ = -(_e3168[2]);
+                                    let _e3578 = phi_6362_;
+                                    if (_e3564[2] < 0f) {
+                                        phi_6369_ = -(_e3564[2]);
                                     } else {
-                                        phi_5640_ = _e3168[2];
+                                        phi_6369_ = _e3564[2];
                                     }
-                                    let _e3186 = phi_5640_;
-                                    if (_e3182 > _e3186) {
-                                        phi_5645_ = _e3182;
+                                    let _e3582 = phi_6369_;
+                                    if (_e3578 > _e3582) {
+                                        phi_6374_ = _e3578;
                                     } else {
-                                        phi_5645_ = _e3186;
+                                        phi_6374_ = _e3582;
                                     }
-                                    let _e3189 = phi_5645_;
-                                    if (_e3165 > _e3189) {
-                                        phi_5650_ = _e3165;
+                                    let _e3585 = phi_6374_;
+                                    if (_e3561 > _e3585) {
+                                        phi_6379_ = _e3561;
                                     } else {
-                                        phi_5650_ = _e3189;
+                                        phi_6379_ = _e3585;
                                     }
-                                    let _e3192 = phi_5650_;
-                                    let _e3194 = local.member_3;
-                                    let _e3198 = local.member_2[0u];
-                                    if (_e3198[0] < 0f) {
-                                        phi_5667_ = -(_e3198[0]);
+                                    let _e3588 = phi_6379_;
+                                    let _e3590 = local.member_3;
+                                    let _e3594 = local.member_2[0u];
+                                    if (_e3594[0] < 0f) {
+                                        phi_6396_ = -(_e3594[0]);
                                     } else {
-                                        phi_5667_ = _e3198[0];
+                                        phi_6396_ = _e3594[0];
                                     }
-                                    let _e3205 = phi_5667_;
-                                    if (_e3198[1] < 0f) {
-                                        phi_5674_ = -(_e3198[1]);
+                                    let _e3601 = phi_6396_;
+                                    if (_e3594[1] < 0f) {
+                                        phi_6403_ = -(_e3594[1]);
                                     } else {
-                                        phi_5674_ = _e3198[1];
+                                        phi_6403_ = _e3594[1];
                                     }
-                                    let _e3209 = phi_5674_;
-                                    if (_e3205 > _e3209) {
-                                        phi_5679_ = _e3205;
+                                    let _e3605 = phi_6403_;
+                                    if (_e3601 > _e3605) {
+                                        phi_6408_ = _e3601;
                                     } else {
-                                        phi_5679_ = _e3209;
+                                        phi_6408_ = _e3605;
                                     }
-                                    let _e3212 = phi_5679_;
-                                    if (_e3198[2] < 0f) {
-                                        phi_5686_ = -(_e3198[2]);
+                                    let _e3608 = phi_6408_;
+                                    if (_e3594[2] < 0f) {
+                                        phi_6415_ = -(_e3594[2]);
                                     } else {
-                                        phi_5686_ = _e3198[2];
+                                        phi_6415_ = _e3594[2];
                                     }
-                                    let _e3216 = phi_5686_;
-                                    if (_e3212 > _e3216) {
-                                        phi_5691_ = _e3212;
+                                    let _e3612 = phi_6415_;
+                                    if (_e3608 > _e3612) {
+                                        phi_6420_ = _e3608;
                                     } else {
-                                        phi_5691_ = _e3216;
+                                        phi_6420_ = _e3612;
                                     }
-                                    let _e3219 = phi_5691_;
-                                    let _e3222 = local.member_2[1u];
-                                    if (_e3222[0] < 0f) {
-                                        phi_5705_ = -(_e3222[0]);
+                                    let _e3615 = phi_6420_;
+                                    let _e3618 = local.member_2[1u];
+                                    if (_e3618[0] < 0f) {
+                                        phi_6434_ = -(_e3618[0]);
                                     } else {
-                                        phi_5705_ = _e3222[0];
+                                        phi_6434_ = _e3618[0];
                                     }
-                                    let _e3229 = phi_5705_;
-                                    if (_e3222[1] < 0f) {
-                                        phi_5712_ = -(_e3222[1]);
+                                    let _e3625 = phi_6434_;
+                                    if (_e3618[1] < 0f) {
+                                        phi_6441_ = -(_e3618[1]);
                                     } else {
-                                        phi_5712_ = _e3222[1];
+                                        phi_6441_ = _e3618[1];
                                     }
-                                    let _e3233 = phi_5712_;
-                                    if (_e3229 > _e3233) {
-                                        phi_5717_ = _e3229;
+                                    let _e3629 = phi_6441_;
+                                    if (_e3625 > _e3629) {
+                                        phi_6446_ = _e3625;
                                     } else {
-                                        phi_5717_ = _e3233;
+                                        phi_6446_ = _e3629;
                                     }
-                                    let _e3236 = phi_5717_;
-                                    if (_e3222[2] < 0f) {
-                                        phi_5724_ = -(_e3222[2]);
+                                    let _e3632 = phi_6446_;
+                                    if (_e3618[2] < 0f) {
+                                        phi_6453_ = -(_e3618[2]);
                                     } else {
-                                        phi_5724_ = _e3222[2];
+                                        phi_6453_ = _e3618[2];
                                     }
-                                    let _e3240 = phi_5724_;
-                                    if (_e3236 > _e3240) {
-                                        phi_5729_ = _e3236;
+                                    let _e3636 = phi_6453_;
+                                    if (_e3632 > _e3636) {
+                                        phi_6458_ = _e3632;
                                     } else {
-                                        phi_5729_ = _e3240;
+                                        phi_6458_ = _e3636;
                                     }
-                                    let _e3243 = phi_5729_;
-                                    if (_e3219 > _e3243) {
-                                        phi_5734_ = _e3219;
+                                    let _e3639 = phi_6458_;
+                                    if (_e3615 > _e3639) {
+                                        phi_6463_ = _e3615;
                                     } else {
-                                        phi_5734_ = _e3243;
+                                        phi_6463_ = _e3639;
                                     }
-                                    let _e3246 = phi_5734_;
-                                    let _e3248 = local.member_3;
-                                    let _e3252 = ((((_e3138 + _e3140) + (_e3192 + _e3194)) + (_e3246 + _e3248)) * 2f);
-                                    let _e3255 = local.member_3;
-                                    let _e3259 = (((_e1449 * 1.0001f) + (_e3255 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3262 = ((_e3030 * _e3009) - (_e3033 * _e3008));
-                                    let _e3265 = ((_e3033 * _e3007) - (_e3027 * _e3009));
-                                    let _e3268 = ((_e3027 * _e3008) - (_e3030 * _e3007));
-                                    let _e3273 = (((_e3262 * _e3036[0]) + (_e3265 * _e3036[1])) + (_e3268 * _e3036[2]));
-                                    let _e3278 = (((_e3262 * _e3052) + (_e3265 * _e3053)) + (_e3268 * _e3054));
-                                    let _e3283 = (((_e3262 * _e3058) + (_e3265 * _e3059)) + (_e3268 * _e3060));
-                                    let _e3288 = (((_e3262 * _e3055) + (_e3265 * _e3056)) + (_e3268 * _e3057));
-                                    let _e3293 = (((_e3262 * _e3063[0]) + (_e3265 * _e3063[1])) + (_e3268 * _e3063[2]));
-                                    let _e3298 = (((_e3262 * _e3079) + (_e3265 * _e3080)) + (_e3268 * _e3081));
-                                    let _e3303 = (((_e3262 * _e3085) + (_e3265 * _e3086)) + (_e3268 * _e3087));
-                                    let _e3308 = (((_e3262 * _e3082) + (_e3265 * _e3083)) + (_e3268 * _e3084));
-                                    if (_e3273 < _e3278) {
-                                        phi_5813_ = _e3273;
+                                    let _e3642 = phi_6463_;
+                                    let _e3644 = local.member_3;
+                                    let _e3648 = ((((_e3534 + _e3536) + (_e3588 + _e3590)) + (_e3642 + _e3644)) * 2f);
+                                    let _e3651 = local.member_3;
+                                    let _e3655 = (((_e1845 * 1.0001f) + (_e3651 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3658 = ((_e3426 * _e3405) - (_e3429 * _e3404));
+                                    let _e3661 = ((_e3429 * _e3403) - (_e3423 * _e3405));
+                                    let _e3664 = ((_e3423 * _e3404) - (_e3426 * _e3403));
+                                    let _e3669 = (((_e3658 * _e3432[0]) + (_e3661 * _e3432[1])) + (_e3664 * _e3432[2]));
+                                    let _e3674 = (((_e3658 * _e3448) + (_e3661 * _e3449)) + (_e3664 * _e3450));
+                                    let _e3679 = (((_e3658 * _e3454) + (_e3661 * _e3455)) + (_e3664 * _e3456));
+                                    let _e3684 = (((_e3658 * _e3451) + (_e3661 * _e3452)) + (_e3664 * _e3453));
+                                    let _e3689 = (((_e3658 * _e3459[0]) + (_e3661 * _e3459[1])) + (_e3664 * _e3459[2]));
+                                    let _e3694 = (((_e3658 * _e3475) + (_e3661 * _e3476)) + (_e3664 * _e3477));
+                                    let _e3699 = (((_e3658 * _e3481) + (_e3661 * _e3482)) + (_e3664 * _e3483));
+                                    let _e3704 = (((_e3658 * _e3478) + (_e3661 * _e3479)) + (_e3664 * _e3480));
+                                    if (_e3669 < _e3674) {
+                                        phi_6542_ = _e3669;
                                     } else {
-                                        phi_5813_ = _e3278;
+                                        phi_6542_ = _e3674;
                                     }
-                                    let _e3311 = phi_5813_;
-                                    if (_e3283 < _e3288) {
-                                        phi_5818_ = _e3283;
+                                    let _e3707 = phi_6542_;
+                                    if (_e3679 < _e3684) {
+                                        phi_6547_ = _e3679;
                                     } else {
-                                        phi_5818_ = _e3288;
+                                        phi_6547_ = _e3684;
                                     }
-                                    let _e3314 = phi_5818_;
-                                    if (_e3311 < _e3314) {
-                                        phi_5823_ = _e3311;
+                                    let _e3710 = phi_6547_;
+                                    if (_e3707 < _e3710) {
+                                        phi_6552_ = _e3707;
                                     } else {
-                                        phi_5823_ = _e3314;
+                                        phi_6552_ = _e3710;
                                     }
-                                    let _e3317 = phi_5823_;
-                                    if (_e3293 < _e3298) {
-                                        phi_5828_ = _e3293;
+                                    let _e3713 = phi_6552_;
+                                    if (_e3689 < _e3694) {
+                                        phi_6557_ = _e3689;
                                     } else {
-                                        phi_5828_ = _e3298;
+                                        phi_6557_ = _e3694;
                                     }
-                                    let _e3320 = phi_5828_;
-                                    if (_e3303 < _e3308) {
-                                        phi_5833_ = _e3303;
+                                    let _e3716 = phi_6557_;
+                                    if (_e3699 < _e3704) {
+                                        phi_6562_ = _e3699;
                                     } else {
-                                        phi_5833_ = _e3308;
+                                        phi_6562_ = _e3704;
                                     }
-                                    let _e3323 = phi_5833_;
-                                    if (_e3320 < _e3323) {
-                                        phi_5838_ = _e3320;
+                                    let _e3719 = phi_6562_;
+                                    if (_e3716 < _e3719) {
+                                        phi_6567_ = _e3716;
                                     } else {
-                                        phi_5838_ = _e3323;
+                                        phi_6567_ = _e3719;
                                     }
-                                    let _e3326 = phi_5838_;
-                                    if (_e3317 < _e3326) {
-                                        phi_5843_ = _e3317;
+                                    let _e3722 = phi_6567_;
+                                    if (_e3713 < _e3722) {
+                                        phi_6572_ = _e3713;
                                     } else {
-                                        phi_5843_ = _e3326;
+                                        phi_6572_ = _e3722;
                                     }
-                                    let _e3329 = phi_5843_;
-                                    if (_e3273 > _e3278) {
-                                        phi_5848_ = _e3273;
+                                    let _e3725 = phi_6572_;
+                                    if (_e3669 > _e3674) {
+                                        phi_6577_ = _e3669;
                                     } else {
-                                        phi_5848_ = _e3278;
+                                        phi_6577_ = _e3674;
                                     }
-                                    let _e3332 = phi_5848_;
-                                    if (_e3283 > _e3288) {
-                                        phi_5853_ = _e3283;
+                                    let _e3728 = phi_6577_;
+                                    if (_e3679 > _e3684) {
+                                        phi_6582_ = _e3679;
                                     } else {
-                                        phi_5853_ = _e3288;
+                                        phi_6582_ = _e3684;
                                     }
-                                    let _e3335 = phi_5853_;
-                                    if (_e3332 > _e3335) {
-                                        phi_5858_ = _e3332;
+                                    let _e3731 = phi_6582_;
+                                    if (_e3728 > _e3731) {
+                                        phi_6587_ = _e3728;
                                     } else {
-                                        phi_5858_ = _e3335;
+                                        phi_6587_ = _e3731;
                                     }
-                                    let _e3338 = phi_5858_;
-                                    if (_e3293 > _e3298) {
-                                        phi_5863_ = _e3293;
+                                    let _e3734 = phi_6587_;
+                                    if (_e3689 > _e3694) {
+                                        phi_6592_ = _e3689;
                                     } else {
-                                        phi_5863_ = _e3298;
+                                        phi_6592_ = _e3694;
                                     }
-                                    let _e3341 = phi_5863_;
-                                    if (_e3303 > _e3308) {
-                                        phi_5868_ = _e3303;
+                                    let _e3737 = phi_6592_;
+                                    if (_e3699 > _e3704) {
+                                        phi_6597_ = _e3699;
                                     } else {
-                                        phi_5868_ = _e3308;
+                                        phi_6597_ = _e3704;
                                     }
-                                    let _e3344 = phi_5868_;
-                                    if (_e3341 > _e3344) {
-                                        phi_5873_ = _e3341;
+                                    let _e3740 = phi_6597_;
+                                    if (_e3737 > _e3740) {
+                                        phi_6602_ = _e3737;
                                     } else {
-                                        phi_5873_ = _e3344;
+                                        phi_6602_ = _e3740;
                                     }
-                                    let _e3347 = phi_5873_;
-                                    if (_e3338 > _e3347) {
-                                        phi_5878_ = _e3338;
+                                    let _e3743 = phi_6602_;
+                                    if (_e3734 > _e3743) {
+                                        phi_6607_ = _e3734;
                                     } else {
-                                        phi_5878_ = _e3347;
+                                        phi_6607_ = _e3743;
                                     }
-                                    let _e3350 = phi_5878_;
-                                    if (_e3262 < 0f) {
-                                        phi_5884_ = -(_e3262);
+                                    let _e3746 = phi_6607_;
+                                    if (_e3658 < 0f) {
+                                        phi_6613_ = -(_e3658);
                                     } else {
-                                        phi_5884_ = _e3262;
+                                        phi_6613_ = _e3658;
                                     }
-                                    let _e3354 = phi_5884_;
-                                    if (_e3265 < 0f) {
-                                        phi_5890_ = -(_e3265);
+                                    let _e3750 = phi_6613_;
+                                    if (_e3661 < 0f) {
+                                        phi_6619_ = -(_e3661);
                                     } else {
-                                        phi_5890_ = _e3265;
+                                        phi_6619_ = _e3661;
                                     }
-                                    let _e3358 = phi_5890_;
-                                    if (_e3268 < 0f) {
-                                        phi_5897_ = -(_e3268);
+                                    let _e3754 = phi_6619_;
+                                    if (_e3664 < 0f) {
+                                        phi_6626_ = -(_e3664);
                                     } else {
-                                        phi_5897_ = _e3268;
+                                        phi_6626_ = _e3664;
                                     }
-                                    let _e3363 = phi_5897_;
-                                    let _e3364 = ((_e3354 + _e3358) + _e3363);
-                                    let _e3369 = -(_e3350);
-                                    if (_e3329 > _e3369) {
-                                        phi_5908_ = _e3329;
+                                    let _e3759 = phi_6626_;
+                                    let _e3760 = ((_e3750 + _e3754) + _e3759);
+                                    let _e3765 = -(_e3746);
+                                    if (_e3725 > _e3765) {
+                                        phi_6637_ = _e3725;
                                     } else {
-                                        phi_5908_ = _e3369;
+                                        phi_6637_ = _e3765;
                                     }
-                                    let _e3372 = phi_5908_;
-                                    let _e3377 = (((_e3372 - ((_e3364 * _e3252) * (0.000000059604645f * (17f / 2f)))) - (_e3364 * _e3259)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3380 = ((_e3030 * _e3024) - (_e3033 * _e3023));
-                                    let _e3383 = ((_e3033 * _e3022) - (_e3027 * _e3024));
-                                    let _e3386 = ((_e3027 * _e3023) - (_e3030 * _e3022));
-                                    let _e3391 = (((_e3380 * _e3036[0]) + (_e3383 * _e3036[1])) + (_e3386 * _e3036[2]));
-                                    let _e3396 = (((_e3380 * _e3052) + (_e3383 * _e3053)) + (_e3386 * _e3054));
-                                    let _e3401 = (((_e3380 * _e3058) + (_e3383 * _e3059)) + (_e3386 * _e3060));
-                                    let _e3406 = (((_e3380 * _e3055) + (_e3383 * _e3056)) + (_e3386 * _e3057));
-                                    let _e3411 = (((_e3380 * _e3063[0]) + (_e3383 * _e3063[1])) + (_e3386 * _e3063[2]));
-                                    let _e3416 = (((_e3380 * _e3079) + (_e3383 * _e3080)) + (_e3386 * _e3081));
-                                    let _e3421 = (((_e3380 * _e3085) + (_e3383 * _e3086)) + (_e3386 * _e3087));
-                                    let _e3426 = (((_e3380 * _e3082) + (_e3383 * _e3083)) + (_e3386 * _e3084));
-                                    if (_e3391 < _e3396) {
-                                        phi_5979_ = _e3391;
+                                    let _e3768 = phi_6637_;
+                                    let _e3773 = (((_e3768 - ((_e3760 * _e3648) * (0.000000059604645f * (17f / 2f)))) - (_e3760 * _e3655)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3776 = ((_e3426 * _e3420) - (_e3429 * _e3419));
+                                    let _e3779 = ((_e3429 * _e3418) - (_e3423 * _e3420));
+                                    let _e3782 = ((_e3423 * _e3419) - (_e3426 * _e3418));
+                                    let _e3787 = (((_e3776 * _e3432[0]) + (_e3779 * _e3432[1])) + (_e3782 * _e3432[2]));
+                                    let _e3792 = (((_e3776 * _e3448) + (_e3779 * _e3449)) + (_e3782 * _e3450));
+                                    let _e3797 = (((_e3776 * _e3454) + (_e3779 * _e3455)) + (_e3782 * _e3456));
+                                    let _e3802 = (((_e3776 * _e3451) + (_e3779 * _e3452)) + (_e3782 * _e3453));
+                                    let _e3807 = (((_e3776 * _e3459[0]) + (_e3779 * _e3459[1])) + (_e3782 * _e3459[2]));
+                                    let _e3812 = (((_e3776 * _e3475) + (_e3779 * _e3476)) + (_e3782 * _e3477));
+                                    let _e3817 = (((_e3776 * _e3481) + (_e3779 * _e3482)) + (_e3782 * _e3483));
+                                    let _e3822 = (((_e3776 * _e3478) + (_e3779 * _e3479)) + (_e3782 * _e3480));
+                                    if (_e3787 < _e3792) {
+                                        phi_6708_ = _e3787;
                                     } else {
-                                        phi_5979_ = _e3396;
+                                        phi_6708_ = _e3792;
                                     }
-                                    let _e3429 = phi_5979_;
-                                    if (_e3401 < _e3406) {
-                                        phi_5984_ = _e3401;
+                                    let _e3825 = phi_6708_;
+                                    if (_e3797 < _e3802) {
+                                        phi_6713_ = _e3797;
                                     } else {
-                                        phi_5984_ = _e3406;
+                                        phi_6713_ = _e3802;
                                     }
-                                    let _e3432 = phi_5984_;
-                                    if (_e3429 < _e3432) {
-                                        phi_5989_ = _e3429;
+                                    let _e3828 = phi_6713_;
+                                    if (_e3825 < _e3828) {
+                                        phi_6718_ = _e3825;
                                     } else {
-                                        phi_5989_ = _e3432;
+                                        phi_6718_ = _e3828;
                                     }
-                                    let _e3435 = phi_5989_;
-                                    if (_e3411 < _e3416) {
-                                        phi_5994_ = _e3411;
+                                    let _e3831 = phi_6718_;
+                                    if (_e3807 < _e3812) {
+                                        phi_6723_ = _e3807;
                                     } else {
-                                        phi_5994_ = _e3416;
+                                        phi_6723_ = _e3812;
                                     }
-                                    let _e3438 = phi_5994_;
-                                    if (_e3421 < _e3426) {
-                                        phi_5999_ = _e3421;
+                                    let _e3834 = phi_6723_;
+                                    if (_e3817 < _e3822) {
+                                        phi_6728_ = _e3817;
                                     } else {
-                                        phi_5999_ = _e3426;
+                                        phi_6728_ = _e3822;
                                     }
-                                    let _e3441 = phi_5999_;
-                                    if (_e3438 < _e3441) {
-                                        phi_6004_ = _e3438;
+                                    let _e3837 = phi_6728_;
+                                    if (_e3834 < _e3837) {
+                                        phi_6733_ = _e3834;
                                     } else {
-                                        phi_6004_ = _e3441;
+                                        phi_6733_ = _e3837;
                                     }
-                                    let _e3444 = phi_6004_;
-                                    if (_e3435 < _e3444) {
-                                        phi_6009_ = _e3435;
+                                    let _e3840 = phi_6733_;
+                                    if (_e3831 < _e3840) {
+                                        phi_6738_ = _e3831;
                                     } else {
-                                        phi_6009_ = _e3444;
+                                        phi_6738_ = _e3840;
                                     }
-                                    let _e3447 = phi_6009_;
-                                    if (_e3391 > _e3396) {
-                                        phi_6014_ = _e3391;
+                                    let _e3843 = phi_6738_;
+                                    if (_e3787 > _e3792) {
+                                        phi_6743_ = _e3787;
                                     } else {
-                                        phi_6014_ = _e3396;
+                                        phi_6743_ = _e3792;
                                     }
-                                    let _e3450 = phi_6014_;
-                                    if (_e3401 > _e3406) {
-                                        phi_6019_ = _e3401;
+                                    let _e3846 = phi_6743_;
+                                    if (_e3797 > _e3802) {
+                                        phi_6748_ = _e3797;
                                     } else {
-                                        phi_6019_ = _e3406;
+                                        phi_6748_ = _e3802;
                                     }
-                                    let _e3453 = phi_6019_;
-                                    if (_e3450 > _e3453) {
-                                        phi_6024_ = _e3450;
+                                    let _e3849 = phi_6748_;
+                                    if (_e3846 > _e3849) {
+                                        phi_6753_ = _e3846;
                                     } else {
-                                        phi_6024_ = _e3453;
+                                        phi_6753_ = _e3849;
                                     }
-                                    let _e3456 = phi_6024_;
-                                    if (_e3411 > _e3416) {
-                                        phi_6029_ = _e3411;
+                                    let _e3852 = phi_6753_;
+                                    if (_e3807 > _e3812) {
+                                        phi_6758_ = _e3807;
                                     } else {
-                                        phi_6029_ = _e3416;
+                                        phi_6758_ = _e3812;
                                     }
-                                    let _e3459 = phi_6029_;
-                                    if (_e3421 > _e3426) {
-                                        phi_6034_ = _e3421;
+                                    let _e3855 = phi_6758_;
+                                    if (_e3817 > _e3822) {
+                                        phi_6763_ = _e3817;
                                     } else {
-                                        phi_6034_ = _e3426;
+                                        phi_6763_ = _e3822;
                                     }
-                                    let _e3462 = phi_6034_;
-                                    if (_e3459 > _e3462) {
-                                        phi_6039_ = _e3459;
+                                    let _e3858 = phi_6763_;
+                                    if (_e3855 > _e3858) {
+                                        phi_6768_ = _e3855;
                                     } else {
-                                        phi_6039_ = _e3462;
+                                        phi_6768_ = _e3858;
                                     }
-                                    let _e3465 = phi_6039_;
-                                    if (_e3456 > _e3465) {
-                                        phi_6044_ = _e3456;
+                                    let _e3861 = phi_6768_;
+                                    if (_e3852 > _e3861) {
+                                        phi_6773_ = _e3852;
                                     } else {
-                                        phi_6044_ = _e3465;
+                                        phi_6773_ = _e3861;
                                     }
-                                    let _e3468 = phi_6044_;
-                                    if (_e3380 < 0f) {
-                                        phi_6050_ = -(_e3380);
+                                    let _e3864 = phi_6773_;
+                                    if (_e3776 < 0f) {
+                                        phi_6779_ = -(_e3776);
                                     } else {
-                                        phi_6050_ = _e3380;
+                                        phi_6779_ = _e3776;
                                     }
-                                    let _e3472 = phi_6050_;
-                                    if (_e3383 < 0f) {
-                                        phi_6056_ = -(_e3383);
+                                    let _e3868 = phi_6779_;
+                                    if (_e3779 < 0f) {
+                                        phi_6785_ = -(_e3779);
                                     } else {
-                                        phi_6056_ = _e3383;
+                                        phi_6785_ = _e3779;
                                     }
-                                    let _e3476 = phi_6056_;
-                                    if (_e3386 < 0f) {
-                                        phi_6063_ = -(_e3386);
+                                    let _e3872 = phi_6785_;
+                                    if (_e3782 < 0f) {
+                                        phi_6792_ = -(_e3782);
                                     } else {
-                                        phi_6063_ = _e3386;
+                                        phi_6792_ = _e3782;
                                     }
-                                    let _e3481 = phi_6063_;
-                                    let _e3482 = ((_e3472 + _e3476) + _e3481);
-                                    let _e3487 = -(_e3468);
-                                    if (_e3447 > _e3487) {
-                                        phi_6074_ = _e3447;
+                                    let _e3877 = phi_6792_;
+                                    let _e3878 = ((_e3868 + _e3872) + _e3877);
+                                    let _e3883 = -(_e3864);
+                                    if (_e3843 > _e3883) {
+                                        phi_6803_ = _e3843;
                                     } else {
-                                        phi_6074_ = _e3487;
+                                        phi_6803_ = _e3883;
                                     }
-                                    let _e3490 = phi_6074_;
-                                    let _e3495 = (((_e3490 - ((_e3482 * _e3252) * (0.000000059604645f * (17f / 2f)))) - (_e3482 * _e3259)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3377 > _e3495) {
-                                        phi_6084_ = _e3377;
+                                    let _e3886 = phi_6803_;
+                                    let _e3891 = (((_e3886 - ((_e3878 * _e3648) * (0.000000059604645f * (17f / 2f)))) - (_e3878 * _e3655)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3773 > _e3891) {
+                                        phi_6813_ = _e3773;
                                     } else {
-                                        phi_6084_ = _e3495;
+                                        phi_6813_ = _e3891;
                                     }
-                                    let _e3498 = phi_6084_;
-                                    phi_6266_ = (_e2994 || (_e3498 > 0f));
+                                    let _e3894 = phi_6813_;
+                                    phi_6995_ = (_e3390 || (_e3894 > 0f));
                                 }
-                                let _e3502 = phi_6266_;
-                                if _e3502 {
-                                    let _e3505 = local_1.member_1[0u];
-                                    let _e3511 = local_1.member_2[0u];
-                                    let _e3517 = ((_e3505[1] * _e3511[2]) - (_e3505[2] * _e3511[1]));
-                                    let _e3520 = ((_e3505[2] * _e3511[0]) - (_e3505[0] * _e3511[2]));
-                                    let _e3523 = ((_e3505[0] * _e3511[1]) - (_e3505[1] * _e3511[0]));
-                                    let _e3526 = local_1.member_1[1u];
-                                    let _e3532 = local_1.member_2[1u];
-                                    let _e3538 = ((_e3526[1] * _e3532[2]) - (_e3526[2] * _e3532[1]));
-                                    let _e3541 = ((_e3526[2] * _e3532[0]) - (_e3526[0] * _e3532[2]));
-                                    let _e3544 = ((_e3526[0] * _e3532[1]) - (_e3526[1] * _e3532[0]));
-                                    let _e3547 = local_1.member_1[0u];
-                                    let _e3553 = local_1.member_2[1u];
-                                    let _e3568 = local_1.member_1[1u];
-                                    let _e3574 = local_1.member_2[0u];
-                                    let _e3587 = (((_e3547[1] * _e3553[2]) - (_e3547[2] * _e3553[1])) + ((_e3568[1] * _e3574[2]) - (_e3568[2] * _e3574[1])));
-                                    let _e3588 = (((_e3547[2] * _e3553[0]) - (_e3547[0] * _e3553[2])) + ((_e3568[2] * _e3574[0]) - (_e3568[0] * _e3574[2])));
-                                    let _e3589 = (((_e3547[0] * _e3553[1]) - (_e3547[1] * _e3553[0])) + ((_e3568[0] * _e3574[1]) - (_e3568[1] * _e3574[0])));
-                                    let _e3592 = local_1.member[0u];
-                                    let _e3603 = local_1.member[1u];
-                                    let _e3614 = local_1.member[0u];
-                                    let _e3623 = ((((_e3603[0] * _e3517) + (_e3603[1] * _e3520)) + (_e3603[2] * _e3523)) + (((_e3614[0] * _e3587) + (_e3614[1] * _e3588)) + (_e3614[2] * _e3589)));
-                                    let _e3626 = local_1.member[0u];
-                                    let _e3637 = local_1.member[1u];
-                                    let _e3646 = ((((_e3626[0] * _e3538) + (_e3626[1] * _e3541)) + (_e3626[2] * _e3544)) + (((_e3637[0] * _e3587) + (_e3637[1] * _e3588)) + (_e3637[2] * _e3589)));
-                                    let _e3649 = local_1.member[1u];
-                                    let _e3660 = local_1.member[0u];
-                                    if (_e3660[0] < 0f) {
-                                        phi_6511_ = -(_e3660[0]);
+                                let _e3898 = phi_6995_;
+                                if _e3898 {
+                                    let _e3901 = local_1.member_1[0u];
+                                    let _e3907 = local_1.member_2[0u];
+                                    let _e3913 = ((_e3901[1] * _e3907[2]) - (_e3901[2] * _e3907[1]));
+                                    let _e3916 = ((_e3901[2] * _e3907[0]) - (_e3901[0] * _e3907[2]));
+                                    let _e3919 = ((_e3901[0] * _e3907[1]) - (_e3901[1] * _e3907[0]));
+                                    let _e3922 = local_1.member_1[1u];
+                                    let _e3928 = local_1.member_2[1u];
+                                    let _e3934 = ((_e3922[1] * _e3928[2]) - (_e3922[2] * _e3928[1]));
+                                    let _e3937 = ((_e3922[2] * _e3928[0]) - (_e3922[0] * _e3928[2]));
+                                    let _e3940 = ((_e3922[0] * _e3928[1]) - (_e3922[1] * _e3928[0]));
+                                    let _e3943 = local_1.member_1[0u];
+                                    let _e3949 = local_1.member_2[1u];
+                                    let _e3964 = local_1.member_1[1u];
+                                    let _e3970 = local_1.member_2[0u];
+                                    let _e3983 = (((_e3943[1] * _e3949[2]) - (_e3943[2] * _e3949[1])) + ((_e3964[1] * _e3970[2]) - (_e3964[2] * _e3970[1])));
+                                    let _e3984 = (((_e3943[2] * _e3949[0]) - (_e3943[0] * _e3949[2])) + ((_e3964[2] * _e3970[0]) - (_e3964[0] * _e3970[2])));
+                                    let _e3985 = (((_e3943[0] * _e3949[1]) - (_e3943[1] * _e3949[0])) + ((_e3964[0] * _e3970[1]) - (_e3964[1] * _e3970[0])));
+                                    let _e3988 = local_1.member[0u];
+                                    let _e3999 = local_1.member[1u];
+                                    let _e4010 = local_1.member[0u];
+                                    let _e4019 = ((((_e3999[0] * _e3913) + (_e3999[1] * _e3916)) + (_e3999[2] * _e3919)) + (((_e4010[0] * _e3983) + (_e4010[1] * _e3984)) + (_e4010[2] * _e3985)));
+                                    let _e4022 = local_1.member[0u];
+                                    let _e4033 = local_1.member[1u];
+                                    let _e4042 = ((((_e4022[0] * _e3934) + (_e4022[1] * _e3937)) + (_e4022[2] * _e3940)) + (((_e4033[0] * _e3983) + (_e4033[1] * _e3984)) + (_e4033[2] * _e3985)));
+                                    let _e4045 = local_1.member[1u];
+                                    let _e4056 = local_1.member[0u];
+                                    if (_e4056[0] < 0f) {
+                                        phi_7240_ = -(_e4056[0]);
                                     } else {
-                                        phi_6511_ = _e3660[0];
+                                        phi_7240_ = _e4056[0];
                                     }
-                                    let _e3667 = phi_6511_;
-                                    if (_e3660[1] < 0f) {
-                                        phi_6518_ = -(_e3660[1]);
+                                    let _e4063 = phi_7240_;
+                                    if (_e4056[1] < 0f) {
+                                        phi_7247_ = -(_e4056[1]);
                                     } else {
-                                        phi_6518_ = _e3660[1];
+                                        phi_7247_ = _e4056[1];
                                     }
-                                    let _e3671 = phi_6518_;
-                                    if (_e3667 > _e3671) {
-                                        phi_6523_ = _e3667;
+                                    let _e4067 = phi_7247_;
+                                    if (_e4063 > _e4067) {
+                                        phi_7252_ = _e4063;
                                     } else {
-                                        phi_6523_ = _e3671;
+                                        phi_7252_ = _e4067;
                                     }
-                                    let _e3674 = phi_6523_;
-                                    if (_e3660[2] < 0f) {
-                                        phi_6530_ = -(_e3660[2]);
+                                    let _e4070 = phi_7252_;
+                                    if (_e4056[2] < 0f) {
+                                        phi_7259_ = -(_e4056[2]);
                                     } else {
-                                        phi_6530_ = _e3660[2];
+                                        phi_7259_ = _e4056[2];
                                     }
-                                    let _e3678 = phi_6530_;
-                                    if (_e3674 > _e3678) {
-                                        phi_6535_ = _e3674;
+                                    let _e4074 = phi_7259_;
+                                    if (_e4070 > _e4074) {
+                                        phi_7264_ = _e4070;
                                     } else {
-                                        phi_6535_ = _e3678;
+                                        phi_7264_ = _e4074;
                                     }
-                                    let _e3681 = phi_6535_;
-                                    let _e3684 = local_1.member[1u];
-                                    if (_e3684[0] < 0f) {
-                                        phi_6548_ = -(_e3684[0]);
+                                    let _e4077 = phi_7264_;
+                                    let _e4080 = local_1.member[1u];
+                                    if (_e4080[0] < 0f) {
+                                        phi_7277_ = -(_e4080[0]);
                                     } else {
-                                        phi_6548_ = _e3684[0];
+                                        phi_7277_ = _e4080[0];
                                     }
-                                    let _e3691 = phi_6548_;
-                                    if (_e3684[1] < 0f) {
-                                        phi_6555_ = -(_e3684[1]);
+                                    let _e4087 = phi_7277_;
+                                    if (_e4080[1] < 0f) {
+                                        phi_7284_ = -(_e4080[1]);
                                     } else {
-                                        phi_6555_ = _e3684[1];
+                                        phi_7284_ = _e4080[1];
                                     }
-                                    let _e3695 = phi_6555_;
-                                    if (_e3691 > _e3695) {
-                                        phi_6560_ = _e3691;
+                                    let _e4091 = phi_7284_;
+                                    if (_e4087 > _e4091) {
+                                        phi_7289_ = _e4087;
                                     } else {
-                                        phi_6560_ = _e3695;
+                                        phi_7289_ = _e4091;
                                     }
-                                    let _e3698 = phi_6560_;
-                                    if (_e3684[2] < 0f) {
-                                        phi_6567_ = -(_e3684[2]);
+                                    let _e4094 = phi_7289_;
+                                    if (_e4080[2] < 0f) {
+                                        phi_7296_ = -(_e4080[2]);
                                     } else {
-                                        phi_6567_ = _e3684[2];
+                                        phi_7296_ = _e4080[2];
                                     }
-                                    let _e3702 = phi_6567_;
-                                    if (_e3698 > _e3702) {
-                                        phi_6572_ = _e3698;
+                                    let _e4098 = phi_7296_;
+                                    if (_e4094 > _e4098) {
+                                        phi_7301_ = _e4094;
                                     } else {
-                                        phi_6572_ = _e3702;
+                                        phi_7301_ = _e4098;
                                     }
-                                    let _e3705 = phi_6572_;
-                                    if (_e3681 > _e3705) {
-                                        phi_6577_ = _e3681;
+                                    let _e4101 = phi_7301_;
+                                    if (_e4077 > _e4101) {
+                                        phi_7306_ = _e4077;
                                     } else {
-                                        phi_6577_ = _e3705;
+                                        phi_7306_ = _e4101;
                                     }
-                                    let _e3708 = phi_6577_;
-                                    let _e3710 = local_1.member_3;
-                                    let _e3711 = (_e3708 + _e3710);
-                                    let _e3714 = local_1.member_1[0u];
-                                    if (_e3714[0] < 0f) {
-                                        phi_6594_ = -(_e3714[0]);
+                                    let _e4104 = phi_7306_;
+                                    let _e4106 = local_1.member_3;
+                                    let _e4107 = (_e4104 + _e4106);
+                                    let _e4110 = local_1.member_1[0u];
+                                    if (_e4110[0] < 0f) {
+                                        phi_7323_ = -(_e4110[0]);
                                     } else {
-                                        phi_6594_ = _e3714[0];
+                                        phi_7323_ = _e4110[0];
                                     }
-                                    let _e3721 = phi_6594_;
-                                    if (_e3714[1] < 0f) {
-                                        phi_6601_ = -(_e3714[1]);
+                                    let _e4117 = phi_7323_;
+                                    if (_e4110[1] < 0f) {
+                                        phi_7330_ = -(_e4110[1]);
                                     } else {
-                                        phi_6601_ = _e3714[1];
+                                        phi_7330_ = _e4110[1];
                                     }
-                                    let _e3725 = phi_6601_;
-                                    if (_e3721 > _e3725) {
-                                        phi_6606_ = _e3721;
+                                    let _e4121 = phi_7330_;
+                                    if (_e4117 > _e4121) {
+                                        phi_7335_ = _e4117;
                                     } else {
-                                        phi_6606_ = _e3725;
+                                        phi_7335_ = _e4121;
                                     }
-                                    let _e3728 = phi_6606_;
-                                    if (_e3714[2] < 0f) {
-                                        phi_6613_ = -(_e3714[2]);
+                                    let _e4124 = phi_7335_;
+                                    if (_e4110[2] < 0f) {
+                                        phi_7342_ = -(_e4110[2]);
                                     } else {
-                                        phi_6613_ = _e3714[2];
+                                        phi_7342_ = _e4110[2];
                                     }
-                                    let _e3732 = phi_6613_;
-                                    if (_e3728 > _e3732) {
-                                        phi_6618_ = _e3728;
+                                    let _e4128 = phi_7342_;
+                                    if (_e4124 > _e4128) {
+                                        phi_7347_ = _e4124;
                                     } else {
-                                        phi_6618_ = _e3732;
+                                        phi_7347_ = _e4128;
                                     }
-                                    let _e3735 = phi_6618_;
-                                    let _e3738 = local_1.member_1[1u];
-                                    if (_e3738[0] < 0f) {
-                                        phi_6632_ = -(_e3738[0]);
+                                    let _e4131 = phi_7347_;
+                                    let _e4134 = local_1.member_1[1u];
+                                    if (_e4134[0] < 0f) {
+                                        phi_7361_ = -(_e4134[0]);
                                     } else {
-                                        phi_6632_ = _e3738[0];
+                                        phi_7361_ = _e4134[0];
                                     }
-                                    let _e3745 = phi_6632_;
-                                    if (_e3738[1] < 0f) {
-                                        phi_6639_ = -(_e3738[1]);
+                                    let _e4141 = phi_7361_;
+                                    if (_e4134[1] < 0f) {
+                                        phi_7368_ = -(_e4134[1]);
                                     } else {
-                                        phi_6639_ = _e3738[1];
+                                        phi_7368_ = _e4134[1];
                                     }
-                                    let _e3749 = phi_6639_;
-                                    if (_e3745 > _e3749) {
-                                        phi_6644_ = _e3745;
+                                    let _e4145 = phi_7368_;
+                                    if (_e4141 > _e4145) {
+                                        phi_7373_ = _e4141;
                                     } else {
-                                        phi_6644_ = _e3749;
+                                        phi_7373_ = _e4145;
                                     }
-                                    let _e3752 = phi_6644_;
-                                    if (_e3738[2] < 0f) {
-                                        phi_6651_ = -(_e3738[2]);
+                                    let _e4148 = phi_7373_;
+                                    if (_e4134[2] < 0f) {
+                                        phi_7380_ = -(_e4134[2]);
                                     } else {
-                                        phi_6651_ = _e3738[2];
+                                        phi_7380_ = _e4134[2];
                                     }
-                                    let _e3756 = phi_6651_;
-                                    if (_e3752 > _e3756) {
-                                        phi_6656_ = _e3752;
+                                    let _e4152 = phi_7380_;
+                                    if (_e4148 > _e4152) {
+                                        phi_7385_ = _e4148;
                                     } else {
-                                        phi_6656_ = _e3756;
+                                        phi_7385_ = _e4152;
                                     }
-                                    let _e3759 = phi_6656_;
-                                    if (_e3735 > _e3759) {
-                                        phi_6661_ = _e3735;
+                                    let _e4155 = phi_7385_;
+                                    if (_e4131 > _e4155) {
+                                        phi_7390_ = _e4131;
                                     } else {
-                                        phi_6661_ = _e3759;
+                                        phi_7390_ = _e4155;
                                     }
-                                    let _e3762 = phi_6661_;
-                                    let _e3764 = local_1.member_3;
-                                    let _e3765 = (_e3762 + _e3764);
-                                    let _e3768 = local_1.member_2[0u];
-                                    if (_e3768[0] < 0f) {
-                                        phi_6678_ = -(_e3768[0]);
+                                    let _e4158 = phi_7390_;
+                                    let _e4160 = local_1.member_3;
+                                    let _e4161 = (_e4158 + _e4160);
+                                    let _e4164 = local_1.member_2[0u];
+                                    if (_e4164[0] < 0f) {
+                                        phi_7407_ = -(_e4164[0]);
                                     } else {
-                                        phi_6678_ = _e3768[0];
+                                        phi_7407_ = _e4164[0];
                                     }
-                                    let _e3775 = phi_6678_;
-                                    if (_e3768[1] < 0f) {
-                                        phi_6685_ = -(_e3768[1]);
+                                    let _e4171 = phi_7407_;
+                                    if (_e4164[1] < 0f) {
+                                        phi_7414_ = -(_e4164[1]);
                                     } else {
-                                        phi_6685_ = _e3768[1];
+                                        phi_7414_ = _e4164[1];
                                     }
-                                    let _e3779 = phi_6685_;
-                                    if (_e3775 > _e3779) {
-                                        phi_6690_ = _e3775;
+                                    let _e4175 = phi_7414_;
+                                    if (_e4171 > _e4175) {
+                                        phi_7419_ = _e4171;
                                     } else {
-                                        phi_6690_ = _e3779;
+                                        phi_7419_ = _e4175;
                                     }
-                                    let _e3782 = phi_6690_;
-                                    if (_e3768[2] < 0f) {
-                                        phi_6697_ = -(_e3768[2]);
+                                    let _e4178 = phi_7419_;
+                                    if (_e4164[2] < 0f) {
+                                        phi_7426_ = -(_e4164[2]);
                                     } else {
-                                        phi_6697_ = _e3768[2];
+                                        phi_7426_ = _e4164[2];
                                     }
-                                    let _e3786 = phi_6697_;
-                                    if (_e3782 > _e3786) {
-                                        phi_6702_ = _e3782;
+                                    let _e4182 = phi_7426_;
+                                    if (_e4178 > _e4182) {
+                                        phi_7431_ = _e4178;
                                     } else {
-                                        phi_6702_ = _e3786;
+                                        phi_7431_ = _e4182;
                                     }
-                                    let _e3789 = phi_6702_;
-                                    let _e3792 = local_1.member_2[1u];
-                                    if (_e3792[0] < 0f) {
-                                        phi_6716_ = -(_e3792[0]);
+                                    let _e4185 = phi_7431_;
+                                    let _e4188 = local_1.member_2[1u];
+                                    if (_e4188[0] < 0f) {
+                                        phi_7445_ = -(_e4188[0]);
                                     } else {
-                                        phi_6716_ = _e3792[0];
+                                        phi_7445_ = _e4188[0];
                                     }
-                                    let _e3799 = phi_6716_;
-                                    if (_e3792[1] < 0f) {
-                                        phi_6723_ = -(_e3792[1]);
+                                    let _e4195 = phi_7445_;
+                                    if (_e4188[1] < 0f) {
+                                        phi_7452_ = -(_e4188[1]);
                                     } else {
-                                        phi_6723_ = _e3792[1];
+                                        phi_7452_ = _e4188[1];
                                     }
-                                    let _e3803 = phi_6723_;
-                                    if (_e3799 > _e3803) {
-                                        phi_6728_ = _e3799;
+                                    let _e4199 = phi_7452_;
+                                    if (_e4195 > _e4199) {
+                                        phi_7457_ = _e4195;
                                     } else {
-                                        phi_6728_ = _e3803;
+                                        phi_7457_ = _e4199;
                                     }
-                                    let _e3806 = phi_6728_;
-                                    if (_e3792[2] < 0f) {
-                                        phi_6735_ = -(_e3792[2]);
+                                    let _e4202 = phi_7457_;
+                                    if (_e4188[2] < 0f) {
+                                        phi_7464_ = -(_e4188[2]);
                                     } else {
-                                        phi_6735_ = _e3792[2];
+                                        phi_7464_ = _e4188[2];
                                     }
-                                    let _e3810 = phi_6735_;
-                                    if (_e3806 > _e3810) {
-                                        phi_6740_ = _e3806;
+                                    let _e4206 = phi_7464_;
+                                    if (_e4202 > _e4206) {
+                                        phi_7469_ = _e4202;
                                     } else {
-                                        phi_6740_ = _e3810;
+                                        phi_7469_ = _e4206;
                                     }
-                                    let _e3813 = phi_6740_;
-                                    if (_e3789 > _e3813) {
-                                        phi_6745_ = _e3789;
+                                    let _e4209 = phi_7469_;
+                                    if (_e4185 > _e4209) {
+                                        phi_7474_ = _e4185;
                                     } else {
-                                        phi_6745_ = _e3813;
+                                        phi_7474_ = _e4209;
                                     }
-                                    let _e3816 = phi_6745_;
-                                    let _e3818 = local_1.member_3;
-                                    let _e3819 = (_e3816 + _e3818);
-                                    let _e3821 = ((_e3765 * 8f) * _e3819);
-                                    let _e3828 = local_1.member_3;
-                                    if (_e3517 < 0f) {
-                                        phi_6776_ = -(_e3517);
+                                    let _e4212 = phi_7474_;
+                                    let _e4214 = local_1.member_3;
+                                    let _e4215 = (_e4212 + _e4214);
+                                    let _e4217 = ((_e4161 * 8f) * _e4215);
+                                    let _e4224 = local_1.member_3;
+                                    if (_e3913 < 0f) {
+                                        phi_7505_ = -(_e3913);
                                     } else {
-                                        phi_6776_ = _e3517;
+                                        phi_7505_ = _e3913;
                                     }
-                                    let _e3845 = phi_6776_;
-                                    if (_e3520 < 0f) {
-                                        phi_6782_ = -(_e3520);
+                                    let _e4241 = phi_7505_;
+                                    if (_e3916 < 0f) {
+                                        phi_7511_ = -(_e3916);
                                     } else {
-                                        phi_6782_ = _e3520;
+                                        phi_7511_ = _e3916;
                                     }
-                                    let _e3849 = phi_6782_;
-                                    if (_e3523 < 0f) {
-                                        phi_6789_ = -(_e3523);
+                                    let _e4245 = phi_7511_;
+                                    if (_e3919 < 0f) {
+                                        phi_7518_ = -(_e3919);
                                     } else {
-                                        phi_6789_ = _e3523;
+                                        phi_7518_ = _e3919;
                                     }
-                                    let _e3854 = phi_6789_;
-                                    let _e3855 = ((_e3845 + _e3849) + _e3854);
-                                    if (_e3538 < 0f) {
-                                        phi_6796_ = -(_e3538);
+                                    let _e4250 = phi_7518_;
+                                    let _e4251 = ((_e4241 + _e4245) + _e4250);
+                                    if (_e3934 < 0f) {
+                                        phi_7525_ = -(_e3934);
                                     } else {
-                                        phi_6796_ = _e3538;
+                                        phi_7525_ = _e3934;
                                     }
-                                    let _e3859 = phi_6796_;
-                                    if (_e3541 < 0f) {
-                                        phi_6802_ = -(_e3541);
+                                    let _e4255 = phi_7525_;
+                                    if (_e3937 < 0f) {
+                                        phi_7531_ = -(_e3937);
                                     } else {
-                                        phi_6802_ = _e3541;
+                                        phi_7531_ = _e3937;
                                     }
-                                    let _e3863 = phi_6802_;
-                                    if (_e3544 < 0f) {
-                                        phi_6809_ = -(_e3544);
+                                    let _e4259 = phi_7531_;
+                                    if (_e3940 < 0f) {
+                                        phi_7538_ = -(_e3940);
                                     } else {
-                                        phi_6809_ = _e3544;
+                                        phi_7538_ = _e3940;
                                     }
-                                    let _e3868 = phi_6809_;
-                                    let _e3869 = ((_e3859 + _e3863) + _e3868);
-                                    if (_e3855 > _e3869) {
-                                        phi_6815_ = _e3855;
+                                    let _e4264 = phi_7538_;
+                                    let _e4265 = ((_e4255 + _e4259) + _e4264);
+                                    if (_e4251 > _e4265) {
+                                        phi_7544_ = _e4251;
                                     } else {
-                                        phi_6815_ = _e3869;
+                                        phi_7544_ = _e4265;
                                     }
-                                    let _e3872 = phi_6815_;
-                                    if (_e3587 < 0f) {
-                                        phi_6821_ = -(_e3587);
+                                    let _e4268 = phi_7544_;
+                                    if (_e3983 < 0f) {
+                                        phi_7550_ = -(_e3983);
                                     } else {
-                                        phi_6821_ = _e3587;
+                                        phi_7550_ = _e3983;
                                     }
-                                    let _e3876 = phi_6821_;
-                                    if (_e3588 < 0f) {
-                                        phi_6827_ = -(_e3588);
+                                    let _e4272 = phi_7550_;
+                                    if (_e3984 < 0f) {
+                                        phi_7556_ = -(_e3984);
                                     } else {
-                                        phi_6827_ = _e3588;
+                                        phi_7556_ = _e3984;
                                     }
-                                    let _e3880 = phi_6827_;
-                                    if (_e3589 < 0f) {
-                                        phi_6834_ = -(_e3589);
+                                    let _e4276 = phi_7556_;
+                                    if (_e3985 < 0f) {
+                                        phi_7563_ = -(_e3985);
                                     } else {
-                                        phi_6834_ = _e3589;
+                                        phi_7563_ = _e3985;
                                     }
-                                    let _e3885 = phi_6834_;
-                                    let _e3887 = (((_e3876 + _e3880) + _e3885) * 0.5f);
-                                    if (_e3872 > _e3887) {
-                                        phi_6841_ = _e3872;
+                                    let _e4281 = phi_7563_;
+                                    let _e4283 = (((_e4272 + _e4276) + _e4281) * 0.5f);
+                                    if (_e4268 > _e4283) {
+                                        phi_7570_ = _e4268;
                                     } else {
-                                        phi_6841_ = _e3887;
+                                        phi_7570_ = _e4283;
                                     }
-                                    let _e3890 = phi_6841_;
-                                    let _e3895 = local_1.member_3;
-                                    let _e3908 = ((((_e3592[0] * _e3517) + (_e3592[1] * _e3520)) + (_e3592[2] * _e3523)) * 3f);
-                                    let _e3909 = ((((_e3649[0] * _e3538) + (_e3649[1] * _e3541)) + (_e3649[2] * _e3544)) * 3f);
-                                    if (_e3908 < _e3909) {
-                                        phi_6865_ = _e3908;
+                                    let _e4286 = phi_7570_;
+                                    let _e4291 = local_1.member_3;
+                                    let _e4304 = ((((_e3988[0] * _e3913) + (_e3988[1] * _e3916)) + (_e3988[2] * _e3919)) * 3f);
+                                    let _e4305 = ((((_e4045[0] * _e3934) + (_e4045[1] * _e3937)) + (_e4045[2] * _e3940)) * 3f);
+                                    if (_e4304 < _e4305) {
+                                        phi_7594_ = _e4304;
                                     } else {
-                                        phi_6865_ = _e3909;
+                                        phi_7594_ = _e4305;
                                     }
-                                    let _e3912 = phi_6865_;
-                                    if (_e3623 < _e3646) {
-                                        phi_6870_ = _e3623;
+                                    let _e4308 = phi_7594_;
+                                    if (_e4019 < _e4042) {
+                                        phi_7599_ = _e4019;
                                     } else {
-                                        phi_6870_ = _e3646;
+                                        phi_7599_ = _e4042;
                                     }
-                                    let _e3915 = phi_6870_;
-                                    if (_e3912 < _e3915) {
-                                        phi_6875_ = _e3912;
+                                    let _e4311 = phi_7599_;
+                                    if (_e4308 < _e4311) {
+                                        phi_7604_ = _e4308;
                                     } else {
-                                        phi_6875_ = _e3915;
+                                        phi_7604_ = _e4311;
                                     }
-                                    let _e3918 = phi_6875_;
-                                    if (_e3908 > _e3909) {
-                                        phi_6880_ = _e3908;
+                                    let _e4314 = phi_7604_;
+                                    if (_e4304 > _e4305) {
+                                        phi_7609_ = _e4304;
                                     } else {
-                                        phi_6880_ = _e3909;
+                                        phi_7609_ = _e4305;
                                     }
-                                    let _e3921 = phi_6880_;
-                                    if (_e3623 > _e3646) {
-                                        phi_6885_ = _e3623;
+                                    let _e4317 = phi_7609_;
+                                    if (_e4019 > _e4042) {
+                                        phi_7614_ = _e4019;
                                     } else {
-                                        phi_6885_ = _e3646;
+                                        phi_7614_ = _e4042;
                                     }
-                                    let _e3924 = phi_6885_;
-                                    if (_e3921 > _e3924) {
-                                        phi_6890_ = _e3921;
+                                    let _e4320 = phi_7614_;
+                                    if (_e4317 > _e4320) {
+                                        phi_7619_ = _e4317;
                                     } else {
-                                        phi_6890_ = _e3924;
+                                        phi_7619_ = _e4320;
                                     }
-                                    let _e3927 = phi_6890_;
-                                    let _e3932 = -(_e3927);
-                                    if (_e3918 > _e3932) {
-                                        phi_6900_ = _e3918;
+                                    let _e4323 = phi_7619_;
+                                    let _e4328 = -(_e4323);
+                                    if (_e4314 > _e4328) {
+                                        phi_7629_ = _e4314;
                                     } else {
-                                        phi_6900_ = _e3932;
+                                        phi_7629_ = _e4328;
                                     }
-                                    let _e3935 = phi_6900_;
-                                    let _e3937 = ((_e3935 - ((((((_e3711 * 8f) * _e3821) * (0.000000059604645f * (524f / 64f))) + ((_e3828 * 19f) * ((_e3711 * (_e3765 + _e3819)) + (_e3765 * _e3819)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3711) * ((1f + _e3765) * (1f + _e3819))))) + ((_e1449 * (((_e3890 + (_e3821 * (0.000000059604645f * 8f))) + ((_e3895 * 6f) * (_e3765 + _e3819))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3765) * (1f + _e3819))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e3937 {
-                                        phi_7869_ = _e3937;
+                                    let _e4331 = phi_7629_;
+                                    let _e4333 = ((_e4331 - ((((((_e4107 * 8f) * _e4217) * (0.000000059604645f * (524f / 64f))) + ((_e4224 * 19f) * ((_e4107 * (_e4161 + _e4215)) + (_e4161 * _e4215)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4107) * ((1f + _e4161) * (1f + _e4215))))) + ((_e1845 * (((_e4286 + (_e4217 * (0.000000059604645f * 8f))) + ((_e4291 * 6f) * (_e4161 + _e4215))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4161) * (1f + _e4215))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4333 {
+                                        phi_8598_ = _e4333;
                                     } else {
-                                        let _e3940 = local_1.member_1[0u];
-                                        let _e3946 = local_1.member_1[1u];
-                                        let _e3950 = (_e3940[0] + _e3946[0]);
-                                        let _e3951 = (_e3940[1] + _e3946[1]);
-                                        let _e3952 = (_e3940[2] + _e3946[2]);
-                                        let _e3955 = local_1.member_2[0u];
-                                        let _e3961 = local_1.member_2[1u];
-                                        let _e3965 = (_e3955[0] + _e3961[0]);
-                                        let _e3966 = (_e3955[1] + _e3961[1]);
-                                        let _e3967 = (_e3955[2] + _e3961[2]);
-                                        let _e3970 = ((_e3951 * _e3967) - (_e3952 * _e3966));
-                                        let _e3973 = ((_e3952 * _e3965) - (_e3950 * _e3967));
-                                        let _e3976 = ((_e3950 * _e3966) - (_e3951 * _e3965));
-                                        let _e3979 = local_1.member[0u];
-                                        let _e3985 = local_1.member_1[0u];
-                                        let _e3991 = local_1.member_2[0u];
-                                        let _e3995 = (_e3979[0] - _e3985[0]);
-                                        let _e3996 = (_e3979[1] - _e3985[1]);
-                                        let _e3997 = (_e3979[2] - _e3985[2]);
-                                        let _e3998 = (_e3995 - _e3991[0]);
-                                        let _e3999 = (_e3996 - _e3991[1]);
-                                        let _e4000 = (_e3997 - _e3991[2]);
-                                        let _e4001 = (_e3979[0] - _e3991[0]);
-                                        let _e4002 = (_e3979[1] - _e3991[1]);
-                                        let _e4003 = (_e3979[2] - _e3991[2]);
-                                        let _e4006 = local_1.member[1u];
-                                        let _e4012 = local_1.member_1[1u];
-                                        let _e4018 = local_1.member_2[1u];
-                                        let _e4022 = (_e4006[0] - _e4012[0]);
-                                        let _e4023 = (_e4006[1] - _e4012[1]);
-                                        let _e4024 = (_e4006[2] - _e4012[2]);
-                                        let _e4025 = (_e4022 - _e4018[0]);
-                                        let _e4026 = (_e4023 - _e4018[1]);
-                                        let _e4027 = (_e4024 - _e4018[2]);
-                                        let _e4028 = (_e4006[0] - _e4018[0]);
-                                        let _e4029 = (_e4006[1] - _e4018[1]);
-                                        let _e4030 = (_e4006[2] - _e4018[2]);
-                                        let _e4033 = local_1.member[0u];
-                                        if (_e4033[0] < 0f) {
-                                            phi_7103_ = -(_e4033[0]);
-                                        } else {
-                                            phi_7103_ = _e4033[0];
-                                        }
-                                        let _e4040 = phi_7103_;
-                                        if (_e4033[1] < 0f) {
-                                            phi_7110_ = -(_e4033[1]);
-                                        } else {
-                                            phi_7110_ = _e4033[1];
-                                        }
-                                        let _e4044 = phi_7110_;
-                                        if (_e4040 > _e4044) {
-                                            phi_7115_ = _e4040;
-                                        } else {
-                                            phi_7115_ = _e4044;
-                                        }
-                                        let _e4047 = phi_7115_;
-                                        if (_e4033[2] < 0f) {
-                                            phi_7122_ = -(_e4033[2]);
-                                        } else {
-                                            phi_7122_ = _e4033[2];
-                                        }
-                                        let _e4051 = phi_7122_;
-                                        if (_e4047 > _e4051) {
-                                            phi_7127_ = _e4047;
-                                        } else {
-                                            phi_7127_ = _e4051;
-                                        }
-                                        let _e4054 = phi_7127_;
-                                        let _e4057 = local_1.member[1u];
-                                        if (_e4057[0] < 0f) {
-                                            phi_7140_ = -(_e4057[0]);
+                                        let _e4336 = local_1.member_1[0u];
+                                        let _e4342 = local_1.member_1[1u];
+                                        let _e4346 = (_e4336[0] + _e4342[0]);
+                                        let _e4347 = (_e4336[1] + _e4342[1]);
+                                        let _e4348 = (_e4336[2] + _e4342[2]);
+                                        let _e4351 = local_1.member_2[0u];
+                                        let _e4357 = local_1.member_2[1u];
+                                        let _e4361 = (_e4351[0] + _e4357[0]);
+                                        let _e4362 = (_e4351[1] + _e4357[1]);
+                                        let _e4363 = (_e4351[2] + _e4357[2]);
+                                        let _e4366 = ((_e4347 * _e4363) - (_e4348 * _e4362));
+                                        let _e4369 = ((_e4348 * _e4361) - (_e4346 * _e4363));
+                                        let _e4372 = ((_e4346 * _e4362) - (_e4347 * _e4361));
+                                        let _e4375 = local_1.member[0u];
+                                        let _e4381 = local_1.member_1[0u];
+                                        let _e4387 = local_1.member_2[0u];
+                                        let _e4391 = (_e4375[0] - _e4381[0]);
+                                        let _e4392 = (_e4375[1] - _e4381[1]);
+                                        let _e4393 = (_e4375[2] - _e4381[2]);
+                                        let _e4394 = (_e4391 - _e4387[0]);
+                                        let _e4395 = (_e4392 - _e4387[1]);
+                                        let _e4396 = (_e4393 - _e4387[2]);
+                                        let _e4397 = (_e4375[0] - _e4387[0]);
+                                        let _e4398 = (_e4375[1] - _e4387[1]);
+                                        let _e4399 = (_e4375[2] - _e4387[2]);
+                                        let _e4402 = local_1.member[1u];
+                                        let _e4408 = local_1.member_1[1u];
+                                        let _e4414 = local_1.member_2[1u];
+                                        let _e4418 = (_e4402[0] - _e4408[0]);
+                                        let _e4419 = (_e4402[1] - _e4408[1]);
+                                        let _e4420 = (_e4402[2] - _e4408[2]);
+                                        let _e4421 = (_e4418 - _e4414[0]);
+                                        let _e4422 = (_e4419 - _e4414[1]);
+                                        let _e4423 = (_e4420 - _e4414[2]);
+                                        let _e4424 = (_e4402[0] - _e4414[0]);
+                                        let _e4425 = (_e4402[1] - _e4414[1]);
+                                        let _e4426 = (_e4402[2] - _e4414[2]);
+                                        let _e4429 = local_1.member[0u];
+                                        if (_e4429[0] < 0f) {
+                                            phi_7832_ = -(_e4429[0]);
+                                        } else {
+                                            phi_7832_ = _e4429[0];
+                                        }
+                                        let _e4436 = phi_7832_;
+                                        if (_e4429[1] < 0f) {
+                                            phi_7839_ = -(_e4429[1]);
+                                        } else {
+                                            phi_7839_ = _e4429[1];
+                                        }
+                                        let _e4440 = phi_7839_;
+                                        if (_e4436 > _e4440) {
+                                            phi_7844_ = _e4436;
+                                        } else {
+                                            phi_7844_ = _e4440;
+                                        }
+                                        let _e4443 = phi_7844_;
+                                        if (_e4429[2] < 0f) {
+                                            phi_7851_ = -(_e4429[2]);
+                                        } else {
+                                            phi_7851_ = _e4429[2];
+                                        }
+                                        let _e4447 = phi_7851_;
+                                        if (_e4443 > _e4447) {
+                                            phi_7856_ = _e4443;
+                                        } else {
+                                            phi_7856_ = _e4447;
+                                        }
+                                        let _e4450 = phi_7856_;
+                                        let _e4453 = local_1.member[1u];
+                                        if (_e4453[0] < 0f) {
+                                            phi_7869_ = -(_e4453[0]);
                                         } else {
-                                            phi_7140_ = _e4057[0];
+                                            phi_7869_ = _e4453[0];
                                         }
-                                        let _e4064 = phi_7140_;
-                                        if (_e4057[1] < 0f) {
-                                            phi_7147_ = -(_e4057[1]);
-                                        } else {
-                                            phi_7147_ = _e4057[1];
+                                        let _e4460 = phi_7869_;
+                                        if (_e4453[1] < 0f) {
+                                            phi_7876_ = -(_e4453[1]);
+                                        } else {
+                                            phi_7876_ = _e4453[1];
                                         }
-                                        let _e4068 = phi_7147_;
-                                        if (_e4064 > _e4068) {
-                                            phi_7152_ = _e4064;
+                                        let _e4464 = phi_7876_;
+                                        if (_e4460 > _e4464) {
+                                            phi_7881_ = _e4460;
                                         } else {
-                                            phi_7152_ = _e4068;
+                                            phi_7881_ = _e4464;
                                         }
-                                        let _e4071 = phi_7152_;
-                                        if (_e4057[2] < 0f) {
-                                            phi_7159_ = -(_e4057[2]);
+                                        let _e4467 = phi_7881_;
+                                        if (_e4453[2] < 0f) {
+                                            phi_7888_ = -(_e4453[2]);
                                         } else {
-                                            phi_7159_ = _e4057[2];
+                                            phi_7888_ = _e4453[2];
                                         }
-                                        let _e4075 = phi_7159_;
-                                        if (_e4071 > _e4075) {
-                                            phi_7164_ = _e4071;
+                                        let _e4471 = phi_7888_;
+                                        if (_e4467 > _e4471) {
+                                            phi_7893_ = _e4467;
                                         } else {
-                                            phi_7164_ = _e4075;
+                                            phi_7893_ = _e4471;
                                         }
-                                        let _e4078 = phi_7164_;
-                                        if (_e4054 > _e4078) {
-                                            phi_7169_ = _e4054;
+                                        let _e4474 = phi_7893_;
+                                        if (_e4450 > _e4474) {
+                                            phi_7898_ = _e4450;
                                         } else {
-                                            phi_7169_ = _e4078;
+                                            phi_7898_ = _e4474;
                                         }
-                                        let _e4081 = phi_7169_;
-                                        let _e4083 = local_1.member_3;
-                                        let _e4087 = local_1.member_1[0u];
-                                        if (_e4087[0] < 0f) {
-                                            phi_7186_ = -(_e4087[0]);
+                                        let _e4477 = phi_7898_;
+                                        let _e4479 = local_1.member_3;
+                                        let _e4483 = local_1.member_1[0u];
+                                        if (_e4483[0] < 0f) {
+                                            phi_7915_ = -(_e4483[0]);
                                         } else {
-                                            phi_7186_ = _e4087[0];
+                                            phi_7915_ = _e4483[0];
                                         }
-                                        let _e4094 = phi_7186_;
-                                        if (_e4087[1] < 0f) {
-                                            phi_7193_ = -(_e4087[1]);
+                                        let _e4490 = phi_7915_;
+                                        if (_e4483[1] < 0f) {
+                                            phi_7922_ = -(_e4483[1]);
                                         } else {
-                                            phi_7193_ = _e4087[1];
+                                            phi_7922_ = _e4483[1];
                                         }
-                                        let _e4098 = phi_7193_;
-                                        if (_e4094 > _e4098) {
-                                            phi_7198_ = _e4094;
+                                        let _e4494 = phi_7922_;
+                                        if (_e4490 > _e4494) {
+                                            phi_7927_ = _e4490;
                                         } else {
-                                            phi_7198_ = _e4098;
+                                            phi_7927_ = _e4494;
                                         }
-                                        let _e4101 = phi_7198_;
-                                        if (_e4087[2] < 0f) {
-                                            phi_7205_ = -(_e4087[2]);
+                                        let _e4497 = phi_7927_;
+                                        if (_e4483[2] < 0f) {
+                                            phi_7934_ = -(_e4483[2]);
                                         } else {
-                                            phi_7205_ = _e4087[2];
+                                            phi_7934_ = _e4483[2];
                                         }
-                                        let _e4105 = phi_7205_;
-                                        if (_e4101 > _e4105) {
-                                            phi_7210_ = _e4101;
+                                        let _e4501 = phi_7934_;
+                                        if (_e4497 > _e4501) {
+                                            phi_7939_ = _e4497;
                                         } else {
-                                            phi_7210_ = _e4105;
+                                            phi_7939_ = _e4501;
                                         }
-                                        let _e4108 = phi_7210_;
-                                        let _e4111 = local_1.member_1[1u];
-                                        if (_e4111[0] < 0f) {
-                                            phi_7224_ = -(_e4111[0]);
+                                        let _e4504 = phi_7939_;
+                                        let _e4507 = local_1.member_1[1u];
+                                        if (_e4507[0] < 0f) {
+                                            phi_7953_ = -(_e4507[0]);
                                         } else {
-                                            phi_7224_ = _e4111[0];
+                                            phi_7953_ = _e4507[0];
                                         }
-                                        let _e4118 = phi_7224_;
-                                        if (_e4111[1] < 0f) {
-                                            phi_7231_ = -(_e4111[1]);
+                                        let _e4514 = phi_7953_;
+                                        if (_e4507[1] < 0f) {
+                                            phi_7960_ = -(_e4507[1]);
                                         } else {
-                                            phi_7231_ = _e4111[1];
+                                            phi_7960_ = _e4507[1];
                                         }
-                                        let _e4122 = phi_7231_;
-                                        if (_e4118 > _e4122) {
-                                            phi_7236_ = _e4118;
+                                        let _e4518 = phi_7960_;
+                                        if (_e4514 > _e4518) {
+                                            phi_7965_ = _e4514;
                                         } else {
-                                            phi_7236_ = _e4122;
+                                            phi_7965_ = _e4518;
                                         }
-                                        let _e4125 = phi_7236_;
-                                        if (_e4111[2] < 0f) {
-                                            phi_7243_ = -(_e4111[2]);
+                                        let _e4521 = phi_7965_;
+                                        if (_e4507[2] < 0f) {
+                                            phi_7972_ = -(_e4507[2]);
                                         } else {
-                                            phi_7243_ = _e4111[2];
+                                            phi_7972_ = _e4507[2];
                                         }
-                                        let _e4129 = phi_7243_;
-                                        if (_e4125 > _e4129) {
-                                            phi_7248_ = _e4125;
+                                        let _e4525 = phi_7972_;
+                                        if (_e4521 > _e4525) {
+                                            phi_7977_ = _e4521;
                                         } else {
-                                            phi_7248_ = _e4129;
+                                            phi_7977_ = _e4525;
                                         }
-                                        let _e4132 = phi_7248_;
-                                        if (_e4108 > _e4132) {
-                                            phi_7253_ = _e4108;
+                                        let _e4528 = phi_7977_;
+                                        if (_e4504 > _e4528) {
+                                            phi_7982_ = _e4504;
                                         } else {
-                                            phi_7253_ = _e4132;
+                                            phi_7982_ = _e4528;
                                         }
-                                        let _e4135 = phi_7253_;
-                                        let _e4137 = local_1.member_3;
-                                        let _e4141 = local_1.member_2[0u];
-                                        if (_e4141[0] < 0f) {
-                                            phi_7270_ = -(_e4141[0]);
+                                        let _e4531 = phi_7982_;
+                                        let _e4533 = local_1.member_3;
+                                        let _e4537 = local_1.member_2[0u];
+                                        if (_e4537[0] < 0f) {
+                                            phi_7999_ = -(_e4537[0]);
                                         } else {
-                                            phi_7270_ = _e4141[0];
+                                            phi_7999_ = _e4537[0];
                                         }
-                                        let _e4148 = phi_7270_;
-                                        if (_e4141[1] < 0f) {
-                                            phi_7277_ = -(_e4141[1]);
+                                        let _e4544 = phi_7999_;
+                                        if (_e4537[1] < 0f) {
+                                            phi_8006_ = -(_e4537[1]);
                                         } else {
-                                            phi_7277_ = _e4141[1];
+                                            phi_8006_ = _e4537[1];
                                         }
-                                        let _e4152 = phi_7277_;
-                                        if (_e4148 > _e4152) {
-                                            phi_7282_ = _e4148;
+                                        let _e4548 = phi_8006_;
+                                        if (_e4544 > _e4548) {
+                                            phi_8011_ = _e4544;
                                         } else {
-                                            phi_7282_ = _e4152;
+                                            phi_8011_ = _e4548;
                                         }
-                                        let _e4155 = phi_7282_;
-                                        if (_e4141[2] < 0f) {
-                                            phi_7289_ = -(_e4141[2]);
+                                        let _e4551 = phi_8011_;
+                                        if (_e4537[2] < 0f) {
+                                            phi_8018_ = -(_e4537[2]);
                                         } else {
-                                            phi_7289_ = _e4141[2];
+                                            phi_8018_ = _e4537[2];
                                         }
-                                        let _e4159 = phi_7289_;
-                                        if (_e4155 > _e4159) {
-                                            phi_7294_ = _e4155;
+                                        let _e4555 = phi_8018_;
+                                        if (_e4551 > _e4555) {
+                                            phi_8023_ = _e4551;
                                         } else {
-                                            phi_7294_ = _e4159;
+                                            phi_8023_ = _e4555;
                                         }
-                                        let _e4162 = phi_7294_;
-                                        let _e4165 = local_1.member_2[1u];
-                                        if (_e4165[0] < 0f) {
-                                            phi_7308_ = -(_e4165[0]);
+                                        let _e4558 = phi_8023_;
+                                        let _e4561 = local_1.member_2[1u];
+                                        if (_e4561[0] < 0f) {
+                                            phi_8037_ = -(_e4561[0]);
                                         } else {
-                                            phi_7308_ = _e4165[0];
+                                            phi_8037_ = _e4561[0];
                                         }
-                                        let _e4172 = phi_7308_;
-                                        if (_e4165[1] < 0f) {
-                                            phi_7315_ = -(_e4165[1]);
+                                        let _e4568 = phi_8037_;
+                                        if (_e4561[1] < 0f) {
+                                            phi_8044_ = -(_e4561[1]);
                                         } else {
-                                            phi_7315_ = _e4165[1];
+                                            phi_8044_ = _e4561[1];
                                         }
-                                        let _e4176 = phi_7315_;
-                                        if (_e4172 > _e4176) {
-                                            phi_7320_ = _e4172;
+                                        let _e4572 = phi_8044_;
+                                        if (_e4568 > _e4572) {
+                                            phi_8049_ = _e4568;
                                         } else {
-                                            phi_7320_ = _e4176;
+                                            phi_8049_ = _e4572;
                                         }
-                                        let _e4179 = phi_7320_;
-                                        if (_e4165[2] < 0f) {
-                                            phi_7327_ = -(_e4165[2]);
+                                        let _e4575 = phi_8049_;
+                                        if (_e4561[2] < 0f) {
+                                            phi_8056_ = -(_e4561[2]);
                                         } else {
-                                            phi_7327_ = _e4165[2];
+                                            phi_8056_ = _e4561[2];
                                         }
-                                        let _e4183 = phi_7327_;
-                                        if (_e4179 > _e4183) {
-                                            phi_7332_ = _e4179;
+                                        let _e4579 = phi_8056_;
+                                        if (_e4575 > _e4579) {
+                                            phi_8061_ = _e4575;
                                         } else {
-                                            phi_7332_ = _e4183;
+                                            phi_8061_ = _e4579;
                                         }
-                                        let _e4186 = phi_7332_;
-                                        if (_e4162 > _e4186) {
-                                            phi_7337_ = _e4162;
+                                        let _e4582 = phi_8061_;
+                                        if (_e4558 > _e4582) {
+                                            phi_8066_ = _e4558;
                                         } else {
-                                            phi_7337_ = _e4186;
+                                            phi_8066_ = _e4582;
                                         }
-                                        let _e4189 = phi_7337_;
-                                        let _e4191 = local_1.member_3;
-                                        let _e4195 = ((((_e4081 + _e4083) + (_e4135 + _e4137)) + (_e4189 + _e4191)) * 2f);
-                                        let _e4198 = local_1.member_3;
-                                        let _e4202 = (((_e1449 * 1.0001f) + (_e4198 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4205 = ((_e3973 * _e3952) - (_e3976 * _e3951));
-                                        let _e4208 = ((_e3976 * _e3950) - (_e3970 * _e3952));
-                                        let _e4211 = ((_e3970 * _e3951) - (_e3973 * _e3950));
-                                        let _e4216 = (((_e4205 * _e3979[0]) + (_e4208 * _e3979[1])) + (_e4211 * _e3979[2]));
-                                        let _e4221 = (((_e4205 * _e3995) + (_e4208 * _e3996)) + (_e4211 * _e3997));
-                                        let _e4226 = (((_e4205 * _e4001) + (_e4208 * _e4002)) + (_e4211 * _e4003));
-                                        let _e4231 = (((_e4205 * _e3998) + (_e4208 * _e3999)) + (_e4211 * _e4000));
-                                        let _e4236 = (((_e4205 * _e4006[0]) + (_e4208 * _e4006[1])) + (_e4211 * _e4006[2]));
-                                        let _e4241 = (((_e4205 * _e4022) + (_e4208 * _e4023)) + (_e4211 * _e4024));
-                                        let _e4246 = (((_e4205 * _e4028) + (_e4208 * _e4029)) + (_e4211 * _e4030));
-                                        let _e4251 = (((_e4205 * _e4025) + (_e4208 * _e4026)) + (_e4211 * _e4027));
-                                        if (_e4216 < _e4221) {
-                                            phi_7416_ = _e4216;
+                                        let _e4585 = phi_8066_;
+                                        let _e4587 = local_1.member_3;
+                                        let _e4591 = ((((_e4477 + _e4479) + (_e4531 + _e4533)) + (_e4585 + _e4587)) * 2f);
+                                        let _e4594 = local_1.member_3;
+                                        let _e4598 = (((_e1845 * 1.0001f) + (_e4594 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4601 = ((_e4369 * _e4348) - (_e4372 * _e4347));
+                                        let _e4604 = ((_e4372 * _e4346) - (_e4366 * _e4348));
+                                        let _e4607 = ((_e4366 * _e4347) - (_e4369 * _e4346));
+                                        let _e4612 = (((_e4601 * _e4375[0]) + (_e4604 * _e4375[1])) + (_e4607 * _e4375[2]));
+                                        let _e4617 = (((_e4601 * _e4391) + (_e4604 * _e4392)) + (_e4607 * _e4393));
+                                        let _e4622 = (((_e4601 * _e4397) + (_e4604 * _e4398)) + (_e4607 * _e4399));
+                                        let _e4627 = (((_e4601 * _e4394) + (_e4604 * _e4395)) + (_e4607 * _e4396));
+                                        let _e4632 = (((_e4601 * _e4402[0]) + (_e4604 * _e4402[1])) + (_e4607 * _e4402[2]));
+                                        let _e4637 = (((_e4601 * _e4418) + (_e4604 * _e4419)) + (_e4607 * _e4420));
+                                        let _e4642 = (((_e4601 * _e4424) + (_e4604 * _e4425)) + (_e4607 * _e4426));
+                                        let _e4647 = (((_e4601 * _e4421) + (_e4604 * _e4422)) + (_e4607 * _e4423));
+                                        if (_e4612 < _e4617) {
+                                            phi_8145_ = _e4612;
                                         } else {
-                                            phi_7416_ = _e4221;
+                                            phi_8145_ = _e4617;
                                         }
-                                        let _e4254 = phi_7416_;
-                                        if (_e4226 < _e4231) {
-                                            phi_7421_ = _e4226;
+                                        let _e4650 = phi_8145_;
+                                        if (_e4622 < _e4627) {
+                                            phi_8150_ = _e4622;
                                         } else {
-                                            phi_7421_ = _e4231;
+                                            phi_8150_ = _e4627;
                                         }
-                                        let _e4257 = phi_7421_;
-                                        if (_e4254 < _e4257) {
-                                            phi_7426_ = _e4254;
+                                        let _e4653 = phi_8150_;
+                                        if (_e4650 < _e4653) {
+                                            phi_8155_ = _e4650;
                                         } else {
-                                            phi_7426_ = _e4257;
+                                            phi_8155_ = _e4653;
                                         }
-                                        let _e4260 = phi_7426_;
-                                        if (_e4236 < _e4241) {
-                                            phi_7431_ = _e4236;
+                                        let _e4656 = phi_8155_;
+                                        if (_e4632 < _e4637) {
+                                            phi_8160_ = _e4632;
                                         } else {
-                                            phi_7431_ = _e4241;
+                                            phi_8160_ = _e4637;
                                         }
-                                        let _e4263 = phi_7431_;
-                                        if (_e4246 < _e4251) {
-                                            phi_7436_ = _e4246;
+                                        let _e4659 = phi_8160_;
+                                        if (_e4642 < _e4647) {
+                                            phi_8165_ = _e4642;
                                         } else {
-                                            phi_7436_ = _e4251;
+                                            phi_8165_ = _e4647;
                                         }
-                                        let _e4266 = phi_7436_;
-                                        if (_e4263 < _e4266) {
-                                            phi_7441_ = _e4263;
+                                        let _e4662 = phi_8165_;
+                                        if (_e4659 < _e4662) {
+                                            phi_8170_ = _e4659;
                                         } else {
-                                            phi_7441_ = _e4266;
+                                            phi_8170_ = _e4662;
                                         }
-                                        let _e4269 = phi_7441_;
-                                        if (_e4260 < _e4269) {
-                                            phi_7446_ = _e4260;
+                                        let _e4665 = phi_8170_;
+                                        if (_e4656 < _e4665) {
+                                            phi_8175_ = _e4656;
                                         } else {
-                                            phi_7446_ = _e4269;
+                                            phi_8175_ = _e4665;
                                         }
-                                        let _e4272 = phi_7446_;
-                                        if (_e4216 > _e4221) {
-                                            phi_7451_ = _e4216;
+                                        let _e4668 = phi_8175_;
+                                        if (_e4612 > _e4617) {
+                                            phi_8180_ = _e4612;
                                         } else {
-                                            phi_7451_ = _e4221;
+                                            phi_8180_ = _e4617;
                                         }
-                                        let _e4275 = phi_7451_;
-                                        if (_e4226 > _e4231) {
-                                            phi_7456_ = _e4226;
+                                        let _e4671 = phi_8180_;
+                                        if (_e4622 > _e4627) {
+                                            phi_8185_ = _e4622;
                                         } else {
-                                            phi_7456_ = _e4231;
+                                            phi_8185_ = _e4627;
                                         }
-                                        let _e4278 = phi_7456_;
-                                        if (_e4275 > _e4278) {
-                                            phi_7461_ = _e4275;
+                                        let _e4674 = phi_8185_;
+                                        if (_e4671 > _e4674) {
+                                            phi_8190_ = _e4671;
                                         } else {
-                                            phi_7461_ = _e4278;
+                                            phi_8190_ = _e4674;
                                         }
-                                        let _e4281 = phi_7461_;
-                                        if (_e4236 > _e4241) {
-                                            phi_7466_ = _e4236;
+                                        let _e4677 = phi_8190_;
+                                        if (_e4632 > _e4637) {
+                                            phi_8195_ = _e4632;
                                         } else {
-                                            phi_7466_ = _e4241;
+                                            phi_8195_ = _e4637;
                                         }
-                                        let _e4284 = phi_7466_;
-                                        if (_e4246 > _e4251) {
-                                            phi_7471_ = _e4246;
+                                        let _e4680 = phi_8195_;
+                                        if (_e4642 > _e4647) {
+                                            phi_8200_ = _e4642;
                                         } else {
-                                            phi_7471_ = _e4251;
+                                            phi_8200_ = _e4647;
                                         }
-                                        let _e4287 = phi_7471_;
-                                        if (_e4284 > _e4287) {
-                                            phi_7476_ = _e4284;
+                                        let _e4683 = phi_8200_;
+                                        if (_e4680 > _e4683) {
+                                            phi_8205_ = _e4680;
                                         } else {
-                                            phi_7476_ = _e4287;
+                                            phi_8205_ = _e4683;
                                         }
-                                        let _e4290 = phi_7476_;
-                                        if (_e4281 > _e4290) {
-                                            phi_7481_ = _e4281;
+                                        let _e4686 = phi_8205_;
+                                        if (_e4677 > _e4686) {
+                                            phi_8210_ = _e4677;
                                         } else {
-                                            phi_7481_ = _e4290;
+                                            phi_8210_ = _e4686;
                                         }
-                                        let _e4293 = phi_7481_;
-                                        if (_e4205 < 0f) {
-                                            phi_7487_ = -(_e4205);
+                                        let _e4689 = phi_8210_;
+                                        if (_e4601 < 0f) {
+                                            phi_8216_ = -(_e4601);
                                         } else {
-                                            phi_7487_ = _e4205;
+                                            phi_8216_ = _e4601;
                                         }
-                                        let _e4297 = phi_7487_;
-                                        if (_e4208 < 0f) {
-                                            phi_7493_ = -(_e4208);
+                                        let _e4693 = phi_8216_;
+                                        if (_e4604 < 0f) {
+                                            phi_8222_ = -(_e4604);
                                         } else {
-                                            phi_7493_ = _e4208;
+                                            phi_8222_ = _e4604;
                                         }
-                                        let _e4301 = phi_7493_;
-                                        if (_e4211 < 0f) {
-                                            phi_7500_ = -(_e4211);
+                                        let _e4697 = phi_8222_;
+                                        if (_e4607 < 0f) {
+                                            phi_8229_ = -(_e4607);
                                         } else {
-                                            phi_7500_ = _e4211;
+                                            phi_8229_ = _e4607;
                                         }
-                                        let _e4306 = phi_7500_;
-                                        let _e4307 = ((_e4297 + _e4301) + _e4306);
-                                        let _e4312 = -(_e4293);
-                                        if (_e4272 > _e4312) {
-                                            phi_7511_ = _e4272;
+                                        let _e4702 = phi_8229_;
+                                        let _e4703 = ((_e4693 + _e4697) + _e4702);
+                                        let _e4708 = -(_e4689);
+                                        if (_e4668 > _e4708) {
+                                            phi_8240_ = _e4668;
                                         } else {
-                                            phi_7511_ = _e4312;
+                                            phi_8240_ = _e4708;
                                         }
-                                        let _e4315 = phi_7511_;
-                                        let _e4320 = (((_e4315 - ((_e4307 * _e4195) * (0.000000059604645f * (17f / 2f)))) - (_e4307 * _e4202)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4323 = ((_e3973 * _e3967) - (_e3976 * _e3966));
-                                        let _e4326 = ((_e3976 * _e3965) - (_e3970 * _e3967));
-                                        let _e4329 = ((_e3970 * _e3966) - (_e3973 * _e3965));
-                                        let _e4334 = (((_e4323 * _e3979[0]) + (_e4326 * _e3979[1])) + (_e4329 * _e3979[2]));
-                                        let _e4339 = (((_e4323 * _e3995) + (_e4326 * _e3996)) + (_e4329 * _e3997));
-                                        let _e4344 = (((_e4323 * _e4001) + (_e4326 * _e4002)) + (_e4329 * _e4003));
-                                        let _e4349 = (((_e4323 * _e3998) + (_e4326 * _e3999)) + (_e4329 * _e4000));
-                                        let _e4354 = (((_e4323 * _e4006[0]) + (_e4326 * _e4006[1])) + (_e4329 * _e4006[2]));
-                                        let _e4359 = (((_e4323 * _e4022) + (_e4326 * _e4023)) + (_e4329 * _e4024));
-                                        let _e4364 = (((_e4323 * _e4028) + (_e4326 * _e4029)) + (_e4329 * _e4030));
-                                        let _e4369 = (((_e4323 * _e4025) + (_e4326 * _e4026)) + (_e4329 * _e4027));
-                                        if (_e4334 < _e4339) {
-                                            phi_7582_ = _e4334;
+                                        let _e4711 = phi_8240_;
+                                        let _e4716 = (((_e4711 - ((_e4703 * _e4591) * (0.000000059604645f * (17f / 2f)))) - (_e4703 * _e4598)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4719 = ((_e4369 * _e4363) - (_e4372 * _e4362));
+                                        let _e4722 = ((_e4372 * _e4361) - (_e4366 * _e4363));
+                                        let _e4725 = ((_e4366 * _e4362) - (_e4369 * _e4361));
+                                        let _e4730 = (((_e4719 * _e4375[0]) + (_e4722 * _e4375[1])) + (_e4725 * _e4375[2]));
+                                        let _e4735 = (((_e4719 * _e4391) + (_e4722 * _e4392)) + (_e4725 * _e4393));
+                                        let _e4740 = (((_e4719 * _e4397) + (_e4722 * _e4398)) + (_e4725 * _e4399));
+                                        let _e4745 = (((_e4719 * _e4394) + (_e4722 * _e4395)) + (_e4725 * _e4396));
+                                        let _e4750 = (((_e4719 * _e4402[0]) + (_e4722 * _e4402[1])) + (_e4725 * _e4402[2]));
+                                        let _e4755 = (((_e4719 * _e4418) + (_e4722 * _e4419)) + (_e4725 * _e4420));
+                                        let _e4760 = (((_e4719 * _e4424) + (_e4722 * _e4425)) + (_e4725 * _e4426));
+                                        let _e4765 = (((_e4719 * _e4421) + (_e4722 * _e4422)) + (_e4725 * _e4423));
+                                        if (_e4730 < _e4735) {
+                                            phi_8311_ = _e4730;
                                         } else {
-                                            phi_7582_ = _e4339;
+                                            phi_8311_ = _e4735;
                                         }
-                                        let _e4372 = phi_7582_;
-                                        if (_e4344 < _e4349) {
-                                            phi_7587_ = _e4344;
+                                        let _e4768 = phi_8311_;
+                                        if (_e4740 < _e4745) {
+                                            phi_8316_ = _e4740;
                                         } else {
-                                            phi_7587_ = _e4349;
+                                            phi_8316_ = _e4745;
                                         }
-                                        let _e4375 = phi_7587_;
-                                        if (_e4372 < _e4375) {
-                                            phi_7592_ = _e4372;
+                                        let _e4771 = phi_8316_;
+                                        if (_e4768 < _e4771) {
+                                            phi_8321_ = _e4768;
                                         } else {
-                                            phi_7592_ = _e4375;
+                                            phi_8321_ = _e4771;
                                         }
-                                        let _e4378 = phi_7592_;
-                                        if (_e4354 < _e4359) {
-                                            phi_7597_ = _e4354;
+                                        let _e4774 = phi_8321_;
+                                        if (_e4750 < _e4755) {
+                                            phi_8326_ = _e4750;
                                         } else {
-                                            phi_7597_ = _e4359;
+                                            phi_8326_ = _e4755;
                                         }
-                                        let _e4381 = phi_7597_;
-                                        if (_e4364 < _e4369) {
-                                            phi_7602_ = _e4364;
+                                        let _e4777 = phi_8326_;
+                                        if (_e4760 < _e4765) {
+                                            phi_8331_ = _e4760;
                                         } else {
-                                            phi_7602_ = _e4369;
+                                            phi_8331_ = _e4765;
                                         }
-                                        let _e4384 = phi_7602_;
-                                        if (_e4381 < _e4384) {
-                                            phi_7607_ = _e4381;
+                                        let _e4780 = phi_8331_;
+                                        if (_e4777 < _e4780) {
+                                            phi_8336_ = _e4777;
                                         } else {
-                                            phi_7607_ = _e4384;
+                                            phi_8336_ = _e4780;
                                         }
-                                        let _e4387 = phi_7607_;
-                                        if (_e4378 < _e4387) {
-                                            phi_7612_ = _e4378;
+                                        let _e4783 = phi_8336_;
+                                        if (_e4774 < _e4783) {
+                                            phi_8341_ = _e4774;
                                         } else {
-                                            phi_7612_ = _e4387;
+                                            phi_8341_ = _e4783;
                                         }
-                                        let _e4390 = phi_7612_;
-                                        if (_e4334 > _e4339) {
-                                            phi_7617_ = _e4334;
+                                        let _e4786 = phi_8341_;
+                                        if (_e4730 > _e4735) {
+                                            phi_8346_ = _e4730;
                                         } else {
-                                            phi_7617_ = _e4339;
+                                            phi_8346_ = _e4735;
                                         }
-                                        let _e4393 = phi_7617_;
-                                        if (_e4344 > _e4349) {
-                                            phi_7622_ = _e4344;
+                                        let _e4789 = phi_8346_;
+                                        if (_e4740 > _e4745) {
+                                            phi_8351_ = _e4740;
                                         } else {
-                                            phi_7622_ = _e4349;
+                                            phi_8351_ = _e4745;
                                         }
-                                        let _e4396 = phi_7622_;
-                                        if (_e4393 > _e4396) {
-                                            phi_7627_ = _e4393;
+                                        let _e4792 = phi_8351_;
+                                        if (_e4789 > _e4792) {
+                                            phi_8356_ = _e4789;
                                         } else {
-                                            phi_7627_ = _e4396;
+                                            phi_8356_ = _e4792;
                                         }
-                                        let _e4399 = phi_7627_;
-                                        if (_e4354 > _e4359) {
-                                            phi_7632_ = _e4354;
+                                        let _e4795 = phi_8356_;
+                                        if (_e4750 > _e4755) {
+                                            phi_8361_ = _e4750;
                                         } else {
-                                            phi_7632_ = _e4359;
+                                            phi_8361_ = _e4755;
                                         }
-                                        let _e4402 = phi_7632_;
-                                        if (_e4364 > _e4369) {
-                                            phi_7637_ = _e4364;
+                                        let _e4798 = phi_8361_;
+                                        if (_e4760 > _e4765) {
+                                            phi_8366_ = _e4760;
                                         } else {
-                                            phi_7637_ = _e4369;
+                                            phi_8366_ = _e4765;
                                         }
-                                        let _e4405 = phi_7637_;
-                                        if (_e4402 > _e4405) {
-                                            phi_7642_ = _e4402;
+                                        let _e4801 = phi_8366_;
+                                        if (_e4798 > _e4801) {
+                                            phi_8371_ = _e4798;
                                         } else {
-                                            phi_7642_ = _e4405;
+                                            phi_8371_ = _e4801;
                                         }
-                                        let _e4408 = phi_7642_;
-                                        if (_e4399 > _e4408) {
-                                            phi_7647_ = _e4399;
+                                        let _e4804 = phi_8371_;
+                                        if (_e4795 > _e4804) {
+                                            phi_8376_ = _e4795;
                                         } else {
-                                            phi_7647_ = _e4408;
+                                            phi_8376_ = _e4804;
                                         }
-                                        let _e4411 = phi_7647_;
-                                        if (_e4323 < 0f) {
-                                            phi_7653_ = -(_e4323);
+                                        let _e4807 = phi_8376_;
+                                        if (_e4719 < 0f) {
+                                            phi_8382_ = -(_e4719);
                                         } else {
-                                            phi_7653_ = _e4323;
+                                            phi_8382_ = _e4719;
                                         }
-                                        let _e4415 = phi_7653_;
-                                        if (_e4326 < 0f) {
-                                            phi_7659_ = -(_e4326);
+                                        let _e4811 = phi_8382_;
+                                        if (_e4722 < 0f) {
+                                            phi_8388_ = -(_e4722);
                                         } else {
-                                            phi_7659_ = _e4326;
+                                            phi_8388_ = _e4722;
                                         }
-                                        let _e4419 = phi_7659_;
-                                        if (_e4329 < 0f) {
-                                            phi_7666_ = -(_e4329);
+                                        let _e4815 = phi_8388_;
+                                        if (_e4725 < 0f) {
+                                            phi_8395_ = -(_e4725);
                                         } else {
-                                            phi_7666_ = _e4329;
+                                            phi_8395_ = _e4725;
                                         }
-                                        let _e4424 = phi_7666_;
-                                        let _e4425 = ((_e4415 + _e4419) + _e4424);
-                                        let _e4430 = -(_e4411);
-                                        if (_e4390 > _e4430) {
-                                            phi_7677_ = _e4390;
+                                        let _e4820 = phi_8395_;
+                                        let _e4821 = ((_e4811 + _e4815) + _e4820);
+                                        let _e4826 = -(_e4807);
+                                        if (_e4786 > _e4826) {
+                                            phi_8406_ = _e4786;
                                         } else {
-                                            phi_7677_ = _e4430;
+                                            phi_8406_ = _e4826;
                                         }
-                                        let _e4433 = phi_7677_;
-                                        let _e4438 = (((_e4433 - ((_e4425 * _e4195) * (0.000000059604645f * (17f / 2f)))) - (_e4425 * _e4202)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4320 > _e4438) {
-                                            phi_7687_ = _e4320;
+                                        let _e4829 = phi_8406_;
+                                        let _e4834 = (((_e4829 - ((_e4821 * _e4591) * (0.000000059604645f * (17f / 2f)))) - (_e4821 * _e4598)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4716 > _e4834) {
+                                            phi_8416_ = _e4716;
                                         } else {
-                                            phi_7687_ = _e4438;
+                                            phi_8416_ = _e4834;
                                         }
-                                        let _e4441 = phi_7687_;
-                                        phi_7869_ = (_e3937 || (_e4441 > 0f));
+                                        let _e4837 = phi_8416_;
+                                        phi_8598_ = (_e4333 || (_e4837 > 0f));
                                     }
-                                    let _e4445 = phi_7869_;
-                                    phi_7871_ = (_e3502 && _e4445);
+                                    let _e4841 = phi_8598_;
+                                    phi_8600_ = (_e3898 && _e4841);
                                 } else {
-                                    phi_7871_ = _e3502;
+                                    phi_8600_ = _e3898;
                                 }
-                                let _e4448 = phi_7871_;
-                                phi_7873_ = (_e2469 || _e4448);
+                                let _e4844 = phi_8600_;
+                                phi_8602_ = (_e2865 || _e4844);
                             }
-                            let _e4451 = phi_7873_;
-                            if !(_e4451) {
-                                let _e4454 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e996] = ((2147483648u | (_e4454 << bitcast<u32>(12i))) | _e999);
+                            let _e4847 = phi_8602_;
+                            if !(_e4847) {
+                                let _e4850 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1196] = ((2147483648u | (_e4850 << bitcast<u32>(12i))) | _e1199);
                             }
                         }
-                        phi_7884_ = true;
+                        phi_8613_ = true;
                     }
-                    let _e4461 = phi_7884_;
-                    phi_7885_ = _e4461;
+                    let _e4857 = phi_8613_;
+                    phi_8614_ = _e4857;
                 } else {
-                    phi_7885_ = false;
+                    phi_8614_ = false;
                 }
-                let _e4463 = phi_7885_;
+                let _e4859 = phi_8614_;
                 continue;
                 continuing {
-                    phi_1857_ = _e988;
-                    break if !(_e4463);
+                    phi_2224_ = _e1188;
+                    break if !(_e4859);
                 }
             }
             workgroupBarrier();
-            if (_e67 == 0u) {
-                let _e4467 = atomicLoad((&counters[5u]));
-                if (_e4467 > 0u) {
-                    let _e4470 = atomicAdd((&output.member[0u]), _e4467);
-                    if ((_e4470 + _e4467) < _e4470) {
-                        let _e4474 = atomicAdd((&output.member[2u]), 1u);
+            if (_e71 == 0u) {
+                let _e4863 = atomicLoad((&counters[5u]));
+                if (_e4863 > 0u) {
+                    let _e4866 = atomicAdd((&output.member[0u]), _e4863);
+                    if ((_e4866 + _e4863) < _e4866) {
+                        let _e4870 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4470);
+                    atomicStore((&counters[6u]), _e4866);
                 }
             }
             workgroupBarrier();
-            let _e4477 = atomicLoad((&counters[6u]));
-            if (_e67 == 0u) {
-                let _e4480 = atomicLoad((&counters[7u]));
-                if (_e4480 > 0u) {
-                    let _e4483 = atomicAdd((&output.member[1u]), _e4480);
-                    if ((_e4483 + _e4480) < _e4483) {
-                        let _e4487 = atomicAdd((&output.member[3u]), 1u);
+            let _e4873 = atomicLoad((&counters[6u]));
+            if (_e71 == 0u) {
+                let _e4876 = atomicLoad((&counters[7u]));
+                if (_e4876 > 0u) {
+                    let _e4879 = atomicAdd((&output.member[1u]), _e4876);
+                    if ((_e4879 + _e4876) < _e4879) {
+                        let _e4883 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7935_ = type_13(0u, 16u);
+            phi_8664_ = type_13(0u, 16u);
             loop {
-                let _e4489 = phi_7935_;
-                if (_e4489.member < _e4489.member_1) {
-                    phi_7936_ = type_13((_e4489.member + 1u), _e4489.member_1);
-                    phi_7959_ = type_13(1u, _e4489.member);
+                let _e4885 = phi_8664_;
+                if (_e4885.member < _e4885.member_1) {
+                    phi_8665_ = type_13((_e4885.member + 1u), _e4885.member_1);
+                    phi_8688_ = type_13(1u, _e4885.member);
                 } else {
-                    phi_7936_ = _e4489;
-                    phi_7959_ = type_13(0u, type_13().member_1);
+                    phi_8665_ = _e4885;
+                    phi_8688_ = type_13(0u, type_13().member_1);
                 }
-                let _e4501 = phi_7936_;
-                let _e4503 = phi_7959_;
-                if (bitcast<i32>(_e4503.member) != 0i) {
-                    let _e4509 = (_e67 + (_e4503.member_1 * 128u));
-                    if (_e4509 >= _e974) {
-                        phi_8056_ = false;
+                let _e4897 = phi_8665_;
+                let _e4899 = phi_8688_;
+                if (bitcast<i32>(_e4899.member) != 0i) {
+                    let _e4905 = (_e71 + (_e4899.member_1 * 128u));
+                    if (_e4905 >= _e1174) {
+                        phi_8785_ = false;
                     } else {
-                        let _e4512 = hits[_e4509];
-                        if ((_e4512 & 2147483648u) == 0u) {
-                            phi_7982_ = 4294967295u;
+                        let _e4908 = hits[_e4905];
+                        if ((_e4908 & 2147483648u) == 0u) {
+                            phi_8711_ = 4294967295u;
                         } else {
-                            phi_7982_ = ((_e4512 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8711_ = ((_e4908 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4519 = phi_7982_;
-                        if (_e4519 != 4294967295u) {
-                            let _e4523 = ((_e4512 >> bitcast<u32>(10i)) & 3u);
-                            let _e4530 = firsts[(2u * _e4523)];
-                            let _e4533 = leaves.member[(_e4530 + ((_e4512 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4537 = firsts[((2u * _e4523) + 1u)];
-                            let _e4540 = leaves.member[(_e4537 + (_e4512 & 31u))];
-                            let _e4545 = params.member.member_1.member_3;
-                            let _e4546 = (_e4477 + _e4519);
-                            if (_e4533.member_1 < _e4540.member_1) {
-                                phi_8037_ = type_13(_e4533.member_1, _e4540.member_1);
+                        let _e4915 = phi_8711_;
+                        if (_e4915 != 4294967295u) {
+                            let _e4919 = ((_e4908 >> bitcast<u32>(10i)) & 3u);
+                            let _e4926 = firsts[(2u * _e4919)];
+                            let _e4929 = leaves.member[(_e4926 + ((_e4908 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4933 = firsts[((2u * _e4919) + 1u)];
+                            let _e4936 = leaves.member[(_e4933 + (_e4908 & 31u))];
+                            let _e4941 = params.member.member_1.member_3;
+                            let _e4942 = (_e4873 + _e4915);
+                            if (_e4929.member_1 < _e4936.member_1) {
+                                phi_8766_ = type_13(_e4929.member_1, _e4936.member_1);
                             } else {
-                                phi_8037_ = type_13(_e4540.member_1, _e4533.member_1);
+                                phi_8766_ = type_13(_e4936.member_1, _e4929.member_1);
                             }
-                            let _e4551 = phi_8037_;
-                            if (_e4546 < _e4545) {
-                                let _e4555 = (2u * _e4546);
-                                atomicStore((&output.member[(4u + _e4555)]), _e4551.member);
-                                atomicStore((&output.member[(_e4555 + 5u)]), _e4551.member_1);
+                            let _e4947 = phi_8766_;
+                            if (_e4942 < _e4941) {
+                                let _e4951 = (2u * _e4942);
+                                atomicStore((&output.member[(4u + _e4951)]), _e4947.member);
+                                atomicStore((&output.member[(_e4951 + 5u)]), _e4947.member_1);
                             }
                         }
-                        phi_8056_ = true;
+                        phi_8785_ = true;
                     }
-                    let _e4561 = phi_8056_;
-                    phi_8057_ = _e4561;
+                    let _e4957 = phi_8785_;
+                    phi_8786_ = _e4957;
                 } else {
-                    phi_8057_ = false;
+                    phi_8786_ = false;
                 }
-                let _e4563 = phi_8057_;
+                let _e4959 = phi_8786_;
                 continue;
                 continuing {
-                    phi_7935_ = _e4501;
-                    break if !(_e4563);
+                    phi_8664_ = _e4897;
+                    break if !(_e4959);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_437_ = _e153;
-            break if !(_e159);
+            phi_442_ = _e157;
+            break if !(_e163);
         }
     }
     return;

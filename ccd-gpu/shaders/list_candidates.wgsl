@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -29,7 +35,17 @@ struct type_13 {
     member_1: u32,
 }
 
+struct type_16 {
+    member: i32,
+    member_1: i32,
+}
+
 struct type_17 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -37,346 +53,430 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
+    member_2: type_19,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_20 {
+struct type_22 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_24 {
+struct type_26 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_28 {
+    member: array<type_26>,
 }
 
-struct type_28 {
+struct type_30 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_21;
 @group(0) @binding(2) 
-var<storage> leaves: type_22;
+var<storage> leaves: type_24;
 @group(0) @binding(1) 
-var<storage> nodes: type_26;
+var<storage> nodes: type_28;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_28, 128>;
+var<workgroup> columns: array<type_30, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_33;
+var<storage> keys: type_35;
 @group(0) @binding(5) 
 var<storage> input: type_10;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_37;
+var<storage, read_write> output: type_39;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2844_: bool;
-    var phi_2845_: bool;
-    var phi_2849_: array<u32, 2>;
+    var phi_3573_: bool;
+    var phi_3574_: bool;
+    var phi_3578_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2845_ = true;
+        phi_3574_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2844_ = (param_1[0] > param[0]);
+            phi_3573_ = (param_1[0] > param[0]);
         } else {
-            phi_2844_ = false;
+            phi_3573_ = false;
         }
-        let _e14 = phi_2844_;
-        phi_2845_ = _e14;
+        let _e14 = phi_3573_;
+        phi_3574_ = _e14;
     }
-    let _e16 = phi_2845_;
+    let _e16 = phi_3574_;
     if _e16 {
-        phi_2849_ = param_1;
+        phi_3578_ = param_1;
     } else {
-        phi_2849_ = param;
+        phi_3578_ = param;
     }
-    let _e18 = phi_2849_;
+    let _e18 = phi_3578_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2820_: bool;
-    var phi_2821_: bool;
-    var phi_2825_: array<u32, 2>;
+    var phi_3549_: bool;
+    var phi_3550_: bool;
+    var phi_3554_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2821_ = true;
+        phi_3550_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2820_ = (param_2[0] > param_3[0]);
+            phi_3549_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2820_ = false;
+            phi_3549_ = false;
         }
-        let _e14 = phi_2820_;
-        phi_2821_ = _e14;
+        let _e14 = phi_3549_;
+        phi_3550_ = _e14;
     }
-    let _e16 = phi_2821_;
+    let _e16 = phi_3550_;
     if _e16 {
-        phi_2825_ = param_3;
+        phi_3554_ = param_3;
     } else {
-        phi_2825_ = param_2;
+        phi_3554_ = param_2;
     }
-    let _e18 = phi_2825_;
+    let _e18 = phi_3554_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2796_: bool;
-    var phi_2797_: bool;
-    var phi_2801_: array<u32, 2>;
+    var phi_3525_: bool;
+    var phi_3526_: bool;
+    var phi_3530_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2797_ = true;
+        phi_3526_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2796_ = (param_5[0] > param_4[0]);
+            phi_3525_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2796_ = false;
+            phi_3525_ = false;
         }
-        let _e14 = phi_2796_;
-        phi_2797_ = _e14;
+        let _e14 = phi_3525_;
+        phi_3526_ = _e14;
     }
-    let _e16 = phi_2797_;
+    let _e16 = phi_3526_;
     if _e16 {
-        phi_2801_ = param_5;
+        phi_3530_ = param_5;
     } else {
-        phi_2801_ = param_4;
+        phi_3530_ = param_4;
     }
-    let _e18 = phi_2801_;
+    let _e18 = phi_3530_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2772_: bool;
-    var phi_2773_: bool;
-    var phi_2777_: array<u32, 2>;
+    var phi_3501_: bool;
+    var phi_3502_: bool;
+    var phi_3506_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2773_ = true;
+        phi_3502_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2772_ = (param_6[0] > param_7[0]);
+            phi_3501_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2772_ = false;
+            phi_3501_ = false;
         }
-        let _e14 = phi_2772_;
-        phi_2773_ = _e14;
+        let _e14 = phi_3501_;
+        phi_3502_ = _e14;
     }
-    let _e16 = phi_2773_;
+    let _e16 = phi_3502_;
     if _e16 {
-        phi_2777_ = param_7;
+        phi_3506_ = param_7;
     } else {
-        phi_2777_ = param_6;
+        phi_3506_ = param_6;
     }
-    let _e18 = phi_2777_;
+    let _e18 = phi_3506_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2748_: bool;
-    var phi_2749_: bool;
-    var phi_2753_: array<u32, 2>;
+    var phi_3477_: bool;
+    var phi_3478_: bool;
+    var phi_3482_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2749_ = true;
+        phi_3478_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2748_ = (param_9[0] > param_8[0]);
+            phi_3477_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2748_ = false;
+            phi_3477_ = false;
         }
-        let _e14 = phi_2748_;
-        phi_2749_ = _e14;
+        let _e14 = phi_3477_;
+        phi_3478_ = _e14;
     }
-    let _e16 = phi_2749_;
+    let _e16 = phi_3478_;
     if _e16 {
-        phi_2753_ = param_9;
+        phi_3482_ = param_9;
     } else {
-        phi_2753_ = param_8;
+        phi_3482_ = param_8;
     }
-    let _e18 = phi_2753_;
+    let _e18 = phi_3482_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2724_: bool;
-    var phi_2725_: bool;
-    var phi_2729_: array<u32, 2>;
+    var phi_3453_: bool;
+    var phi_3454_: bool;
+    var phi_3458_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2725_ = true;
+        phi_3454_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2724_ = (param_10[0] > param_11[0]);
+            phi_3453_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2724_ = false;
+            phi_3453_ = false;
         }
-        let _e14 = phi_2724_;
-        phi_2725_ = _e14;
+        let _e14 = phi_3453_;
+        phi_3454_ = _e14;
     }
-    let _e16 = phi_2725_;
+    let _e16 = phi_3454_;
     if _e16 {
-        phi_2729_ = param_11;
+        phi_3458_ = param_11;
     } else {
-        phi_2729_ = param_10;
+        phi_3458_ = param_10;
     }
-    let _e18 = phi_2729_;
+    let _e18 = phi_3458_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_165_: u32;
-    var phi_177_: array<u32, 2>;
-    var phi_209_: u32;
-    var phi_210_: u32;
-    var phi_218_: u32;
-    var phi_234_: u32;
-    var phi_255_: u32;
-    var phi_256_: u32;
-    var phi_259_: type_13;
-    var phi_260_: type_13;
-    var phi_283_: type_13;
-    var phi_324_: u32;
-    var phi_325_: u32;
-    var phi_333_: u32;
-    var phi_345_: u32;
-    var phi_430_: array<u32, 2>;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_639_: type_28;
-    var phi_645_: bool;
-    var phi_652_: type_13;
-    var phi_655_: u32;
-    var phi_653_: type_13;
-    var phi_678_: type_13;
-    var phi_744_: bool;
-    var phi_745_: bool;
-    var phi_746_: bool;
+    var phi_170_: u32;
+    var phi_182_: array<u32, 2>;
+    var phi_214_: u32;
+    var phi_215_: u32;
+    var phi_223_: u32;
+    var phi_239_: u32;
+    var phi_260_: u32;
+    var phi_261_: u32;
+    var phi_264_: type_13;
+    var phi_265_: type_13;
+    var phi_288_: type_13;
+    var phi_329_: u32;
+    var phi_330_: u32;
+    var phi_338_: u32;
+    var phi_350_: u32;
+    var phi_435_: array<u32, 2>;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_644_: type_30;
+    var phi_650_: bool;
+    var phi_657_: type_13;
+    var phi_660_: u32;
+    var phi_658_: type_13;
+    var phi_683_: type_13;
+    var phi_749_: bool;
     var phi_750_: bool;
-    var phi_768_: u32;
-    var phi_769_: u32;
-    var phi_770_: u32;
-    var phi_656_: u32;
-    var phi_773_: type_13;
-    var phi_776_: u32;
-    var phi_774_: type_13;
-    var phi_799_: type_13;
-    var phi_919_: bool;
-    var phi_925_: bool;
-    var phi_893_: bool;
-    var phi_900_: bool;
-    var phi_908_: bool;
-    var phi_927_: bool;
-    var phi_931_: bool;
+    var phi_751_: bool;
+    var phi_755_: bool;
+    var phi_773_: u32;
+    var phi_774_: u32;
+    var phi_775_: u32;
+    var phi_661_: u32;
+    var phi_778_: type_13;
+    var phi_781_: u32;
+    var phi_779_: type_13;
+    var phi_804_: type_13;
+    var phi_924_: bool;
+    var phi_930_: bool;
+    var phi_898_: bool;
+    var phi_905_: bool;
+    var phi_913_: bool;
     var phi_932_: bool;
-    var phi_978_: bool;
-    var phi_985_: bool;
+    var phi_936_: bool;
+    var phi_937_: bool;
+    var phi_981_: bool;
+    var phi_982_: bool;
     var phi_989_: bool;
-    var phi_1113_: bool;
-    var phi_1114_: bool;
-    var phi_1207_: bool;
-    var phi_1208_: bool;
-    var phi_1302_: bool;
-    var phi_1303_: bool;
-    var phi_1396_: bool;
-    var phi_1397_: bool;
-    var phi_1492_: bool;
-    var phi_1493_: bool;
-    var phi_1586_: bool;
-    var phi_1587_: bool;
-    var phi_1591_: bool;
-    var phi_1592_: bool;
-    var phi_1593_: bool;
-    var phi_1597_: bool;
-    var phi_1598_: bool;
-    var phi_1599_: bool;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_1605_: bool;
-    var phi_1624_: type_13;
-    var phi_1629_: type_13;
-    var phi_1667_: u32;
-    var phi_1668_: bool;
-    var phi_777_: u32;
-    var phi_1669_: bool;
-    var phi_1676_: u32;
-    var phi_1679_: type_13;
-    var phi_1680_: type_13;
-    var phi_1703_: type_13;
-    var phi_1831_: bool;
-    var phi_1837_: bool;
-    var phi_1805_: bool;
-    var phi_1812_: bool;
-    var phi_1820_: bool;
-    var phi_1839_: bool;
-    var phi_1843_: bool;
-    var phi_1844_: bool;
-    var phi_1890_: bool;
-    var phi_1897_: bool;
-    var phi_1901_: bool;
-    var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_2119_: bool;
-    var phi_2120_: bool;
-    var phi_2214_: bool;
-    var phi_2215_: bool;
-    var phi_2308_: bool;
-    var phi_2309_: bool;
-    var phi_2404_: bool;
-    var phi_2405_: bool;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
-    var phi_2503_: bool;
-    var phi_2504_: bool;
-    var phi_2505_: bool;
-    var phi_2509_: bool;
-    var phi_2510_: bool;
-    var phi_2511_: bool;
-    var phi_2512_: bool;
-    var phi_2513_: bool;
-    var phi_2517_: bool;
-    var phi_2532_: bool;
-    var phi_2533_: bool;
-    var phi_2583_: type_13;
-    var phi_2584_: type_13;
-    var phi_2607_: type_13;
-    var phi_2630_: u32;
-    var phi_2685_: type_13;
-    var phi_2690_: type_13;
-    var phi_2704_: bool;
-    var phi_2705_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1143_: u32;
+    var phi_1144_: u32;
+    var phi_1145_: u32;
+    var phi_1146_: u32;
+    var phi_1149_: type_16;
+    var phi_1152_: u32;
+    var phi_1154_: u32;
+    var phi_1175_: bool;
+    var phi_1181_: type_17;
+    var phi_1150_: type_16;
+    var phi_1195_: type_17;
+    var phi_1263_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1270_: bool;
+    var phi_1271_: bool;
+    var phi_1276_: u32;
+    var phi_1277_: u32;
+    var phi_1278_: u32;
+    var phi_1279_: u32;
+    var phi_1280_: bool;
+    var phi_1153_: u32;
+    var phi_1155_: u32;
+    var phi_1281_: bool;
     var local: u32;
+    var local_1: u32;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1336_: bool;
+    var phi_1337_: bool;
+    var phi_1341_: bool;
+    var phi_1345_: bool;
+    var phi_1346_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1859_: bool;
+    var phi_1860_: bool;
+    var phi_1953_: bool;
+    var phi_1954_: bool;
+    var phi_1958_: bool;
+    var phi_1959_: bool;
+    var phi_1960_: bool;
+    var phi_1964_: bool;
+    var phi_1965_: bool;
+    var phi_1966_: bool;
+    var phi_1967_: bool;
+    var phi_1968_: bool;
+    var phi_1972_: bool;
+    var phi_1991_: type_13;
+    var phi_1996_: type_13;
+    var phi_2034_: u32;
+    var phi_2035_: bool;
+    var phi_782_: u32;
+    var phi_2036_: bool;
+    var phi_2043_: u32;
+    var phi_2046_: type_13;
+    var phi_2047_: type_13;
+    var phi_2070_: type_13;
+    var phi_2198_: bool;
+    var phi_2204_: bool;
+    var phi_2172_: bool;
+    var phi_2179_: bool;
+    var phi_2187_: bool;
+    var phi_2206_: bool;
+    var phi_2210_: bool;
+    var phi_2211_: bool;
+    var phi_2255_: bool;
+    var phi_2256_: bool;
+    var phi_2263_: bool;
+    var phi_2379_: bool;
+    var phi_2380_: bool;
+    var phi_2417_: u32;
+    var phi_2418_: u32;
+    var phi_2419_: u32;
+    var phi_2420_: u32;
+    var phi_2423_: type_16;
+    var phi_2426_: u32;
+    var phi_2428_: u32;
+    var phi_2449_: bool;
+    var phi_2455_: type_17;
+    var phi_2424_: type_16;
+    var phi_2469_: type_17;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_2539_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
+    var phi_2550_: u32;
+    var phi_2551_: u32;
+    var phi_2552_: u32;
+    var phi_2553_: u32;
+    var phi_2554_: bool;
+    var phi_2427_: u32;
+    var phi_2429_: u32;
+    var phi_2555_: bool;
+    var local_2: u32;
+    var local_3: u32;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var phi_2605_: bool;
+    var phi_2606_: bool;
+    var phi_2610_: bool;
+    var phi_2611_: bool;
+    var phi_2615_: bool;
+    var phi_2619_: bool;
+    var phi_2620_: bool;
+    var phi_2624_: bool;
+    var phi_2625_: bool;
+    var phi_2629_: bool;
+    var phi_2630_: bool;
+    var phi_2754_: bool;
+    var phi_2755_: bool;
+    var phi_2848_: bool;
+    var phi_2849_: bool;
+    var phi_2943_: bool;
+    var phi_2944_: bool;
+    var phi_3037_: bool;
+    var phi_3038_: bool;
+    var phi_3133_: bool;
+    var phi_3134_: bool;
+    var phi_3227_: bool;
+    var phi_3228_: bool;
+    var phi_3232_: bool;
+    var phi_3233_: bool;
+    var phi_3234_: bool;
+    var phi_3238_: bool;
+    var phi_3239_: bool;
+    var phi_3240_: bool;
+    var phi_3241_: bool;
+    var phi_3242_: bool;
+    var phi_3246_: bool;
+    var phi_3261_: bool;
+    var phi_3262_: bool;
+    var phi_3312_: type_13;
+    var phi_3313_: type_13;
+    var phi_3336_: type_13;
+    var phi_3359_: u32;
+    var phi_3414_: type_13;
+    var phi_3419_: type_13;
+    var phi_3433_: bool;
+    var phi_3434_: bool;
+    var local_4: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -384,1007 +484,1475 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e45 = id_2;
-    let _e46 = n_2;
-    let _e47 = lane_2;
-    let _e59 = ((_e45.y * _e46.x) + _e45.x);
-    let _e62 = (_e46.x * _e46.y);
-    let _e65 = params.member.member_1.member_2;
-    let _e67 = input.member[0u];
-    if (_e65 < _e67) {
-        phi_165_ = _e65;
+    let _e49 = id_2;
+    let _e50 = n_2;
+    let _e51 = lane_2;
+    let _e63 = ((_e49.y * _e50.x) + _e49.x);
+    let _e66 = (_e50.x * _e50.y);
+    let _e69 = params.member.member_1.member_2;
+    let _e71 = input.member[0u];
+    if (_e69 < _e71) {
+        phi_170_ = _e69;
     } else {
-        phi_165_ = _e67;
+        phi_170_ = _e71;
     }
-    let _e70 = phi_165_;
-    let _e71 = (_e47 / 32u);
-    let _e72 = (_e47 % 32u);
-    let _e75 = params.member.member_2.member_1;
-    if (_e75 == 0u) {
-        phi_177_ = array<u32, 2>(0u, 2u);
+    let _e74 = phi_170_;
+    let _e75 = (_e51 / 32u);
+    let _e76 = (_e51 % 32u);
+    let _e79 = params.member.member_2.member_1;
+    if (_e79 == 0u) {
+        phi_182_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_177_ = array<u32, 2>(1u, 1u);
+        phi_182_ = array<u32, 2>(1u, 1u);
     }
-    let _e78 = phi_177_;
-    let _e83 = params.member.member_1.member_1;
-    if (_e70 > _e83) {
-        let _e87 = params.member.member_1.member_1;
-        let _e88 = (_e70 - _e87);
-        let _e91 = params.member.member_2.member_3;
-        if (_e91 == 0u) {
+    let _e82 = phi_182_;
+    let _e87 = params.member.member_1.member_1;
+    if (_e74 > _e87) {
+        let _e91 = params.member.member_1.member_1;
+        let _e92 = (_e74 - _e91);
+        let _e95 = params.member.member_2.member_3;
+        if (_e95 == 0u) {
             return;
         }
-        let _e93 = (_e88 / _e91);
-        if (_e91 == 0u) {
+        let _e97 = (_e92 / _e95);
+        if (_e95 == 0u) {
             return;
         }
-        if ((_e88 % _e91) > 0u) {
-            phi_209_ = (_e93 + 1u);
+        if ((_e92 % _e95) > 0u) {
+            phi_214_ = (_e97 + 1u);
         } else {
-            phi_209_ = _e93;
+            phi_214_ = _e97;
         }
-        let _e99 = phi_209_;
-        phi_210_ = _e99;
+        let _e103 = phi_214_;
+        phi_215_ = _e103;
     } else {
-        phi_210_ = 0u;
+        phi_215_ = 0u;
     }
-    let _e101 = phi_210_;
-    let _e104 = params.member.member_2.member_4;
-    if (_e104 < _e101) {
-        phi_218_ = _e104;
+    let _e105 = phi_215_;
+    let _e108 = params.member.member_2.member_4;
+    if (_e108 < _e105) {
+        phi_223_ = _e108;
     } else {
-        phi_218_ = _e101;
+        phi_223_ = _e105;
     }
-    let _e107 = phi_218_;
-    let _e108 = (_e107 / 4u);
-    if ((_e107 % 4u) > 0u) {
-        phi_234_ = (_e108 + 1u);
+    let _e111 = phi_223_;
+    let _e112 = (_e111 / 4u);
+    if ((_e111 % 4u) > 0u) {
+        phi_239_ = (_e112 + 1u);
     } else {
-        phi_234_ = _e108;
+        phi_239_ = _e112;
     }
-    let _e113 = phi_234_;
-    if (_e113 > _e59) {
-        let _e115 = (_e113 - _e59);
-        if (_e62 == 0u) {
+    let _e117 = phi_239_;
+    if (_e117 > _e63) {
+        let _e119 = (_e117 - _e63);
+        if (_e66 == 0u) {
             return;
         }
-        let _e117 = (_e115 / _e62);
-        if (_e62 == 0u) {
+        let _e121 = (_e119 / _e66);
+        if (_e66 == 0u) {
             return;
         }
-        if ((_e115 % _e62) > 0u) {
-            phi_255_ = (_e117 + 1u);
+        if ((_e119 % _e66) > 0u) {
+            phi_260_ = (_e121 + 1u);
         } else {
-            phi_255_ = _e117;
+            phi_260_ = _e121;
         }
-        let _e123 = phi_255_;
-        phi_256_ = _e123;
+        let _e127 = phi_260_;
+        phi_261_ = _e127;
     } else {
-        phi_256_ = 0u;
+        phi_261_ = 0u;
     }
-    let _e125 = phi_256_;
-    phi_259_ = type_13(0u, _e125);
+    let _e129 = phi_261_;
+    phi_264_ = type_13(0u, _e129);
     loop {
-        let _e128 = phi_259_;
-        if (_e128.member < _e128.member_1) {
-            phi_260_ = type_13((_e128.member + 1u), _e128.member_1);
-            phi_283_ = type_13(1u, _e128.member);
+        let _e132 = phi_264_;
+        if (_e132.member < _e132.member_1) {
+            phi_265_ = type_13((_e132.member + 1u), _e132.member_1);
+            phi_288_ = type_13(1u, _e132.member);
         } else {
-            phi_260_ = _e128;
-            phi_283_ = type_13(0u, type_13().member_1);
+            phi_265_ = _e132;
+            phi_288_ = type_13(0u, type_13().member_1);
         }
-        let _e140 = phi_260_;
-        let _e142 = phi_283_;
-        let _e146 = (bitcast<i32>(_e142.member) != 0i);
-        if _e146 {
-            let _e150 = (((_e59 + (_e142.member_1 * _e62)) * 4u) + _e71);
-            let _e153 = params.member.member_1.member_1;
-            if (_e70 > _e153) {
-                let _e157 = params.member.member_1.member_1;
-                let _e158 = (_e70 - _e157);
-                let _e161 = params.member.member_2.member_3;
-                if (_e161 == 0u) {
+        let _e144 = phi_265_;
+        let _e146 = phi_288_;
+        let _e150 = (bitcast<i32>(_e146.member) != 0i);
+        if _e150 {
+            let _e154 = (((_e63 + (_e146.member_1 * _e66)) * 4u) + _e75);
+            let _e157 = params.member.member_1.member_1;
+            if (_e74 > _e157) {
+                let _e161 = params.member.member_1.member_1;
+                let _e162 = (_e74 - _e161);
+                let _e165 = params.member.member_2.member_3;
+                if (_e165 == 0u) {
                     return;
                 }
-                let _e163 = (_e158 / _e161);
-                if (_e161 == 0u) {
+                let _e167 = (_e162 / _e165);
+                if (_e165 == 0u) {
                     return;
                 }
-                if ((_e158 % _e161) > 0u) {
-                    phi_324_ = (_e163 + 1u);
+                if ((_e162 % _e165) > 0u) {
+                    phi_329_ = (_e167 + 1u);
                 } else {
-                    phi_324_ = _e163;
+                    phi_329_ = _e167;
                 }
-                let _e169 = phi_324_;
-                phi_325_ = _e169;
+                let _e173 = phi_329_;
+                phi_330_ = _e173;
             } else {
-                phi_325_ = 0u;
+                phi_330_ = 0u;
             }
-            let _e171 = phi_325_;
-            let _e174 = params.member.member_2.member_4;
-            if (_e174 < _e171) {
-                phi_333_ = _e174;
+            let _e175 = phi_330_;
+            let _e178 = params.member.member_2.member_4;
+            if (_e178 < _e175) {
+                phi_338_ = _e178;
             } else {
-                phi_333_ = _e171;
+                phi_338_ = _e175;
             }
-            let _e177 = phi_333_;
-            let _e178 = (_e150 < _e177);
-            let _e181 = params.member.member_1.member_1;
-            if _e178 {
-                let _e184 = params.member.member_2.member_3;
-                phi_345_ = (_e150 * _e184);
+            let _e181 = phi_338_;
+            let _e182 = (_e154 < _e181);
+            let _e185 = params.member.member_1.member_1;
+            if _e182 {
+                let _e188 = params.member.member_2.member_3;
+                phi_350_ = (_e154 * _e188);
             } else {
-                phi_345_ = 0u;
+                phi_350_ = 0u;
             }
-            let _e187 = phi_345_;
-            let _e189 = (2u * (_e181 + _e187));
-            let _e192 = input.member[(4u + _e189)];
-            let _e195 = input.member[(_e189 + 5u)];
-            if (_e47 < 8u) {
-                atomicStore((&counters[_e47]), 0u);
+            let _e191 = phi_350_;
+            let _e193 = (2u * (_e185 + _e191));
+            let _e196 = input.member[(4u + _e193)];
+            let _e199 = input.member[(_e193 + 5u)];
+            if (_e51 < 8u) {
+                atomicStore((&counters[_e51]), 0u);
             }
             workgroupBarrier();
-            let _e203 = params.member.member_2.member[0u][_e78[0]];
-            let _e204 = (_e203 + (_e192 * 32u));
-            let _e210 = params.member.member_2.member[0u][_e78[1]];
-            let _e211 = (_e210 + (_e195 * 32u));
-            if (_e72 == 0u) {
-                firsts[(2u * _e71)] = _e204;
-                firsts[((2u * _e71) + 1u)] = _e211;
+            let _e207 = params.member.member_2.member[0u][_e82[0]];
+            let _e208 = (_e207 + (_e196 * 32u));
+            let _e214 = params.member.member_2.member[0u][_e82[1]];
+            let _e215 = (_e214 + (_e199 * 32u));
+            if (_e76 == 0u) {
+                firsts[(2u * _e75)] = _e208;
+                firsts[((2u * _e75) + 1u)] = _e215;
             }
-            let _e220 = params.member.member_2.member_1;
-            if (_e220 == 0u) {
-                phi_430_ = array<u32, 2>(0u, 2u);
+            let _e224 = params.member.member_2.member_1;
+            if (_e224 == 0u) {
+                phi_435_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_430_ = array<u32, 2>(1u, 1u);
+                phi_435_ = array<u32, 2>(1u, 1u);
             }
-            let _e223 = phi_430_;
-            let _e226 = (_e47 / 32u);
-            let _e227 = (_e47 % 32u);
-            let _e231 = params.member.member_2.member_2;
-            let _e235 = params.member.member_2.member[_e231][_e223[0]];
-            let _e238 = nodes.member[(_e235 + _e192)];
-            let _e254 = params.member.member_2.member_2;
-            let _e258 = params.member.member_2.member[_e254][_e223[1]];
-            let _e261 = nodes.member[(_e258 + _e195)];
-            let _e277 = params.member.member_2.member_2;
-            let _e284 = params.member.member_2.member[(_e277 - 1u)][_e223[0]];
-            let _e287 = nodes.member[(_e284 + ((_e192 * 32u) + _e227))];
-            let _e306 = params.member.member_2.member_2;
-            let _e313 = params.member.member_2.member[(_e306 - 1u)][_e223[1]];
-            let _e316 = nodes.member[(_e313 + ((_e195 * 32u) + _e227))];
-            if _e178 {
-                if ((((((_e316.member.x <= _e238.member_1.y) && (_e238.member.x <= _e316.member_1.y)) && (_e316.member.y <= _e238.member_2.x)) && (_e238.member.y <= _e316.member_2.x)) && (_e316.member_1.x <= _e238.member_2.y)) && (_e238.member_1.x <= _e316.member_2.y)) {
-                    let _e342 = atomicAdd((&counters[_e226]), 1u);
-                    let _e343 = ((_e226 * 32u) + _e342);
-                    columns[_e343] = type_28(array<f32, 3>(_e316.member.x, _e316.member.y, _e316.member_1.x), array<f32, 3>(_e316.member_1.y, _e316.member_2.x, _e316.member_2.y));
-                    names[_e343] = _e227;
+            let _e227 = phi_435_;
+            let _e230 = (_e51 / 32u);
+            let _e231 = (_e51 % 32u);
+            let _e235 = params.member.member_2.member_2;
+            let _e239 = params.member.member_2.member[_e235][_e227[0]];
+            let _e242 = nodes.member[(_e239 + _e196)];
+            let _e258 = params.member.member_2.member_2;
+            let _e262 = params.member.member_2.member[_e258][_e227[1]];
+            let _e265 = nodes.member[(_e262 + _e199)];
+            let _e281 = params.member.member_2.member_2;
+            let _e288 = params.member.member_2.member[(_e281 - 1u)][_e227[0]];
+            let _e291 = nodes.member[(_e288 + ((_e196 * 32u) + _e231))];
+            let _e310 = params.member.member_2.member_2;
+            let _e317 = params.member.member_2.member[(_e310 - 1u)][_e227[1]];
+            let _e320 = nodes.member[(_e317 + ((_e199 * 32u) + _e231))];
+            if _e182 {
+                if ((((((_e320.member.x <= _e242.member_1.y) && (_e242.member.x <= _e320.member_1.y)) && (_e320.member.y <= _e242.member_2.x)) && (_e242.member.y <= _e320.member_2.x)) && (_e320.member_1.x <= _e242.member_2.y)) && (_e242.member_1.x <= _e320.member_2.y)) {
+                    let _e346 = atomicAdd((&counters[_e230]), 1u);
+                    let _e347 = ((_e230 * 32u) + _e346);
+                    columns[_e347] = type_30(array<f32, 3>(_e320.member.x, _e320.member.y, _e320.member_1.x), array<f32, 3>(_e320.member_1.y, _e320.member_2.x, _e320.member_2.y));
+                    names[_e347] = _e231;
                 }
             }
             workgroupBarrier();
-            if _e178 {
-                if ((((((_e287.member.x <= _e261.member_1.y) && (_e261.member.x <= _e287.member_1.y)) && (_e287.member.y <= _e261.member_2.x)) && (_e261.member.y <= _e287.member_2.x)) && (_e287.member_1.x <= _e261.member_2.y)) && (_e261.member_1.x <= _e287.member_2.y)) {
-                    phi_634_ = false;
+            if _e182 {
+                if ((((((_e291.member.x <= _e265.member_1.y) && (_e265.member.x <= _e291.member_1.y)) && (_e291.member.y <= _e265.member_2.x)) && (_e265.member.y <= _e291.member_2.x)) && (_e291.member_1.x <= _e265.member_2.y)) && (_e265.member_1.x <= _e291.member_2.y)) {
+                    phi_639_ = false;
                 } else {
-                    phi_634_ = true;
+                    phi_639_ = true;
                 }
-                let _e361 = phi_634_;
-                phi_635_ = _e361;
+                let _e365 = phi_639_;
+                phi_640_ = _e365;
             } else {
-                phi_635_ = true;
+                phi_640_ = true;
             }
-            let _e363 = phi_635_;
-            if _e363 {
-                phi_639_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e367 = phi_640_;
+            if _e367 {
+                phi_644_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_639_ = type_28(array<f32, 3>(_e287.member.x, _e287.member.y, _e287.member_1.x), array<f32, 3>(_e287.member_1.y, _e287.member_2.x, _e287.member_2.y));
+                phi_644_ = type_30(array<f32, 3>(_e291.member.x, _e291.member.y, _e291.member_1.x), array<f32, 3>(_e291.member_1.y, _e291.member_2.x, _e291.member_2.y));
             }
-            let _e365 = phi_639_;
-            if (_e78[0] == _e78[1]) {
-                phi_645_ = (_e192 == _e195);
+            let _e369 = phi_644_;
+            if (_e82[0] == _e82[1]) {
+                phi_650_ = (_e196 == _e199);
             } else {
-                phi_645_ = false;
+                phi_650_ = false;
             }
-            let _e369 = phi_645_;
-            let _e370 = (_e47 / 32u);
-            let _e371 = (_e47 % 32u);
-            let _e373 = atomicLoad((&counters[_e370]));
-            phi_652_ = type_13(0u, _e373);
-            phi_655_ = 0u;
+            let _e373 = phi_650_;
+            let _e374 = (_e51 / 32u);
+            let _e375 = (_e51 % 32u);
+            let _e377 = atomicLoad((&counters[_e374]));
+            phi_657_ = type_13(0u, _e377);
+            phi_660_ = 0u;
             loop {
-                let _e376 = phi_652_;
-                let _e378 = phi_655_;
-                local = _e378;
-                if (_e376.member < _e376.member_1) {
-                    phi_653_ = type_13((_e376.member + 1u), _e376.member_1);
-                    phi_678_ = type_13(1u, _e376.member);
+                let _e380 = phi_657_;
+                let _e382 = phi_660_;
+                local_4 = _e382;
+                if (_e380.member < _e380.member_1) {
+                    phi_658_ = type_13((_e380.member + 1u), _e380.member_1);
+                    phi_683_ = type_13(1u, _e380.member);
                 } else {
-                    phi_653_ = _e376;
-                    phi_678_ = type_13(0u, type_13().member_1);
+                    phi_658_ = _e380;
+                    phi_683_ = type_13(0u, type_13().member_1);
                 }
-                let _e390 = phi_653_;
-                let _e392 = phi_678_;
-                let _e396 = (bitcast<i32>(_e392.member) != 0i);
-                if _e396 {
-                    let _e400 = names[((_e370 * 32u) + _e392.member_1)];
-                    let _e404 = columns[((_e370 * 32u) + _e392.member_1)];
-                    if ((((((_e365.member[0] <= _e404.member_1[0]) && (_e404.member[0] <= _e365.member_1[0])) && (_e365.member[1] <= _e404.member_1[1])) && (_e404.member[1] <= _e365.member_1[1])) && (_e365.member[2] <= _e404.member_1[2])) && (_e404.member[2] <= _e365.member_1[2])) {
-                        if _e369 {
-                            let _e436 = (_e371 < _e400);
-                            if _e436 {
-                                phi_744_ = bool();
+                let _e394 = phi_658_;
+                let _e396 = phi_683_;
+                let _e400 = (bitcast<i32>(_e396.member) != 0i);
+                if _e400 {
+                    let _e404 = names[((_e374 * 32u) + _e396.member_1)];
+                    let _e408 = columns[((_e374 * 32u) + _e396.member_1)];
+                    if ((((((_e369.member[0] <= _e408.member_1[0]) && (_e408.member[0] <= _e369.member_1[0])) && (_e369.member[1] <= _e408.member_1[1])) && (_e408.member[1] <= _e369.member_1[1])) && (_e369.member[2] <= _e408.member_1[2])) && (_e408.member[2] <= _e369.member_1[2])) {
+                        if _e373 {
+                            let _e440 = (_e375 < _e404);
+                            if _e440 {
+                                phi_749_ = bool();
                             } else {
-                                phi_744_ = false;
+                                phi_749_ = false;
                             }
-                            let _e438 = phi_744_;
-                            phi_745_ = _e438;
-                            phi_746_ = _e436;
+                            let _e442 = phi_749_;
+                            phi_750_ = _e442;
+                            phi_751_ = _e440;
                         } else {
-                            phi_745_ = bool();
-                            phi_746_ = true;
-                        }
-                        let _e440 = phi_745_;
-                        let _e442 = phi_746_;
-                        if _e442 {
-                            phi_750_ = true;
-                        } else {
-                            phi_750_ = _e440;
+                            phi_750_ = bool();
+                            phi_751_ = true;
                         }
                         let _e444 = phi_750_;
-                        if _e444 {
-                            let _e446 = atomicAdd((&counters[4u]), 1u);
-                            if (_e446 < 2048u) {
-                                hits[_e446] = (((_e370 << bitcast<u32>(10i)) | (_e371 << bitcast<u32>(5i))) | _e400);
-                                phi_768_ = _e378;
-                            } else {
-                                phi_768_ = (_e378 | (1u << bitcast<u32>((_e392.member_1 & 31u))));
-                            }
-                            let _e460 = phi_768_;
-                            phi_769_ = _e460;
+                        let _e446 = phi_751_;
+                        if _e446 {
+                            phi_755_ = true;
                         } else {
-                            phi_769_ = _e378;
+                            phi_755_ = _e444;
                         }
-                        let _e462 = phi_769_;
-                        phi_770_ = _e462;
+                        let _e448 = phi_755_;
+                        if _e448 {
+                            let _e450 = atomicAdd((&counters[4u]), 1u);
+                            if (_e450 < 2048u) {
+                                hits[_e450] = (((_e374 << bitcast<u32>(10i)) | (_e375 << bitcast<u32>(5i))) | _e404);
+                                phi_773_ = _e382;
+                            } else {
+                                phi_773_ = (_e382 | (1u << bitcast<u32>((_e396.member_1 & 31u))));
+                            }
+                            let _e464 = phi_773_;
+                            phi_774_ = _e464;
+                        } else {
+                            phi_774_ = _e382;
+                        }
+                        let _e466 = phi_774_;
+                        phi_775_ = _e466;
                     } else {
-                        phi_770_ = _e378;
+                        phi_775_ = _e382;
                     }
-                    let _e464 = phi_770_;
-                    phi_656_ = _e464;
+                    let _e468 = phi_775_;
+                    phi_661_ = _e468;
                 } else {
-                    phi_656_ = u32();
+                    phi_661_ = u32();
                 }
-                let _e466 = phi_656_;
+                let _e470 = phi_661_;
                 continue;
                 continuing {
-                    phi_652_ = _e390;
-                    phi_655_ = _e466;
-                    break if !(_e396);
+                    phi_657_ = _e394;
+                    phi_660_ = _e470;
+                    break if !(_e400);
                 }
             }
-            phi_773_ = type_13(0u, 32u);
-            let _e1630 = local;
-            phi_776_ = _e1630;
+            phi_778_ = type_13(0u, 32u);
+            let _e2036 = local_4;
+            phi_781_ = _e2036;
             loop {
-                let _e469 = phi_773_;
-                let _e471 = phi_776_;
-                if (_e469.member < _e469.member_1) {
-                    phi_774_ = type_13((_e469.member + 1u), _e469.member_1);
-                    phi_799_ = type_13(1u, _e469.member);
+                let _e473 = phi_778_;
+                let _e475 = phi_781_;
+                if (_e473.member < _e473.member_1) {
+                    phi_779_ = type_13((_e473.member + 1u), _e473.member_1);
+                    phi_804_ = type_13(1u, _e473.member);
                 } else {
-                    phi_774_ = _e469;
-                    phi_799_ = type_13(0u, type_13().member_1);
+                    phi_779_ = _e473;
+                    phi_804_ = type_13(0u, type_13().member_1);
                 }
-                let _e483 = phi_774_;
-                let _e485 = phi_799_;
-                if (bitcast<i32>(_e485.member) != 0i) {
-                    if (_e471 == 0u) {
-                        phi_1667_ = u32();
-                        phi_1668_ = false;
+                let _e487 = phi_779_;
+                let _e489 = phi_804_;
+                if (bitcast<i32>(_e489.member) != 0i) {
+                    if (_e475 == 0u) {
+                        phi_2034_ = u32();
+                        phi_2035_ = false;
                     } else {
-                        let _e496 = names[((_e71 * 32u) + select(firstTrailingBit(_e471), 32u, (_e471 == 0u)))];
-                        let _e499 = (_e204 + _e72);
-                        let _e500 = (_e211 + _e496);
-                        let _e502 = leaves.member[_e499];
-                        let _e504 = leaves.member[_e500];
-                        let _e506 = nodes.member[_e499];
-                        let _e520 = nodes.member[_e500];
-                        let _e535 = params.member.member.member_1;
-                        if ((_e535 & 1u) != 0u) {
-                            if (_e75 == 0u) {
-                                if (_e504.member[0] == _e502.member[0]) {
-                                    phi_893_ = true;
+                        let _e500 = names[((_e75 * 32u) + select(firstTrailingBit(_e475), 32u, (_e475 == 0u)))];
+                        let _e503 = (_e208 + _e76);
+                        let _e504 = (_e215 + _e500);
+                        let _e506 = leaves.member[_e503];
+                        let _e508 = leaves.member[_e504];
+                        let _e510 = nodes.member[_e503];
+                        let _e524 = nodes.member[_e504];
+                        let _e539 = params.member.member.member_1;
+                        if ((_e539 & 1u) != 0u) {
+                            if (_e79 == 0u) {
+                                if (_e508.member[0] == _e506.member[0]) {
+                                    phi_898_ = true;
                                 } else {
-                                    phi_893_ = (_e504.member[0] == _e502.member[0]);
+                                    phi_898_ = (_e508.member[0] == _e506.member[0]);
                                 }
-                                let _e563 = phi_893_;
-                                if (_e504.member[1] == _e502.member[0]) {
-                                    phi_900_ = true;
+                                let _e567 = phi_898_;
+                                if (_e508.member[1] == _e506.member[0]) {
+                                    phi_905_ = true;
                                 } else {
-                                    phi_900_ = (_e504.member[1] == _e502.member[0]);
+                                    phi_905_ = (_e508.member[1] == _e506.member[0]);
                                 }
-                                let _e568 = phi_900_;
-                                if (_e504.member[2] == _e502.member[0]) {
-                                    phi_908_ = true;
+                                let _e572 = phi_905_;
+                                if (_e508.member[2] == _e506.member[0]) {
+                                    phi_913_ = true;
                                 } else {
-                                    phi_908_ = (_e504.member[2] == _e502.member[0]);
+                                    phi_913_ = (_e508.member[2] == _e506.member[0]);
                                 }
-                                let _e574 = phi_908_;
-                                phi_927_ = ((_e563 || _e568) || _e574);
+                                let _e578 = phi_913_;
+                                phi_932_ = ((_e567 || _e572) || _e578);
                             } else {
-                                if (_e504.member[0] == _e502.member[0]) {
-                                    phi_919_ = true;
+                                if (_e508.member[0] == _e506.member[0]) {
+                                    phi_924_ = true;
                                 } else {
-                                    phi_919_ = (_e504.member[0] == _e502.member[1]);
+                                    phi_924_ = (_e508.member[0] == _e506.member[1]);
                                 }
-                                let _e550 = phi_919_;
-                                if (_e504.member[1] == _e502.member[0]) {
-                                    phi_925_ = true;
+                                let _e554 = phi_924_;
+                                if (_e508.member[1] == _e506.member[0]) {
+                                    phi_930_ = true;
                                 } else {
-                                    phi_925_ = (_e504.member[1] == _e502.member[1]);
+                                    phi_930_ = (_e508.member[1] == _e506.member[1]);
                                 }
-                                let _e554 = phi_925_;
-                                phi_927_ = (_e550 || _e554);
+                                let _e558 = phi_930_;
+                                phi_932_ = (_e554 || _e558);
                             }
-                            let _e577 = phi_927_;
-                            if _e577 {
-                                phi_931_ = false;
+                            let _e581 = phi_932_;
+                            if _e581 {
+                                phi_936_ = false;
                             } else {
-                                phi_931_ = true;
+                                phi_936_ = true;
                             }
-                            let _e579 = phi_931_;
-                            phi_932_ = _e579;
+                            let _e583 = phi_936_;
+                            phi_937_ = _e583;
                         } else {
-                            phi_932_ = true;
+                            phi_937_ = true;
                         }
-                        let _e581 = phi_932_;
-                        if _e581 {
-                            let _e583 = params.member.member.member_1;
-                            if ((_e583 & 2u) != 0u) {
-                                let _e587 = params.member.member.member_1;
-                                let _e593 = bodies.member[_e502.member[0]];
-                                let _e597 = bodies.member[_e504.member[0]];
-                                if ((_e593 / 2u) != (_e597 / 2u)) {
-                                    phi_978_ = true;
+                        let _e585 = phi_937_;
+                        if _e585 {
+                            let _e587 = params.member.member.member_1;
+                            if ((_e587 & 2u) != 0u) {
+                                let _e593 = bodies.member[_e506.member[0]];
+                                let _e597 = bodies.member[_e508.member[0]];
+                                if ((_e593 / 4u) != (_e597 / 4u)) {
+                                    phi_982_ = true;
                                 } else {
-                                    phi_978_ = ((_e587 & 4u) != 0u);
-                                }
-                                let _e602 = phi_978_;
-                                if _e602 {
-                                    phi_985_ = (((_e593 & _e597) & 1u) == 0u);
-                                } else {
-                                    phi_985_ = false;
-                                }
-                                let _e607 = phi_985_;
-                                phi_989_ = _e607;
-                            } else {
-                                phi_989_ = true;
-                            }
-                            let _e609 = phi_989_;
-                            if _e609 {
-                                let _e611 = params.member.member.member_1;
-                                if ((_e611 & 32u) != 0u) {
-                                    let _e615 = params.member.member.member_6;
-                                    let _e632 = (((((_e506.member_1.y - _e520.member.x) > _e615) && ((_e520.member_1.y - _e506.member.x) > _e615)) && (((_e506.member_2.x - _e520.member.y) > _e615) && ((_e520.member_2.x - _e506.member.y) > _e615))) && (((_e506.member_2.y - _e520.member_1.x) > _e615) && ((_e520.member_2.y - _e506.member_1.x) > _e615)));
-                                    if _e632 {
-                                        phi_1591_ = bool();
+                                    if ((_e593 & 2u) == 0u) {
+                                        phi_981_ = false;
                                     } else {
-                                        let _e636 = keys.member[_e502.member[0]];
-                                        let _e641 = keys.member[_e502.member[1]];
-                                        let _e643 = function_5(_e636[0], _e641[0]);
-                                        let _e647 = keys.member[_e502.member[2]];
-                                        let _e649 = function_5(_e643, _e647[0]);
-                                        let _e653 = keys.member[_e504.member[0]];
-                                        let _e658 = keys.member[_e504.member[1]];
-                                        let _e660 = function_4(_e653[3], _e658[3]);
-                                        let _e664 = keys.member[_e504.member[2]];
-                                        let _e666 = function_4(_e660, _e664[3]);
-                                        if (_e649[1] > _e666[1]) {
-                                            phi_1114_ = true;
-                                        } else {
-                                            if (_e649[1] == _e666[1]) {
-                                                phi_1113_ = (_e649[0] > _e666[0]);
-                                            } else {
-                                                phi_1113_ = false;
-                                            }
-                                            let _e677 = phi_1113_;
-                                            phi_1114_ = _e677;
-                                        }
-                                        let _e679 = phi_1114_;
-                                        let _e684 = keys.member[_e504.member[0]];
-                                        let _e689 = keys.member[_e504.member[1]];
-                                        let _e691 = function_5(_e684[0], _e689[0]);
-                                        let _e695 = keys.member[_e504.member[2]];
-                                        let _e697 = function_5(_e691, _e695[0]);
-                                        let _e701 = keys.member[_e502.member[0]];
-                                        let _e706 = keys.member[_e502.member[1]];
-                                        let _e708 = function_4(_e701[3], _e706[3]);
-                                        let _e712 = keys.member[_e502.member[2]];
-                                        let _e714 = function_4(_e708, _e712[3]);
-                                        if (_e697[1] > _e714[1]) {
-                                            phi_1208_ = true;
-                                        } else {
-                                            if (_e697[1] == _e714[1]) {
-                                                phi_1207_ = (_e697[0] > _e714[0]);
-                                            } else {
-                                                phi_1207_ = false;
-                                            }
-                                            let _e725 = phi_1207_;
-                                            phi_1208_ = _e725;
-                                        }
-                                        let _e727 = phi_1208_;
-                                        let _e733 = keys.member[_e502.member[0]];
-                                        let _e738 = keys.member[_e502.member[1]];
-                                        let _e740 = function_3(_e733[1], _e738[1]);
-                                        let _e744 = keys.member[_e502.member[2]];
-                                        let _e746 = function_3(_e740, _e744[1]);
-                                        let _e750 = keys.member[_e504.member[0]];
-                                        let _e755 = keys.member[_e504.member[1]];
-                                        let _e757 = function_2(_e750[4], _e755[4]);
-                                        let _e761 = keys.member[_e504.member[2]];
-                                        let _e763 = function_2(_e757, _e761[4]);
-                                        if (_e746[1] > _e763[1]) {
-                                            phi_1303_ = true;
-                                        } else {
-                                            if (_e746[1] == _e763[1]) {
-                                                phi_1302_ = (_e746[0] > _e763[0]);
-                                            } else {
-                                                phi_1302_ = false;
-                                            }
-                                            let _e774 = phi_1302_;
-                                            phi_1303_ = _e774;
-                                        }
-                                        let _e776 = phi_1303_;
-                                        let _e781 = keys.member[_e504.member[0]];
-                                        let _e786 = keys.member[_e504.member[1]];
-                                        let _e788 = function_3(_e781[1], _e786[1]);
-                                        let _e792 = keys.member[_e504.member[2]];
-                                        let _e794 = function_3(_e788, _e792[1]);
-                                        let _e798 = keys.member[_e502.member[0]];
-                                        let _e803 = keys.member[_e502.member[1]];
-                                        let _e805 = function_2(_e798[4], _e803[4]);
-                                        let _e809 = keys.member[_e502.member[2]];
-                                        let _e811 = function_2(_e805, _e809[4]);
-                                        if (_e794[1] > _e811[1]) {
-                                            phi_1397_ = true;
-                                        } else {
-                                            if (_e794[1] == _e811[1]) {
-                                                phi_1396_ = (_e794[0] > _e811[0]);
-                                            } else {
-                                                phi_1396_ = false;
-                                            }
-                                            let _e822 = phi_1396_;
-                                            phi_1397_ = _e822;
-                                        }
-                                        let _e824 = phi_1397_;
-                                        let _e831 = keys.member[_e502.member[0]];
-                                        let _e836 = keys.member[_e502.member[1]];
-                                        let _e838 = function_1(_e831[2], _e836[2]);
-                                        let _e842 = keys.member[_e502.member[2]];
-                                        let _e844 = function_1(_e838, _e842[2]);
-                                        let _e848 = keys.member[_e504.member[0]];
-                                        let _e853 = keys.member[_e504.member[1]];
-                                        let _e855 = function_(_e848[5], _e853[5]);
-                                        let _e859 = keys.member[_e504.member[2]];
-                                        let _e861 = function_(_e855, _e859[5]);
-                                        if (_e844[1] > _e861[1]) {
-                                            phi_1493_ = true;
-                                        } else {
-                                            if (_e844[1] == _e861[1]) {
-                                                phi_1492_ = (_e844[0] > _e861[0]);
-                                            } else {
-                                                phi_1492_ = false;
-                                            }
-                                            let _e872 = phi_1492_;
-                                            phi_1493_ = _e872;
-                                        }
-                                        let _e874 = phi_1493_;
-                                        let _e879 = keys.member[_e504.member[0]];
-                                        let _e884 = keys.member[_e504.member[1]];
-                                        let _e886 = function_1(_e879[2], _e884[2]);
-                                        let _e890 = keys.member[_e504.member[2]];
-                                        let _e892 = function_1(_e886, _e890[2]);
-                                        let _e896 = keys.member[_e502.member[0]];
-                                        let _e901 = keys.member[_e502.member[1]];
-                                        let _e903 = function_(_e896[5], _e901[5]);
-                                        let _e907 = keys.member[_e502.member[2]];
-                                        let _e909 = function_(_e903, _e907[5]);
-                                        if (_e892[1] > _e909[1]) {
-                                            phi_1587_ = true;
-                                        } else {
-                                            if (_e892[1] == _e909[1]) {
-                                                phi_1586_ = (_e892[0] > _e909[0]);
-                                            } else {
-                                                phi_1586_ = false;
-                                            }
-                                            let _e920 = phi_1586_;
-                                            phi_1587_ = _e920;
-                                        }
-                                        let _e922 = phi_1587_;
-                                        phi_1591_ = (((!(_e679) && !(_e727)) && (!(_e776) && !(_e824))) && (!(_e874) && !(_e922)));
+                                        phi_981_ = true;
                                     }
-                                    let _e927 = phi_1591_;
-                                    phi_1592_ = _e927;
-                                    phi_1593_ = _e632;
-                                } else {
-                                    phi_1592_ = bool();
-                                    phi_1593_ = true;
+                                    let _e604 = phi_981_;
+                                    phi_982_ = _e604;
                                 }
-                                let _e929 = phi_1592_;
-                                let _e931 = phi_1593_;
-                                if _e931 {
-                                    phi_1597_ = false;
+                                let _e606 = phi_982_;
+                                if _e606 {
+                                    phi_989_ = (((_e593 & _e597) & 1u) == 0u);
                                 } else {
-                                    phi_1597_ = true;
+                                    phi_989_ = false;
                                 }
-                                let _e933 = phi_1597_;
-                                phi_1598_ = _e929;
-                                phi_1599_ = _e933;
+                                let _e611 = phi_989_;
+                                if _e611 {
+                                    let _e613 = params.member.member.member_1;
+                                    if ((_e613 & 4u) != 0u) {
+                                        let _e618 = params.member.member.member[0u];
+                                        let _e620 = bodies.member[_e618];
+                                        let _e623 = bodies.member[(_e618 + 1u)];
+                                        let _e628 = ((_e618 + 4u) + (2u * (_e593 >> bitcast<u32>(2i))));
+                                        let _e633 = ((_e618 + 4u) + (2u * (_e597 >> bitcast<u32>(2i))));
+                                        let _e635 = bodies.member[_e628];
+                                        let _e637 = bodies.member[_e633];
+                                        let _e646 = bodies.member[((((_e618 + 4u) + (2u * _e620)) + (_e635 * _e623)) + (_e637 / 32u))];
+                                        let _e649 = bodies.member[(_e628 + 1u)];
+                                        let _e652 = bodies.member[(_e633 + 1u)];
+                                        if (_e649 == _e652) {
+                                            if (((_e646 >> bitcast<u32>(((_e637 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_1105_ = true;
+                                            } else {
+                                                phi_1105_ = ((_e593 >> bitcast<u32>(2i)) == (_e597 >> bitcast<u32>(2i)));
+                                            }
+                                            let _e666 = phi_1105_;
+                                            phi_1106_ = _e666;
+                                        } else {
+                                            phi_1106_ = false;
+                                        }
+                                        let _e668 = phi_1106_;
+                                        if _e668 {
+                                            let _e673 = bodies.member[(_e618 + 2u)];
+                                            let _e676 = bodies.member[(_e618 + 3u)];
+                                            let _e677 = (_e676 + _e618);
+                                            if (_e79 == 1u) {
+                                                if (_e508.member_1 < _e506.member_1) {
+                                                    phi_1143_ = _e506.member_1;
+                                                    phi_1144_ = _e508.member_1;
+                                                } else {
+                                                    phi_1143_ = _e508.member_1;
+                                                    phi_1144_ = _e506.member_1;
+                                                }
+                                                let _e681 = phi_1143_;
+                                                let _e683 = phi_1144_;
+                                                phi_1145_ = _e681;
+                                                phi_1146_ = _e683;
+                                            } else {
+                                                phi_1145_ = _e508.member_1;
+                                                phi_1146_ = _e506.member_1;
+                                            }
+                                            let _e685 = phi_1145_;
+                                            let _e687 = phi_1146_;
+                                            phi_1149_ = type_16(0i, 32i);
+                                            phi_1152_ = _e673;
+                                            phi_1154_ = 0u;
+                                            loop {
+                                                let _e689 = phi_1149_;
+                                                let _e691 = phi_1152_;
+                                                let _e693 = phi_1154_;
+                                                local = _e693;
+                                                local_1 = _e693;
+                                                if (_e689.member < _e689.member_1) {
+                                                    let _e700 = (_e689.member + 1i);
+                                                    if ((false == (_e700 > _e689.member)) != false) {
+                                                        phi_1175_ = true;
+                                                    } else {
+                                                        phi_1175_ = false;
+                                                    }
+                                                    let _e705 = phi_1175_;
+                                                    if _e705 {
+                                                        phi_1181_ = type_17(0u, type_17().member_1);
+                                                    } else {
+                                                        phi_1181_ = type_17(1u, _e700);
+                                                    }
+                                                    let _e710 = phi_1181_;
+                                                    phi_1150_ = type_16(_e710.member_1, _e689.member_1);
+                                                    phi_1195_ = type_17(1u, _e689.member);
+                                                } else {
+                                                    phi_1150_ = _e689;
+                                                    phi_1195_ = type_17(0u, type_17().member_1);
+                                                }
+                                                let _e716 = phi_1150_;
+                                                let _e718 = phi_1195_;
+                                                if (bitcast<i32>(_e718.member) != 0i) {
+                                                    if (_e693 >= _e691) {
+                                                        phi_1278_ = u32();
+                                                        phi_1279_ = u32();
+                                                        phi_1280_ = false;
+                                                    } else {
+                                                        let _e725 = (_e693 + ((_e691 - _e693) / 2u));
+                                                        let _e727 = (_e677 + (3u * _e725));
+                                                        let _e729 = bodies.member[_e727];
+                                                        let _e732 = bodies.member[(_e727 + 1u)];
+                                                        let _e735 = bodies.member[(_e727 + 2u)];
+                                                        if (_e729 < _e79) {
+                                                            phi_1271_ = true;
+                                                        } else {
+                                                            if (_e729 == _e79) {
+                                                                if (_e732 < _e687) {
+                                                                    phi_1265_ = false;
+                                                                } else {
+                                                                    if (_e732 == _e687) {
+                                                                        if (_e735 < _e685) {
+                                                                            phi_1263_ = false;
+                                                                        } else {
+                                                                            phi_1263_ = true;
+                                                                        }
+                                                                        let _e742 = phi_1263_;
+                                                                        phi_1264_ = _e742;
+                                                                    } else {
+                                                                        phi_1264_ = true;
+                                                                    }
+                                                                    let _e744 = phi_1264_;
+                                                                    phi_1265_ = _e744;
+                                                                }
+                                                                let _e746 = phi_1265_;
+                                                                phi_1266_ = _e746;
+                                                            } else {
+                                                                phi_1266_ = true;
+                                                            }
+                                                            let _e748 = phi_1266_;
+                                                            if _e748 {
+                                                                phi_1270_ = false;
+                                                            } else {
+                                                                phi_1270_ = true;
+                                                            }
+                                                            let _e750 = phi_1270_;
+                                                            phi_1271_ = _e750;
+                                                        }
+                                                        let _e752 = phi_1271_;
+                                                        if _e752 {
+                                                            phi_1276_ = _e691;
+                                                            phi_1277_ = (_e725 + 1u);
+                                                        } else {
+                                                            phi_1276_ = _e725;
+                                                            phi_1277_ = _e693;
+                                                        }
+                                                        let _e755 = phi_1276_;
+                                                        let _e757 = phi_1277_;
+                                                        phi_1278_ = _e755;
+                                                        phi_1279_ = _e757;
+                                                        phi_1280_ = true;
+                                                    }
+                                                    let _e759 = phi_1278_;
+                                                    let _e761 = phi_1279_;
+                                                    let _e763 = phi_1280_;
+                                                    phi_1153_ = _e759;
+                                                    phi_1155_ = _e761;
+                                                    phi_1281_ = _e763;
+                                                } else {
+                                                    phi_1153_ = u32();
+                                                    phi_1155_ = u32();
+                                                    phi_1281_ = false;
+                                                }
+                                                let _e765 = phi_1153_;
+                                                let _e767 = phi_1155_;
+                                                let _e769 = phi_1281_;
+                                                continue;
+                                                continuing {
+                                                    phi_1149_ = _e716;
+                                                    phi_1152_ = _e765;
+                                                    phi_1154_ = _e767;
+                                                    break if !(_e769);
+                                                }
+                                            }
+                                            let _e772 = local;
+                                            if (_e772 < _e673) {
+                                                let _e775 = local_1;
+                                                let _e777 = (_e677 + (3u * _e775));
+                                                let _e779 = bodies.member[_e777];
+                                                if (_e779 == _e79) {
+                                                    let _e783 = bodies.member[(_e777 + 1u)];
+                                                    if (_e783 == _e687) {
+                                                        let _e787 = bodies.member[(_e777 + 2u)];
+                                                        phi_1329_ = (_e787 == _e685);
+                                                        phi_1330_ = false;
+                                                    } else {
+                                                        phi_1329_ = bool();
+                                                        phi_1330_ = true;
+                                                    }
+                                                    let _e790 = phi_1329_;
+                                                    let _e792 = phi_1330_;
+                                                    phi_1331_ = _e790;
+                                                    phi_1332_ = _e792;
+                                                } else {
+                                                    phi_1331_ = bool();
+                                                    phi_1332_ = true;
+                                                }
+                                                let _e794 = phi_1331_;
+                                                let _e796 = phi_1332_;
+                                                if _e796 {
+                                                    phi_1336_ = false;
+                                                } else {
+                                                    phi_1336_ = _e794;
+                                                }
+                                                let _e798 = phi_1336_;
+                                                phi_1337_ = _e798;
+                                            } else {
+                                                phi_1337_ = false;
+                                            }
+                                            let _e800 = phi_1337_;
+                                            phi_1341_ = _e800;
+                                        } else {
+                                            phi_1341_ = true;
+                                        }
+                                        let _e802 = phi_1341_;
+                                        if _e802 {
+                                            phi_1345_ = false;
+                                        } else {
+                                            phi_1345_ = true;
+                                        }
+                                        let _e804 = phi_1345_;
+                                        phi_1346_ = _e804;
+                                    } else {
+                                        phi_1346_ = true;
+                                    }
+                                    let _e806 = phi_1346_;
+                                    if _e806 {
+                                        phi_1350_ = false;
+                                    } else {
+                                        phi_1350_ = true;
+                                    }
+                                    let _e808 = phi_1350_;
+                                    phi_1351_ = _e808;
+                                } else {
+                                    phi_1351_ = true;
+                                }
+                                let _e810 = phi_1351_;
+                                if _e810 {
+                                    phi_1355_ = false;
+                                } else {
+                                    phi_1355_ = true;
+                                }
+                                let _e812 = phi_1355_;
+                                phi_1356_ = _e812;
                             } else {
-                                phi_1598_ = false;
-                                phi_1599_ = true;
+                                phi_1356_ = true;
                             }
-                            let _e935 = phi_1598_;
-                            let _e937 = phi_1599_;
-                            phi_1600_ = _e935;
-                            phi_1601_ = _e937;
-                        } else {
-                            phi_1600_ = false;
-                            phi_1601_ = true;
-                        }
-                        let _e939 = phi_1600_;
-                        let _e941 = phi_1601_;
-                        if _e941 {
-                            phi_1605_ = _e939;
-                        } else {
-                            phi_1605_ = true;
-                        }
-                        let _e943 = phi_1605_;
-                        if _e943 {
-                            let _e946 = params.member.member_1.member_3;
-                            if (_e78[0] == _e78[1]) {
-                                if (_e502.member_1 < _e504.member_1) {
-                                    phi_1624_ = type_13(_e502.member_1, _e504.member_1);
+                            let _e814 = phi_1356_;
+                            if _e814 {
+                                let _e816 = params.member.member.member_1;
+                                if ((_e816 & 32u) != 0u) {
+                                    let _e820 = params.member.member.member_6;
+                                    let _e837 = (((((_e510.member_1.y - _e524.member.x) > _e820) && ((_e524.member_1.y - _e510.member.x) > _e820)) && (((_e510.member_2.x - _e524.member.y) > _e820) && ((_e524.member_2.x - _e510.member.y) > _e820))) && (((_e510.member_2.y - _e524.member_1.x) > _e820) && ((_e524.member_2.y - _e510.member_1.x) > _e820)));
+                                    if _e837 {
+                                        phi_1958_ = bool();
+                                    } else {
+                                        let _e841 = keys.member[_e506.member[0]];
+                                        let _e846 = keys.member[_e506.member[1]];
+                                        let _e848 = function_5(_e841[0], _e846[0]);
+                                        let _e852 = keys.member[_e506.member[2]];
+                                        let _e854 = function_5(_e848, _e852[0]);
+                                        let _e858 = keys.member[_e508.member[0]];
+                                        let _e863 = keys.member[_e508.member[1]];
+                                        let _e865 = function_4(_e858[3], _e863[3]);
+                                        let _e869 = keys.member[_e508.member[2]];
+                                        let _e871 = function_4(_e865, _e869[3]);
+                                        if (_e854[1] > _e871[1]) {
+                                            phi_1481_ = true;
+                                        } else {
+                                            if (_e854[1] == _e871[1]) {
+                                                phi_1480_ = (_e854[0] > _e871[0]);
+                                            } else {
+                                                phi_1480_ = false;
+                                            }
+                                            let _e882 = phi_1480_;
+                                            phi_1481_ = _e882;
+                                        }
+                                        let _e884 = phi_1481_;
+                                        let _e889 = keys.member[_e508.member[0]];
+                                        let _e894 = keys.member[_e508.member[1]];
+                                        let _e896 = function_5(_e889[0], _e894[0]);
+                                        let _e900 = keys.member[_e508.member[2]];
+                                        let _e902 = function_5(_e896, _e900[0]);
+                                        let _e906 = keys.member[_e506.member[0]];
+                                        let _e911 = keys.member[_e506.member[1]];
+                                        let _e913 = function_4(_e906[3], _e911[3]);
+                                        let _e917 = keys.member[_e506.member[2]];
+                                        let _e919 = function_4(_e913, _e917[3]);
+                                        if (_e902[1] > _e919[1]) {
+                                            phi_1575_ = true;
+                                        } else {
+                                            if (_e902[1] == _e919[1]) {
+                                                phi_1574_ = (_e902[0] > _e919[0]);
+                                            } else {
+                                                phi_1574_ = false;
+                                            }
+                                            let _e930 = phi_1574_;
+                                            phi_1575_ = _e930;
+                                        }
+                                        let _e932 = phi_1575_;
+                                        let _e938 = keys.member[_e506.member[0]];
+                                        let _e943 = keys.member[_e506.member[1]];
+                                        let _e945 = function_3(_e938[1], _e943[1]);
+                                        let _e949 = keys.member[_e506.member[2]];
+                                        let _e951 = function_3(_e945, _e949[1]);
+                                        let _e955 = keys.member[_e508.member[0]];
+                                        let _e960 = keys.member[_e508.member[1]];
+                                        let _e962 = function_2(_e955[4], _e960[4]);
+                                        let _e966 = keys.member[_e508.member[2]];
+                                        let _e968 = function_2(_e962, _e966[4]);
+                                        if (_e951[1] > _e968[1]) {
+                                            phi_1670_ = true;
+                                        } else {
+                                            if (_e951[1] == _e968[1]) {
+                                                phi_1669_ = (_e951[0] > _e968[0]);
+                                            } else {
+                                                phi_1669_ = false;
+                                            }
+                                            let _e979 = phi_1669_;
+                                            phi_1670_ = _e979;
+                                        }
+                                        let _e981 = phi_1670_;
+                                        let _e986 = keys.member[_e508.member[0]];
+                                        let _e991 = keys.member[_e508.member[1]];
+                                        let _e993 = function_3(_e986[1], _e991[1]);
+                                        let _e997 = keys.member[_e508.member[2]];
+                                        let _e999 = function_3(_e993, _e997[1]);
+                                        let _e1003 = keys.member[_e506.member[0]];
+                                        let _e1008 = keys.member[_e506.member[1]];
+                                        let _e1010 = function_2(_e1003[4], _e1008[4]);
+                                        let _e1014 = keys.member[_e506.member[2]];
+                                        let _e1016 = function_2(_e1010, _e1014[4]);
+                                        if (_e999[1] > _e1016[1]) {
+                                            phi_1764_ = true;
+                                        } else {
+                                            if (_e999[1] == _e1016[1]) {
+                                                phi_1763_ = (_e999[0] > _e1016[0]);
+                                            } else {
+                                                phi_1763_ = false;
+                                            }
+                                            let _e1027 = phi_1763_;
+                                            phi_1764_ = _e1027;
+                                        }
+                                        let _e1029 = phi_1764_;
+                                        let _e1036 = keys.member[_e506.member[0]];
+                                        let _e1041 = keys.member[_e506.member[1]];
+                                        let _e1043 = function_1(_e1036[2], _e1041[2]);
+                                        let _e1047 = keys.member[_e506.member[2]];
+                                        let _e1049 = function_1(_e1043, _e1047[2]);
+                                        let _e1053 = keys.member[_e508.member[0]];
+                                        let _e1058 = keys.member[_e508.member[1]];
+                                        let _e1060 = function_(_e1053[5], _e1058[5]);
+                                        let _e1064 = keys.member[_e508.member[2]];
+                                        let _e1066 = function_(_e1060, _e1064[5]);
+                                        if (_e1049[1] > _e1066[1]) {
+                                            phi_1860_ = true;
+                                        } else {
+                                            if (_e1049[1] == _e1066[1]) {
+                                                phi_1859_ = (_e1049[0] > _e1066[0]);
+                                            } else {
+                                                phi_1859_ = false;
+                                            }
+                                            let _e1077 = phi_1859_;
+                                            phi_1860_ = _e1077;
+                                        }
+                                        let _e1079 = phi_1860_;
+                                        let _e1084 = keys.member[_e508.member[0]];
+                                        let _e1089 = keys.member[_e508.member[1]];
+                                        let _e1091 = function_1(_e1084[2], _e1089[2]);
+                                        let _e1095 = keys.member[_e508.member[2]];
+                                        let _e1097 = function_1(_e1091, _e1095[2]);
+                                        let _e1101 = keys.member[_e506.member[0]];
+                                        let _e1106 = keys.member[_e506.member[1]];
+                                        let _e1108 = function_(_e1101[5], _e1106[5]);
+                                        let _e1112 = keys.member[_e506.member[2]];
+                                        let _e1114 = function_(_e1108, _e1112[5]);
+                                        if (_e1097[1] > _e1114[1]) {
+                                            phi_1954_ = true;
+                                        } else {
+                                            if (_e1097[1] == _e1114[1]) {
+                                                phi_1953_ = (_e1097[0] > _e1114[0]);
+                                            } else {
+                                                phi_1953_ = false;
+                                            }
+                                            let _e1125 = phi_1953_;
+                                            phi_1954_ = _e1125;
+                                        }
+                                        let _e1127 = phi_1954_;
+                                        phi_1958_ = (((!(_e884) && !(_e932)) && (!(_e981) && !(_e1029))) && (!(_e1079) && !(_e1127)));
+                                    }
+                                    let _e1132 = phi_1958_;
+                                    phi_1959_ = _e1132;
+                                    phi_1960_ = _e837;
                                 } else {
-                                    phi_1624_ = type_13(_e504.member_1, _e502.member_1);
+                                    phi_1959_ = bool();
+                                    phi_1960_ = true;
                                 }
-                                let _e955 = phi_1624_;
-                                phi_1629_ = _e955;
+                                let _e1134 = phi_1959_;
+                                let _e1136 = phi_1960_;
+                                if _e1136 {
+                                    phi_1964_ = false;
+                                } else {
+                                    phi_1964_ = true;
+                                }
+                                let _e1138 = phi_1964_;
+                                phi_1965_ = _e1134;
+                                phi_1966_ = _e1138;
                             } else {
-                                phi_1629_ = type_13(_e502.member_1, _e504.member_1);
+                                phi_1965_ = false;
+                                phi_1966_ = true;
                             }
-                            let _e957 = phi_1629_;
-                            let _e961 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e961 + 1u) < _e961) {
-                                let _e965 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1140 = phi_1965_;
+                            let _e1142 = phi_1966_;
+                            phi_1967_ = _e1140;
+                            phi_1968_ = _e1142;
+                        } else {
+                            phi_1967_ = false;
+                            phi_1968_ = true;
+                        }
+                        let _e1144 = phi_1967_;
+                        let _e1146 = phi_1968_;
+                        if _e1146 {
+                            phi_1972_ = _e1144;
+                        } else {
+                            phi_1972_ = true;
+                        }
+                        let _e1148 = phi_1972_;
+                        if _e1148 {
+                            let _e1151 = params.member.member_1.member_3;
+                            if (_e82[0] == _e82[1]) {
+                                if (_e506.member_1 < _e508.member_1) {
+                                    phi_1991_ = type_13(_e506.member_1, _e508.member_1);
+                                } else {
+                                    phi_1991_ = type_13(_e508.member_1, _e506.member_1);
+                                }
+                                let _e1160 = phi_1991_;
+                                phi_1996_ = _e1160;
+                            } else {
+                                phi_1996_ = type_13(_e506.member_1, _e508.member_1);
                             }
-                            if (_e961 < _e946) {
-                                let _e967 = (2u * _e961);
-                                atomicStore((&output.member[(4u + _e967)]), _e957.member);
-                                atomicStore((&output.member[(_e967 + 5u)]), _e957.member_1);
+                            let _e1162 = phi_1996_;
+                            let _e1166 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1166 + 1u) < _e1166) {
+                                let _e1170 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            let _e973 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e973 + 1u) < _e973) {
-                                let _e977 = atomicAdd((&output.member[3u]), 1u);
+                            if (_e1166 < _e1151) {
+                                let _e1172 = (2u * _e1166);
+                                atomicStore((&output.member[(4u + _e1172)]), _e1162.member);
+                                atomicStore((&output.member[(_e1172 + 5u)]), _e1162.member_1);
+                            }
+                            let _e1178 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1178 + 1u) < _e1178) {
+                                let _e1182 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1667_ = (_e471 & (_e471 - 1u));
-                        phi_1668_ = true;
+                        phi_2034_ = (_e475 & (_e475 - 1u));
+                        phi_2035_ = true;
                     }
-                    let _e979 = phi_1667_;
-                    let _e981 = phi_1668_;
-                    phi_777_ = _e979;
-                    phi_1669_ = _e981;
+                    let _e1184 = phi_2034_;
+                    let _e1186 = phi_2035_;
+                    phi_782_ = _e1184;
+                    phi_2036_ = _e1186;
                 } else {
-                    phi_777_ = u32();
-                    phi_1669_ = false;
+                    phi_782_ = u32();
+                    phi_2036_ = false;
                 }
-                let _e983 = phi_777_;
-                let _e985 = phi_1669_;
+                let _e1188 = phi_782_;
+                let _e1190 = phi_2036_;
                 continue;
                 continuing {
-                    phi_773_ = _e483;
-                    phi_776_ = _e983;
-                    break if !(_e985);
+                    phi_778_ = _e487;
+                    phi_781_ = _e1188;
+                    break if !(_e1190);
                 }
             }
             workgroupBarrier();
-            let _e988 = atomicLoad((&counters[4u]));
-            if (2048u < _e988) {
-                phi_1676_ = 2048u;
+            let _e1193 = atomicLoad((&counters[4u]));
+            if (2048u < _e1193) {
+                phi_2043_ = 2048u;
             } else {
-                phi_1676_ = _e988;
+                phi_2043_ = _e1193;
             }
-            let _e991 = phi_1676_;
-            phi_1679_ = type_13(0u, 16u);
+            let _e1196 = phi_2043_;
+            phi_2046_ = type_13(0u, 16u);
             loop {
-                let _e993 = phi_1679_;
-                if (_e993.member < _e993.member_1) {
-                    phi_1680_ = type_13((_e993.member + 1u), _e993.member_1);
-                    phi_1703_ = type_13(1u, _e993.member);
+                let _e1198 = phi_2046_;
+                if (_e1198.member < _e1198.member_1) {
+                    phi_2047_ = type_13((_e1198.member + 1u), _e1198.member_1);
+                    phi_2070_ = type_13(1u, _e1198.member);
                 } else {
-                    phi_1680_ = _e993;
-                    phi_1703_ = type_13(0u, type_13().member_1);
+                    phi_2047_ = _e1198;
+                    phi_2070_ = type_13(0u, type_13().member_1);
                 }
-                let _e1005 = phi_1680_;
-                let _e1007 = phi_1703_;
-                if (bitcast<i32>(_e1007.member) != 0i) {
-                    let _e1013 = (_e47 + (_e1007.member_1 * 128u));
-                    if (_e1013 >= _e991) {
-                        phi_2532_ = false;
+                let _e1210 = phi_2047_;
+                let _e1212 = phi_2070_;
+                if (bitcast<i32>(_e1212.member) != 0i) {
+                    let _e1218 = (_e51 + (_e1212.member_1 * 128u));
+                    if (_e1218 >= _e1196) {
+                        phi_3261_ = false;
                     } else {
-                        let _e1016 = hits[_e1013];
-                        let _e1019 = ((_e1016 >> bitcast<u32>(10i)) & 3u);
-                        let _e1026 = firsts[(2u * _e1019)];
-                        let _e1027 = (_e1026 + ((_e1016 >> bitcast<u32>(5i)) & 31u));
-                        let _e1031 = firsts[((2u * _e1019) + 1u)];
-                        let _e1032 = (_e1031 + (_e1016 & 31u));
-                        let _e1034 = leaves.member[_e1027];
-                        let _e1036 = leaves.member[_e1032];
-                        let _e1038 = nodes.member[_e1027];
-                        let _e1052 = nodes.member[_e1032];
-                        let _e1067 = params.member.member.member_1;
-                        if ((_e1067 & 1u) != 0u) {
-                            if (_e75 == 0u) {
-                                if (_e1036.member[0] == _e1034.member[0]) {
-                                    phi_1805_ = true;
+                        let _e1221 = hits[_e1218];
+                        let _e1224 = ((_e1221 >> bitcast<u32>(10i)) & 3u);
+                        let _e1231 = firsts[(2u * _e1224)];
+                        let _e1232 = (_e1231 + ((_e1221 >> bitcast<u32>(5i)) & 31u));
+                        let _e1236 = firsts[((2u * _e1224) + 1u)];
+                        let _e1237 = (_e1236 + (_e1221 & 31u));
+                        let _e1239 = leaves.member[_e1232];
+                        let _e1241 = leaves.member[_e1237];
+                        let _e1243 = nodes.member[_e1232];
+                        let _e1257 = nodes.member[_e1237];
+                        let _e1272 = params.member.member.member_1;
+                        if ((_e1272 & 1u) != 0u) {
+                            if (_e79 == 0u) {
+                                if (_e1241.member[0] == _e1239.member[0]) {
+                                    phi_2172_ = true;
                                 } else {
-                                    phi_1805_ = (_e1036.member[0] == _e1034.member[0]);
+                                    phi_2172_ = (_e1241.member[0] == _e1239.member[0]);
                                 }
-                                let _e1095 = phi_1805_;
-                                if (_e1036.member[1] == _e1034.member[0]) {
-                                    phi_1812_ = true;
+                                let _e1300 = phi_2172_;
+                                if (_e1241.member[1] == _e1239.member[0]) {
+                                    phi_2179_ = true;
                                 } else {
-                                    phi_1812_ = (_e1036.member[1] == _e1034.member[0]);
+                                    phi_2179_ = (_e1241.member[1] == _e1239.member[0]);
                                 }
-                                let _e1100 = phi_1812_;
-                                if (_e1036.member[2] == _e1034.member[0]) {
-                                    phi_1820_ = true;
+                                let _e1305 = phi_2179_;
+                                if (_e1241.member[2] == _e1239.member[0]) {
+                                    phi_2187_ = true;
                                 } else {
-                                    phi_1820_ = (_e1036.member[2] == _e1034.member[0]);
+                                    phi_2187_ = (_e1241.member[2] == _e1239.member[0]);
                                 }
-                                let _e1106 = phi_1820_;
-                                phi_1839_ = ((_e1095 || _e1100) || _e1106);
+                                let _e1311 = phi_2187_;
+                                phi_2206_ = ((_e1300 || _e1305) || _e1311);
                             } else {
-                                if (_e1036.member[0] == _e1034.member[0]) {
-                                    phi_1831_ = true;
+                                if (_e1241.member[0] == _e1239.member[0]) {
+                                    phi_2198_ = true;
                                 } else {
-                                    phi_1831_ = (_e1036.member[0] == _e1034.member[1]);
+                                    phi_2198_ = (_e1241.member[0] == _e1239.member[1]);
                                 }
-                                let _e1082 = phi_1831_;
-                                if (_e1036.member[1] == _e1034.member[0]) {
-                                    phi_1837_ = true;
+                                let _e1287 = phi_2198_;
+                                if (_e1241.member[1] == _e1239.member[0]) {
+                                    phi_2204_ = true;
                                 } else {
-                                    phi_1837_ = (_e1036.member[1] == _e1034.member[1]);
+                                    phi_2204_ = (_e1241.member[1] == _e1239.member[1]);
                                 }
-                                let _e1086 = phi_1837_;
-                                phi_1839_ = (_e1082 || _e1086);
+                                let _e1291 = phi_2204_;
+                                phi_2206_ = (_e1287 || _e1291);
                             }
-                            let _e1109 = phi_1839_;
-                            if _e1109 {
-                                phi_1843_ = false;
+                            let _e1314 = phi_2206_;
+                            if _e1314 {
+                                phi_2210_ = false;
                             } else {
-                                phi_1843_ = true;
+                                phi_2210_ = true;
                             }
-                            let _e1111 = phi_1843_;
-                            phi_1844_ = _e1111;
+                            let _e1316 = phi_2210_;
+                            phi_2211_ = _e1316;
                         } else {
-                            phi_1844_ = true;
+                            phi_2211_ = true;
                         }
-                        let _e1113 = phi_1844_;
-                        if _e1113 {
-                            let _e1115 = params.member.member.member_1;
-                            if ((_e1115 & 2u) != 0u) {
-                                let _e1119 = params.member.member.member_1;
-                                let _e1125 = bodies.member[_e1034.member[0]];
-                                let _e1129 = bodies.member[_e1036.member[0]];
-                                if ((_e1125 / 2u) != (_e1129 / 2u)) {
-                                    phi_1890_ = true;
+                        let _e1318 = phi_2211_;
+                        if _e1318 {
+                            let _e1320 = params.member.member.member_1;
+                            if ((_e1320 & 2u) != 0u) {
+                                let _e1326 = bodies.member[_e1239.member[0]];
+                                let _e1330 = bodies.member[_e1241.member[0]];
+                                if ((_e1326 / 4u) != (_e1330 / 4u)) {
+                                    phi_2256_ = true;
                                 } else {
-                                    phi_1890_ = ((_e1119 & 4u) != 0u);
-                                }
-                                let _e1134 = phi_1890_;
-                                if _e1134 {
-                                    phi_1897_ = (((_e1125 & _e1129) & 1u) == 0u);
-                                } else {
-                                    phi_1897_ = false;
-                                }
-                                let _e1139 = phi_1897_;
-                                phi_1901_ = _e1139;
-                            } else {
-                                phi_1901_ = true;
-                            }
-                            let _e1141 = phi_1901_;
-                            if _e1141 {
-                                let _e1143 = params.member.member.member_1;
-                                if ((_e1143 & 32u) != 0u) {
-                                    let _e1147 = params.member.member.member_6;
-                                    let _e1164 = (((((_e1038.member_1.y - _e1052.member.x) > _e1147) && ((_e1052.member_1.y - _e1038.member.x) > _e1147)) && (((_e1038.member_2.x - _e1052.member.y) > _e1147) && ((_e1052.member_2.x - _e1038.member.y) > _e1147))) && (((_e1038.member_2.y - _e1052.member_1.x) > _e1147) && ((_e1052.member_2.y - _e1038.member_1.x) > _e1147)));
-                                    if _e1164 {
-                                        phi_2503_ = bool();
+                                    if ((_e1326 & 2u) == 0u) {
+                                        phi_2255_ = false;
                                     } else {
-                                        let _e1168 = keys.member[_e1034.member[0]];
-                                        let _e1173 = keys.member[_e1034.member[1]];
-                                        let _e1175 = function_5(_e1168[0], _e1173[0]);
-                                        let _e1179 = keys.member[_e1034.member[2]];
-                                        let _e1181 = function_5(_e1175, _e1179[0]);
-                                        let _e1185 = keys.member[_e1036.member[0]];
-                                        let _e1190 = keys.member[_e1036.member[1]];
-                                        let _e1192 = function_4(_e1185[3], _e1190[3]);
-                                        let _e1196 = keys.member[_e1036.member[2]];
-                                        let _e1198 = function_4(_e1192, _e1196[3]);
-                                        if (_e1181[1] > _e1198[1]) {
-                                            phi_2026_ = true;
-                                        } else {
-                                            if (_e1181[1] == _e1198[1]) {
-                                                phi_2025_ = (_e1181[0] > _e1198[0]);
-                                            } else {
-                                                phi_2025_ = false;
-                                            }
-                                            let _e1209 = phi_2025_;
-                                            phi_2026_ = _e1209;
-                                        }
-                                        let _e1211 = phi_2026_;
-                                        let _e1216 = keys.member[_e1036.member[0]];
-                                        let _e1221 = keys.member[_e1036.member[1]];
-                                        let _e1223 = function_5(_e1216[0], _e1221[0]);
-                                        let _e1227 = keys.member[_e1036.member[2]];
-                                        let _e1229 = function_5(_e1223, _e1227[0]);
-                                        let _e1233 = keys.member[_e1034.member[0]];
-                                        let _e1238 = keys.member[_e1034.member[1]];
-                                        let _e1240 = function_4(_e1233[3], _e1238[3]);
-                                        let _e1244 = keys.member[_e1034.member[2]];
-                                        let _e1246 = function_4(_e1240, _e1244[3]);
-                                        if (_e1229[1] > _e1246[1]) {
-                                            phi_2120_ = true;
-                                        } else {
-                                            if (_e1229[1] == _e1246[1]) {
-                                                phi_2119_ = (_e1229[0] > _e1246[0]);
-                                            } else {
-                                                phi_2119_ = false;
-                                            }
-                                            let _e1257 = phi_2119_;
-                                            phi_2120_ = _e1257;
-                                        }
-                                        let _e1259 = phi_2120_;
-                                        let _e1265 = keys.member[_e1034.member[0]];
-                                        let _e1270 = keys.member[_e1034.member[1]];
-                                        let _e1272 = function_3(_e1265[1], _e1270[1]);
-                                        let _e1276 = keys.member[_e1034.member[2]];
-                                        let _e1278 = function_3(_e1272, _e1276[1]);
-                                        let _e1282 = keys.member[_e1036.member[0]];
-                                        let _e1287 = keys.member[_e1036.member[1]];
-                                        let _e1289 = function_2(_e1282[4], _e1287[4]);
-                                        let _e1293 = keys.member[_e1036.member[2]];
-                                        let _e1295 = function_2(_e1289, _e1293[4]);
-                                        if (_e1278[1] > _e1295[1]) {
-                                            phi_2215_ = true;
-                                        } else {
-                                            if (_e1278[1] == _e1295[1]) {
-                                                phi_2214_ = (_e1278[0] > _e1295[0]);
-                                            } else {
-                                                phi_2214_ = false;
-                                            }
-                                            let _e1306 = phi_2214_;
-                                            phi_2215_ = _e1306;
-                                        }
-                                        let _e1308 = phi_2215_;
-                                        let _e1313 = keys.member[_e1036.member[0]];
-                                        let _e1318 = keys.member[_e1036.member[1]];
-                                        let _e1320 = function_3(_e1313[1], _e1318[1]);
-                                        let _e1324 = keys.member[_e1036.member[2]];
-                                        let _e1326 = function_3(_e1320, _e1324[1]);
-                                        let _e1330 = keys.member[_e1034.member[0]];
-                                        let _e1335 = keys.member[_e1034.member[1]];
-                                        let _e1337 = function_2(_e1330[4], _e1335[4]);
-                                        let _e1341 = keys.member[_e1034.member[2]];
-                                        let _e1343 = function_2(_e1337, _e1341[4]);
-                                        if (_e1326[1] > _e1343[1]) {
-                                            phi_2309_ = true;
-                                        } else {
-                                            if (_e1326[1] == _e1343[1]) {
-                                                phi_2308_ = (_e1326[0] > _e1343[0]);
-                                            } else {
-                                                phi_2308_ = false;
-                                            }
-                                            let _e1354 = phi_2308_;
-                                            phi_2309_ = _e1354;
-                                        }
-                                        let _e1356 = phi_2309_;
-                                        let _e1363 = keys.member[_e1034.member[0]];
-                                        let _e1368 = keys.member[_e1034.member[1]];
-                                        let _e1370 = function_1(_e1363[2], _e1368[2]);
-                                        let _e1374 = keys.member[_e1034.member[2]];
-                                        let _e1376 = function_1(_e1370, _e1374[2]);
-                                        let _e1380 = keys.member[_e1036.member[0]];
-                                        let _e1385 = keys.member[_e1036.member[1]];
-                                        let _e1387 = function_(_e1380[5], _e1385[5]);
-                                        let _e1391 = keys.member[_e1036.member[2]];
-                                        let _e1393 = function_(_e1387, _e1391[5]);
-                                        if (_e1376[1] > _e1393[1]) {
-                                            phi_2405_ = true;
-                                        } else {
-                                            if (_e1376[1] == _e1393[1]) {
-                                                phi_2404_ = (_e1376[0] > _e1393[0]);
-                                            } else {
-                                                phi_2404_ = false;
-                                            }
-                                            let _e1404 = phi_2404_;
-                                            phi_2405_ = _e1404;
-                                        }
-                                        let _e1406 = phi_2405_;
-                                        let _e1411 = keys.member[_e1036.member[0]];
-                                        let _e1416 = keys.member[_e1036.member[1]];
-                                        let _e1418 = function_1(_e1411[2], _e1416[2]);
-                                        let _e1422 = keys.member[_e1036.member[2]];
-                                        let _e1424 = function_1(_e1418, _e1422[2]);
-                                        let _e1428 = keys.member[_e1034.member[0]];
-                                        let _e1433 = keys.member[_e1034.member[1]];
-                                        let _e1435 = function_(_e1428[5], _e1433[5]);
-                                        let _e1439 = keys.member[_e1034.member[2]];
-                                        let _e1441 = function_(_e1435, _e1439[5]);
-                                        if (_e1424[1] > _e1441[1]) {
-                                            phi_2499_ = true;
-                                        } else {
-                                            if (_e1424[1] == _e1441[1]) {
-                                                phi_2498_ = (_e1424[0] > _e1441[0]);
-                                            } else {
-                                                phi_2498_ = false;
-                                            }
-                                            let _e1452 = phi_2498_;
-                                            phi_2499_ = _e1452;
-                                        }
-                                        let _e1454 = phi_2499_;
-                                        phi_2503_ = (((!(_e1211) && !(_e1259)) && (!(_e1308) && !(_e1356))) && (!(_e1406) && !(_e1454)));
+                                        phi_2255_ = true;
                                     }
-                                    let _e1459 = phi_2503_;
-                                    phi_2504_ = _e1459;
-                                    phi_2505_ = _e1164;
-                                } else {
-                                    phi_2504_ = bool();
-                                    phi_2505_ = true;
+                                    let _e1337 = phi_2255_;
+                                    phi_2256_ = _e1337;
                                 }
-                                let _e1461 = phi_2504_;
-                                let _e1463 = phi_2505_;
-                                if _e1463 {
-                                    phi_2509_ = false;
+                                let _e1339 = phi_2256_;
+                                if _e1339 {
+                                    phi_2263_ = (((_e1326 & _e1330) & 1u) == 0u);
                                 } else {
-                                    phi_2509_ = true;
+                                    phi_2263_ = false;
                                 }
-                                let _e1465 = phi_2509_;
-                                phi_2510_ = _e1461;
-                                phi_2511_ = _e1465;
+                                let _e1344 = phi_2263_;
+                                if _e1344 {
+                                    let _e1346 = params.member.member.member_1;
+                                    if ((_e1346 & 4u) != 0u) {
+                                        let _e1351 = params.member.member.member[0u];
+                                        let _e1353 = bodies.member[_e1351];
+                                        let _e1356 = bodies.member[(_e1351 + 1u)];
+                                        let _e1361 = ((_e1351 + 4u) + (2u * (_e1326 >> bitcast<u32>(2i))));
+                                        let _e1366 = ((_e1351 + 4u) + (2u * (_e1330 >> bitcast<u32>(2i))));
+                                        let _e1368 = bodies.member[_e1361];
+                                        let _e1370 = bodies.member[_e1366];
+                                        let _e1379 = bodies.member[((((_e1351 + 4u) + (2u * _e1353)) + (_e1368 * _e1356)) + (_e1370 / 32u))];
+                                        let _e1382 = bodies.member[(_e1361 + 1u)];
+                                        let _e1385 = bodies.member[(_e1366 + 1u)];
+                                        if (_e1382 == _e1385) {
+                                            if (((_e1379 >> bitcast<u32>(((_e1370 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_2379_ = true;
+                                            } else {
+                                                phi_2379_ = ((_e1326 >> bitcast<u32>(2i)) == (_e1330 >> bitcast<u32>(2i)));
+                                            }
+                                            let _e1399 = phi_2379_;
+                                            phi_2380_ = _e1399;
+                                        } else {
+                                            phi_2380_ = false;
+                                        }
+                                        let _e1401 = phi_2380_;
+                                        if _e1401 {
+                                            let _e1406 = bodies.member[(_e1351 + 2u)];
+                                            let _e1409 = bodies.member[(_e1351 + 3u)];
+                                            let _e1410 = (_e1409 + _e1351);
+                                            if (_e79 == 1u) {
+                                                if (_e1241.member_1 < _e1239.member_1) {
+                                                    phi_2417_ = _e1239.member_1;
+                                                    phi_2418_ = _e1241.member_1;
+                                                } else {
+                                                    phi_2417_ = _e1241.member_1;
+                                                    phi_2418_ = _e1239.member_1;
+                                                }
+                                                let _e1414 = phi_2417_;
+                                                let _e1416 = phi_2418_;
+                                                phi_2419_ = _e1414;
+                                                phi_2420_ = _e1416;
+                                            } else {
+                                                phi_2419_ = _e1241.member_1;
+                                                phi_2420_ = _e1239.member_1;
+                                            }
+                                            let _e1418 = phi_2419_;
+                                            let _e1420 = phi_2420_;
+                                            phi_2423_ = type_16(0i, 32i);
+                                            phi_2426_ = _e1406;
+                                            phi_2428_ = 0u;
+                                            loop {
+                                                let _e1422 = phi_2423_;
+                                                let _e1424 = phi_2426_;
+                                                let _e1426 = phi_2428_;
+                                                local_2 = _e1426;
+                                                local_3 = _e1426;
+                                                if (_e1422.member < _e1422.member_1) {
+                                                    let _e1433 = (_e1422.member + 1i);
+                                                    if ((false == (_e1433 > _e1422.member)) != false) {
+                                                        phi_2449_ = true;
+                                                    } else {
+                                                        phi_2449_ = false;
+                                                    }
+                                                    let _e1438 = phi_2449_;
+                                                    if _e1438 {
+                                                        phi_2455_ = type_17(0u, type_17().member_1);
+                                                    } else {
+                                                        phi_2455_ = type_17(1u, _e1433);
+                                                    }
+                                                    let _e1443 = phi_2455_;
+                                                    phi_2424_ = type_16(_e1443.member_1, _e1422.member_1);
+                                                    phi_2469_ = type_17(1u, _e1422.member);
+                                                } else {
+                                                    phi_2424_ = _e1422;
+                                                    phi_2469_ = type_17(0u, type_17().member_1);
+                                                }
+                                                let _e1449 = phi_2424_;
+                                                let _e1451 = phi_2469_;
+                                                if (bitcast<i32>(_e1451.member) != 0i) {
+                                                    if (_e1426 >= _e1424) {
+                                                        phi_2552_ = u32();
+                                                        phi_2553_ = u32();
+                                                        phi_2554_ = false;
+                                                    } else {
+                                                        let _e1458 = (_e1426 + ((_e1424 - _e1426) / 2u));
+                                                        let _e1460 = (_e1410 + (3u * _e1458));
+                                                        let _e1462 = bodies.member[_e1460];
+                                                        let _e1465 = bodies.member[(_e1460 + 1u)];
+                                                        let _e1468 = bodies.member[(_e1460 + 2u)];
+                                                        if (_e1462 < _e79) {
+                                                            phi_2545_ = true;
+                                                        } else {
+                                                            if (_e1462 == _e79) {
+                                                                if (_e1465 < _e1420) {
+                                                                    phi_2539_ = false;
+                                                                } else {
+                                                                    if (_e1465 == _e1420) {
+                                                                        if (_e1468 < _e1418) {
+                                                                            phi_2537_ = false;
+                                                                        } else {
+                                                                            phi_2537_ = true;
+                                                                        }
+                                                                        let _e1475 = phi_2537_;
+                                                                        phi_2538_ = _e1475;
+                                                                    } else {
+                                                                        phi_2538_ = true;
+                                                                    }
+                                                                    let _e1477 = phi_2538_;
+                                                                    phi_2539_ = _e1477;
+                                                                }
+                                                                let _e1479 = phi_2539_;
+                                                                phi_2540_ = _e1479;
+                                                            } else {
+                                                                phi_2540_ = true;
+                                                            }
+                                                            let _e1481 = phi_2540_;
+                                                            if _e1481 {
+                                                                phi_2544_ = false;
+                                                            } else {
+                                                                phi_2544_ = true;
+                                                            }
+                                                            let _e1483 = phi_2544_;
+                                                            phi_2545_ = _e1483;
+                                                        }
+                                                        let _e1485 = phi_2545_;
+                                                        if _e1485 {
+                                                            phi_2550_ = _e1424;
+                                                            phi_2551_ = (_e1458 + 1u);
+                                                        } else {
+                                                            phi_2550_ = _e1458;
+                                                            phi_2551_ = _e1426;
+                                                        }
+                                                        let _e1488 = phi_2550_;
+                                                        let _e1490 = phi_2551_;
+                                                        phi_2552_ = _e1488;
+                                                        phi_2553_ = _e1490;
+                                                        phi_2554_ = true;
+                                                    }
+                                                    let _e1492 = phi_2552_;
+                                                    let _e1494 = phi_2553_;
+                                                    let _e1496 = phi_2554_;
+                                                    phi_2427_ = _e1492;
+                                                    phi_2429_ = _e1494;
+                                                    phi_2555_ = _e1496;
+                                                } else {
+                                                    phi_2427_ = u32();
+                                                    phi_2429_ = u32();
+                                                    phi_2555_ = false;
+                                                }
+                                                let _e1498 = phi_2427_;
+                                                let _e1500 = phi_2429_;
+                                                let _e1502 = phi_2555_;
+                                                continue;
+                                                continuing {
+                                                    phi_2423_ = _e1449;
+                                                    phi_2426_ = _e1498;
+                                                    phi_2428_ = _e1500;
+                                                    break if !(_e1502);
+                                                }
+                                            }
+                                            let _e1505 = local_2;
+                                            if (_e1505 < _e1406) {
+                                                let _e1508 = local_3;
+                                                let _e1510 = (_e1410 + (3u * _e1508));
+                                                let _e1512 = bodies.member[_e1510];
+                                                if (_e1512 == _e79) {
+                                                    let _e1516 = bodies.member[(_e1510 + 1u)];
+                                                    if (_e1516 == _e1420) {
+                                                        let _e1520 = bodies.member[(_e1510 + 2u)];
+                                                        phi_2603_ = (_e1520 == _e1418);
+                                                        phi_2604_ = false;
+                                                    } else {
+                                                        phi_2603_ = bool();
+                                                        phi_2604_ = true;
+                                                    }
+                                                    let _e1523 = phi_2603_;
+                                                    let _e1525 = phi_2604_;
+                                                    phi_2605_ = _e1523;
+                                                    phi_2606_ = _e1525;
+                                                } else {
+                                                    phi_2605_ = bool();
+                                                    phi_2606_ = true;
+                                                }
+                                                let _e1527 = phi_2605_;
+                                                let _e1529 = phi_2606_;
+                                                if _e1529 {
+                                                    phi_2610_ = false;
+                                                } else {
+                                                    phi_2610_ = _e1527;
+                                                }
+                                                let _e1531 = phi_2610_;
+                                                phi_2611_ = _e1531;
+                                            } else {
+                                                phi_2611_ = false;
+                                            }
+                                            let _e1533 = phi_2611_;
+                                            phi_2615_ = _e1533;
+                                        } else {
+                                            phi_2615_ = true;
+                                        }
+                                        let _e1535 = phi_2615_;
+                                        if _e1535 {
+                                            phi_2619_ = false;
+                                        } else {
+                                            phi_2619_ = true;
+                                        }
+                                        let _e1537 = phi_2619_;
+                                        phi_2620_ = _e1537;
+                                    } else {
+                                        phi_2620_ = true;
+                                    }
+                                    let _e1539 = phi_2620_;
+                                    if _e1539 {
+                                        phi_2624_ = false;
+                                    } else {
+                                        phi_2624_ = true;
+                                    }
+                                    let _e1541 = phi_2624_;
+                                    phi_2625_ = _e1541;
+                                } else {
+                                    phi_2625_ = true;
+                                }
+                                let _e1543 = phi_2625_;
+                                if _e1543 {
+                                    phi_2629_ = false;
+                                } else {
+                                    phi_2629_ = true;
+                                }
+                                let _e1545 = phi_2629_;
+                                phi_2630_ = _e1545;
                             } else {
-                                phi_2510_ = false;
-                                phi_2511_ = true;
+                                phi_2630_ = true;
                             }
-                            let _e1467 = phi_2510_;
-                            let _e1469 = phi_2511_;
-                            phi_2512_ = _e1467;
-                            phi_2513_ = _e1469;
+                            let _e1547 = phi_2630_;
+                            if _e1547 {
+                                let _e1549 = params.member.member.member_1;
+                                if ((_e1549 & 32u) != 0u) {
+                                    let _e1553 = params.member.member.member_6;
+                                    let _e1570 = (((((_e1243.member_1.y - _e1257.member.x) > _e1553) && ((_e1257.member_1.y - _e1243.member.x) > _e1553)) && (((_e1243.member_2.x - _e1257.member.y) > _e1553) && ((_e1257.member_2.x - _e1243.member.y) > _e1553))) && (((_e1243.member_2.y - _e1257.member_1.x) > _e1553) && ((_e1257.member_2.y - _e1243.member_1.x) > _e1553)));
+                                    if _e1570 {
+                                        phi_3232_ = bool();
+                                    } else {
+                                        let _e1574 = keys.member[_e1239.member[0]];
+                                        let _e1579 = keys.member[_e1239.member[1]];
+                                        let _e1581 = function_5(_e1574[0], _e1579[0]);
+                                        let _e1585 = keys.member[_e1239.member[2]];
+                                        let _e1587 = function_5(_e1581, _e1585[0]);
+                                        let _e1591 = keys.member[_e1241.member[0]];
+                                        let _e1596 = keys.member[_e1241.member[1]];
+                                        let _e1598 = function_4(_e1591[3], _e1596[3]);
+                                        let _e1602 = keys.member[_e1241.member[2]];
+                                        let _e1604 = function_4(_e1598, _e1602[3]);
+                                        if (_e1587[1] > _e1604[1]) {
+                                            phi_2755_ = true;
+                                        } else {
+                                            if (_e1587[1] == _e1604[1]) {
+                                                phi_2754_ = (_e1587[0] > _e1604[0]);
+                                            } else {
+                                                phi_2754_ = false;
+                                            }
+                                            let _e1615 = phi_2754_;
+                                            phi_2755_ = _e1615;
+                                        }
+                                        let _e1617 = phi_2755_;
+                                        let _e1622 = keys.member[_e1241.member[0]];
+                                        let _e1627 = keys.member[_e1241.member[1]];
+                                        let _e1629 = function_5(_e1622[0], _e1627[0]);
+                                        let _e1633 = keys.member[_e1241.member[2]];
+                                        let _e1635 = function_5(_e1629, _e1633[0]);
+                                        let _e1639 = keys.member[_e1239.member[0]];
+                                        let _e1644 = keys.member[_e1239.member[1]];
+                                        let _e1646 = function_4(_e1639[3], _e1644[3]);
+                                        let _e1650 = keys.member[_e1239.member[2]];
+                                        let _e1652 = function_4(_e1646, _e1650[3]);
+                                        if (_e1635[1] > _e1652[1]) {
+                                            phi_2849_ = true;
+                                        } else {
+                                            if (_e1635[1] == _e1652[1]) {
+                                                phi_2848_ = (_e1635[0] > _e1652[0]);
+                                            } else {
+                                                phi_2848_ = false;
+                                            }
+                                            let _e1663 = phi_2848_;
+                                            phi_2849_ = _e1663;
+                                        }
+                                        let _e1665 = phi_2849_;
+                                        let _e1671 = keys.member[_e1239.member[0]];
+                                        let _e1676 = keys.member[_e1239.member[1]];
+                                        let _e1678 = function_3(_e1671[1], _e1676[1]);
+                                        let _e1682 = keys.member[_e1239.member[2]];
+                                        let _e1684 = function_3(_e1678, _e1682[1]);
+                                        let _e1688 = keys.member[_e1241.member[0]];
+                                        let _e1693 = keys.member[_e1241.member[1]];
+                                        let _e1695 = function_2(_e1688[4], _e1693[4]);
+                                        let _e1699 = keys.member[_e1241.member[2]];
+                                        let _e1701 = function_2(_e1695, _e1699[4]);
+                                        if (_e1684[1] > _e1701[1]) {
+                                            phi_2944_ = true;
+                                        } else {
+                                            if (_e1684[1] == _e1701[1]) {
+                                                phi_2943_ = (_e1684[0] > _e1701[0]);
+                                            } else {
+                                                phi_2943_ = false;
+                                            }
+                                            let _e1712 = phi_2943_;
+                                            phi_2944_ = _e1712;
+                                        }
+                                        let _e1714 = phi_2944_;
+                                        let _e1719 = keys.member[_e1241.member[0]];
+                                        let _e1724 = keys.member[_e1241.member[1]];
+                                        let _e1726 = function_3(_e1719[1], _e1724[1]);
+                                        let _e1730 = keys.member[_e1241.member[2]];
+                                        let _e1732 = function_3(_e1726, _e1730[1]);
+                                        let _e1736 = keys.member[_e1239.member[0]];
+                                        let _e1741 = keys.member[_e1239.member[1]];
+                                        let _e1743 = function_2(_e1736[4], _e1741[4]);
+                                        let _e1747 = keys.member[_e1239.member[2]];
+                                        let _e1749 = function_2(_e1743, _e1747[4]);
+                                        if (_e1732[1] > _e1749[1]) {
+                                            phi_3038_ = true;
+                                        } else {
+                                            if (_e1732[1] == _e1749[1]) {
+                                                phi_3037_ = (_e1732[0] > _e1749[0]);
+                                            } else {
+                                                phi_3037_ = false;
+                                            }
+                                            let _e1760 = phi_3037_;
+                                            phi_3038_ = _e1760;
+                                        }
+                                        let _e1762 = phi_3038_;
+                                        let _e1769 = keys.member[_e1239.member[0]];
+                                        let _e1774 = keys.member[_e1239.member[1]];
+                                        let _e1776 = function_1(_e1769[2], _e1774[2]);
+                                        let _e1780 = keys.member[_e1239.member[2]];
+                                        let _e1782 = function_1(_e1776, _e1780[2]);
+                                        let _e1786 = keys.member[_e1241.member[0]];
+                                        let _e1791 = keys.member[_e1241.member[1]];
+                                        let _e1793 = function_(_e1786[5], _e1791[5]);
+                                        let _e1797 = keys.member[_e1241.member[2]];
+                                        let _e1799 = function_(_e1793, _e1797[5]);
+                                        if (_e1782[1] > _e1799[1]) {
+                                            phi_3134_ = true;
+                                        } else {
+                                            if (_e1782[1] == _e1799[1]) {
+                                                phi_3133_ = (_e1782[0] > _e1799[0]);
+                                            } else {
+                                                phi_3133_ = false;
+                                            }
+                                            let _e1810 = phi_3133_;
+                                            phi_3134_ = _e1810;
+                                        }
+                                        let _e1812 = phi_3134_;
+                                        let _e1817 = keys.member[_e1241.member[0]];
+                                        let _e1822 = keys.member[_e1241.member[1]];
+                                        let _e1824 = function_1(_e1817[2], _e1822[2]);
+                                        let _e1828 = keys.member[_e1241.member[2]];
+                                        let _e1830 = function_1(_e1824, _e1828[2]);
+                                        let _e1834 = keys.member[_e1239.member[0]];
+                                        let _e1839 = keys.member[_e1239.member[1]];
+                                        let _e1841 = function_(_e1834[5], _e1839[5]);
+                                        let _e1845 = keys.member[_e1239.member[2]];
+                                        let _e1847 = function_(_e1841, _e1845[5]);
+                                        if (_e1830[1] > _e1847[1]) {
+                                            phi_3228_ = true;
+                                        } else {
+                                            if (_e1830[1] == _e1847[1]) {
+                                                phi_3227_ = (_e1830[0] > _e1847[0]);
+                                            } else {
+                                                phi_3227_ = false;
+                                            }
+                                            let _e1858 = phi_3227_;
+                                            phi_3228_ = _e1858;
+                                        }
+                                        let _e1860 = phi_3228_;
+                                        phi_3232_ = (((!(_e1617) && !(_e1665)) && (!(_e1714) && !(_e1762))) && (!(_e1812) && !(_e1860)));
+                                    }
+                                    let _e1865 = phi_3232_;
+                                    phi_3233_ = _e1865;
+                                    phi_3234_ = _e1570;
+                                } else {
+                                    phi_3233_ = bool();
+                                    phi_3234_ = true;
+                                }
+                                let _e1867 = phi_3233_;
+                                let _e1869 = phi_3234_;
+                                if _e1869 {
+                                    phi_3238_ = false;
+                                } else {
+                                    phi_3238_ = true;
+                                }
+                                let _e1871 = phi_3238_;
+                                phi_3239_ = _e1867;
+                                phi_3240_ = _e1871;
+                            } else {
+                                phi_3239_ = false;
+                                phi_3240_ = true;
+                            }
+                            let _e1873 = phi_3239_;
+                            let _e1875 = phi_3240_;
+                            phi_3241_ = _e1873;
+                            phi_3242_ = _e1875;
                         } else {
-                            phi_2512_ = false;
-                            phi_2513_ = true;
+                            phi_3241_ = false;
+                            phi_3242_ = true;
                         }
-                        let _e1471 = phi_2512_;
-                        let _e1473 = phi_2513_;
-                        if _e1473 {
-                            phi_2517_ = _e1471;
+                        let _e1877 = phi_3241_;
+                        let _e1879 = phi_3242_;
+                        if _e1879 {
+                            phi_3246_ = _e1877;
                         } else {
-                            phi_2517_ = true;
+                            phi_3246_ = true;
                         }
-                        let _e1475 = phi_2517_;
-                        if _e1475 {
-                            let _e1477 = atomicAdd((&counters[7u]), 1u);
-                            let _e1479 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1013] = ((2147483648u | (_e1479 << bitcast<u32>(12i))) | _e1016);
+                        let _e1881 = phi_3246_;
+                        if _e1881 {
+                            let _e1883 = atomicAdd((&counters[7u]), 1u);
+                            let _e1885 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1218] = ((2147483648u | (_e1885 << bitcast<u32>(12i))) | _e1221);
                         }
-                        phi_2532_ = true;
+                        phi_3261_ = true;
                     }
-                    let _e1486 = phi_2532_;
-                    phi_2533_ = _e1486;
+                    let _e1892 = phi_3261_;
+                    phi_3262_ = _e1892;
                 } else {
-                    phi_2533_ = false;
+                    phi_3262_ = false;
                 }
-                let _e1488 = phi_2533_;
+                let _e1894 = phi_3262_;
                 continue;
                 continuing {
-                    phi_1679_ = _e1005;
-                    break if !(_e1488);
+                    phi_2046_ = _e1210;
+                    break if !(_e1894);
                 }
             }
             workgroupBarrier();
-            if (_e47 == 0u) {
-                let _e1492 = atomicLoad((&counters[5u]));
-                if (_e1492 > 0u) {
-                    let _e1495 = atomicAdd((&output.member[0u]), _e1492);
-                    if ((_e1495 + _e1492) < _e1495) {
-                        let _e1499 = atomicAdd((&output.member[2u]), 1u);
+            if (_e51 == 0u) {
+                let _e1898 = atomicLoad((&counters[5u]));
+                if (_e1898 > 0u) {
+                    let _e1901 = atomicAdd((&output.member[0u]), _e1898);
+                    if ((_e1901 + _e1898) < _e1901) {
+                        let _e1905 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e1495);
+                    atomicStore((&counters[6u]), _e1901);
                 }
             }
             workgroupBarrier();
-            let _e1502 = atomicLoad((&counters[6u]));
-            if (_e47 == 0u) {
-                let _e1505 = atomicLoad((&counters[7u]));
-                if (_e1505 > 0u) {
-                    let _e1508 = atomicAdd((&output.member[1u]), _e1505);
-                    if ((_e1508 + _e1505) < _e1508) {
-                        let _e1512 = atomicAdd((&output.member[3u]), 1u);
+            let _e1908 = atomicLoad((&counters[6u]));
+            if (_e51 == 0u) {
+                let _e1911 = atomicLoad((&counters[7u]));
+                if (_e1911 > 0u) {
+                    let _e1914 = atomicAdd((&output.member[1u]), _e1911);
+                    if ((_e1914 + _e1911) < _e1914) {
+                        let _e1918 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_2583_ = type_13(0u, 16u);
+            phi_3312_ = type_13(0u, 16u);
             loop {
-                let _e1514 = phi_2583_;
-                if (_e1514.member < _e1514.member_1) {
-                    phi_2584_ = type_13((_e1514.member + 1u), _e1514.member_1);
-                    phi_2607_ = type_13(1u, _e1514.member);
+                let _e1920 = phi_3312_;
+                if (_e1920.member < _e1920.member_1) {
+                    phi_3313_ = type_13((_e1920.member + 1u), _e1920.member_1);
+                    phi_3336_ = type_13(1u, _e1920.member);
                 } else {
-                    phi_2584_ = _e1514;
-                    phi_2607_ = type_13(0u, type_13().member_1);
+                    phi_3313_ = _e1920;
+                    phi_3336_ = type_13(0u, type_13().member_1);
                 }
-                let _e1526 = phi_2584_;
-                let _e1528 = phi_2607_;
-                if (bitcast<i32>(_e1528.member) != 0i) {
-                    let _e1534 = (_e47 + (_e1528.member_1 * 128u));
-                    if (_e1534 >= _e991) {
-                        phi_2704_ = false;
+                let _e1932 = phi_3313_;
+                let _e1934 = phi_3336_;
+                if (bitcast<i32>(_e1934.member) != 0i) {
+                    let _e1940 = (_e51 + (_e1934.member_1 * 128u));
+                    if (_e1940 >= _e1196) {
+                        phi_3433_ = false;
                     } else {
-                        let _e1537 = hits[_e1534];
-                        if ((_e1537 & 2147483648u) == 0u) {
-                            phi_2630_ = 4294967295u;
+                        let _e1943 = hits[_e1940];
+                        if ((_e1943 & 2147483648u) == 0u) {
+                            phi_3359_ = 4294967295u;
                         } else {
-                            phi_2630_ = ((_e1537 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_3359_ = ((_e1943 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e1544 = phi_2630_;
-                        if (_e1544 != 4294967295u) {
-                            let _e1548 = ((_e1537 >> bitcast<u32>(10i)) & 3u);
-                            let _e1555 = firsts[(2u * _e1548)];
-                            let _e1558 = leaves.member[(_e1555 + ((_e1537 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1562 = firsts[((2u * _e1548) + 1u)];
-                            let _e1565 = leaves.member[(_e1562 + (_e1537 & 31u))];
-                            let _e1570 = params.member.member_1.member_3;
-                            let _e1571 = (_e1502 + _e1544);
-                            if (_e78[0] == _e78[1]) {
-                                if (_e1558.member_1 < _e1565.member_1) {
-                                    phi_2685_ = type_13(_e1558.member_1, _e1565.member_1);
+                        let _e1950 = phi_3359_;
+                        if (_e1950 != 4294967295u) {
+                            let _e1954 = ((_e1943 >> bitcast<u32>(10i)) & 3u);
+                            let _e1961 = firsts[(2u * _e1954)];
+                            let _e1964 = leaves.member[(_e1961 + ((_e1943 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1968 = firsts[((2u * _e1954) + 1u)];
+                            let _e1971 = leaves.member[(_e1968 + (_e1943 & 31u))];
+                            let _e1976 = params.member.member_1.member_3;
+                            let _e1977 = (_e1908 + _e1950);
+                            if (_e82[0] == _e82[1]) {
+                                if (_e1964.member_1 < _e1971.member_1) {
+                                    phi_3414_ = type_13(_e1964.member_1, _e1971.member_1);
                                 } else {
-                                    phi_2685_ = type_13(_e1565.member_1, _e1558.member_1);
+                                    phi_3414_ = type_13(_e1971.member_1, _e1964.member_1);
                                 }
-                                let _e1578 = phi_2685_;
-                                phi_2690_ = _e1578;
+                                let _e1984 = phi_3414_;
+                                phi_3419_ = _e1984;
                             } else {
-                                phi_2690_ = type_13(_e1558.member_1, _e1565.member_1);
+                                phi_3419_ = type_13(_e1964.member_1, _e1971.member_1);
                             }
-                            let _e1580 = phi_2690_;
-                            if (_e1571 < _e1570) {
-                                let _e1584 = (2u * _e1571);
-                                atomicStore((&output.member[(4u + _e1584)]), _e1580.member);
-                                atomicStore((&output.member[(_e1584 + 5u)]), _e1580.member_1);
+                            let _e1986 = phi_3419_;
+                            if (_e1977 < _e1976) {
+                                let _e1990 = (2u * _e1977);
+                                atomicStore((&output.member[(4u + _e1990)]), _e1986.member);
+                                atomicStore((&output.member[(_e1990 + 5u)]), _e1986.member_1);
                             }
                         }
-                        phi_2704_ = true;
+                        phi_3433_ = true;
                     }
-                    let _e1590 = phi_2704_;
-                    phi_2705_ = _e1590;
+                    let _e1996 = phi_3433_;
+                    phi_3434_ = _e1996;
                 } else {
-                    phi_2705_ = false;
+                    phi_3434_ = false;
                 }
-                let _e1592 = phi_2705_;
+                let _e1998 = phi_3434_;
                 continue;
                 continuing {
-                    phi_2583_ = _e1526;
-                    break if !(_e1592);
+                    phi_3312_ = _e1932;
+                    break if !(_e1998);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_259_ = _e140;
-            break if !(_e146);
+            phi_264_ = _e144;
+            break if !(_e150);
         }
     }
     return;

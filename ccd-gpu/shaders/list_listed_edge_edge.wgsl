@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -29,256 +35,306 @@ struct type_12 {
     member_1: u32,
 }
 
+struct type_14 {
+    member: i32,
+    member_1: i32,
+}
+
 struct type_15 {
-    member: array<array<u32, 2>>,
+    member: u32,
+    member_1: i32,
 }
 
 struct type_17 {
+    member: array<array<u32, 2>>,
+}
+
+struct type_19 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_19 {
-    member: array<type_17>,
-}
-
-struct type_22 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_23 {
-    member: u32,
+struct type_21 {
+    member: array<type_19>,
 }
 
 struct type_24 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_23,
+    member: array<array<array<u32, 2>, 6>>,
 }
 
 struct type_25 {
-    member: type_24,
+    member: u32,
 }
 
-struct type_28 {
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
+}
+
+struct type_27 {
+    member: type_26,
+}
+
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_22;
+var<storage> keys: type_24;
 @group(0) @binding(5) 
 var<storage> input: type_10;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_28;
+var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_25;
+var<storage> params: type_27;
 @group(0) @binding(1) 
-var<storage> boxes: type_19;
+var<storage> boxes: type_21;
 @group(0) @binding(2) 
-var<storage> elements: type_15;
+var<storage> elements: type_17;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_104_: bool;
-    var phi_105_: bool;
-    var phi_109_: array<u32, 2>;
+    var phi_111_: bool;
+    var phi_112_: bool;
+    var phi_116_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_105_ = true;
+        phi_112_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_104_ = (param[0] > param_1[0]);
+            phi_111_ = (param[0] > param_1[0]);
         } else {
-            phi_104_ = false;
+            phi_111_ = false;
         }
-        let _e14 = phi_104_;
-        phi_105_ = _e14;
+        let _e14 = phi_111_;
+        phi_112_ = _e14;
     }
-    let _e16 = phi_105_;
+    let _e16 = phi_112_;
     if _e16 {
-        phi_109_ = param_1;
+        phi_116_ = param_1;
     } else {
-        phi_109_ = param;
+        phi_116_ = param;
     }
-    let _e18 = phi_109_;
+    let _e18 = phi_116_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_128_: bool;
-    var phi_129_: bool;
-    var phi_133_: array<u32, 2>;
+    var phi_135_: bool;
+    var phi_136_: bool;
+    var phi_140_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_129_ = true;
+        phi_136_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_128_ = (param_3[0] > param_2[0]);
+            phi_135_ = (param_3[0] > param_2[0]);
         } else {
-            phi_128_ = false;
+            phi_135_ = false;
         }
-        let _e14 = phi_128_;
-        phi_129_ = _e14;
+        let _e14 = phi_135_;
+        phi_136_ = _e14;
     }
-    let _e16 = phi_129_;
+    let _e16 = phi_136_;
     if _e16 {
-        phi_133_ = param_3;
+        phi_140_ = param_3;
     } else {
-        phi_133_ = param_2;
+        phi_140_ = param_2;
     }
-    let _e18 = phi_133_;
+    let _e18 = phi_140_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_152_: bool;
-    var phi_153_: bool;
-    var phi_157_: array<u32, 2>;
+    var phi_159_: bool;
+    var phi_160_: bool;
+    var phi_164_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_153_ = true;
+        phi_160_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_152_ = (param_4[0] > param_5[0]);
+            phi_159_ = (param_4[0] > param_5[0]);
         } else {
-            phi_152_ = false;
+            phi_159_ = false;
         }
-        let _e14 = phi_152_;
-        phi_153_ = _e14;
+        let _e14 = phi_159_;
+        phi_160_ = _e14;
     }
-    let _e16 = phi_153_;
+    let _e16 = phi_160_;
     if _e16 {
-        phi_157_ = param_5;
+        phi_164_ = param_5;
     } else {
-        phi_157_ = param_4;
+        phi_164_ = param_4;
     }
-    let _e18 = phi_157_;
+    let _e18 = phi_164_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_176_: bool;
-    var phi_177_: bool;
-    var phi_181_: array<u32, 2>;
+    var phi_183_: bool;
+    var phi_184_: bool;
+    var phi_188_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_177_ = true;
+        phi_184_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_176_ = (param_7[0] > param_6[0]);
+            phi_183_ = (param_7[0] > param_6[0]);
         } else {
-            phi_176_ = false;
+            phi_183_ = false;
         }
-        let _e14 = phi_176_;
-        phi_177_ = _e14;
+        let _e14 = phi_183_;
+        phi_184_ = _e14;
     }
-    let _e16 = phi_177_;
+    let _e16 = phi_184_;
     if _e16 {
-        phi_181_ = param_7;
+        phi_188_ = param_7;
     } else {
-        phi_181_ = param_6;
+        phi_188_ = param_6;
     }
-    let _e18 = phi_181_;
+    let _e18 = phi_188_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_205_: array<u32, 2>;
+    var phi_207_: bool;
+    var phi_208_: bool;
+    var phi_212_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_201_ = true;
+        phi_208_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_200_ = (param_8[0] > param_9[0]);
+            phi_207_ = (param_8[0] > param_9[0]);
         } else {
-            phi_200_ = false;
+            phi_207_ = false;
         }
-        let _e14 = phi_200_;
-        phi_201_ = _e14;
+        let _e14 = phi_207_;
+        phi_208_ = _e14;
     }
-    let _e16 = phi_201_;
+    let _e16 = phi_208_;
     if _e16 {
-        phi_205_ = param_9;
+        phi_212_ = param_9;
     } else {
-        phi_205_ = param_8;
+        phi_212_ = param_8;
     }
-    let _e18 = phi_205_;
+    let _e18 = phi_212_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_224_: bool;
-    var phi_225_: bool;
-    var phi_229_: array<u32, 2>;
+    var phi_231_: bool;
+    var phi_232_: bool;
+    var phi_236_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_225_ = true;
+        phi_232_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_224_ = (param_11[0] > param_10[0]);
+            phi_231_ = (param_11[0] > param_10[0]);
         } else {
-            phi_224_ = false;
+            phi_231_ = false;
         }
-        let _e14 = phi_224_;
-        phi_225_ = _e14;
+        let _e14 = phi_231_;
+        phi_232_ = _e14;
     }
-    let _e16 = phi_225_;
+    let _e16 = phi_232_;
     if _e16 {
-        phi_229_ = param_11;
+        phi_236_ = param_11;
     } else {
-        phi_229_ = param_10;
+        phi_236_ = param_10;
     }
-    let _e18 = phi_229_;
+    let _e18 = phi_236_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_271_: u32;
-    var phi_281_: u32;
+    var phi_278_: u32;
     var phi_288_: u32;
-    var phi_304_: u32;
-    var phi_325_: u32;
-    var phi_326_: u32;
-    var phi_329_: type_12;
-    var phi_330_: type_12;
-    var phi_353_: type_12;
-    var phi_508_: bool;
-    var phi_514_: bool;
-    var phi_520_: bool;
+    var phi_295_: u32;
+    var phi_311_: u32;
+    var phi_332_: u32;
+    var phi_333_: u32;
+    var phi_336_: type_12;
+    var phi_337_: type_12;
+    var phi_360_: type_12;
+    var phi_515_: bool;
     var phi_521_: bool;
-    var phi_565_: bool;
-    var phi_572_: bool;
-    var phi_576_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_971_: bool;
-    var phi_972_: bool;
-    var phi_1061_: bool;
-    var phi_1062_: bool;
-    var phi_1149_: bool;
-    var phi_1150_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_1156_: bool;
-    var phi_1160_: bool;
+    var phi_527_: bool;
+    var phi_528_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_578_: bool;
+    var phi_694_: bool;
+    var phi_695_: bool;
+    var phi_730_: u32;
+    var phi_731_: u32;
+    var phi_736_: type_14;
+    var phi_739_: u32;
+    var phi_741_: u32;
+    var phi_762_: bool;
+    var phi_768_: type_15;
+    var phi_737_: type_14;
+    var phi_782_: type_15;
+    var phi_850_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_863_: u32;
+    var phi_864_: u32;
+    var phi_865_: u32;
+    var phi_866_: u32;
+    var phi_867_: bool;
+    var phi_740_: u32;
+    var phi_742_: u32;
+    var phi_868_: bool;
+    var local: u32;
+    var local_1: u32;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_928_: bool;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_942_: bool;
+    var phi_943_: bool;
+    var phi_1073_: bool;
+    var phi_1074_: bool;
     var phi_1161_: bool;
     var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1168_: bool;
-    var phi_1180_: u32;
-    var phi_1181_: bool;
-    var phi_1182_: u32;
-    var phi_1183_: bool;
-    var phi_1184_: type_12;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1428_: bool;
+    var phi_1429_: bool;
+    var phi_1516_: bool;
+    var phi_1517_: bool;
+    var phi_1521_: bool;
+    var phi_1522_: bool;
+    var phi_1523_: bool;
+    var phi_1527_: bool;
+    var phi_1528_: bool;
+    var phi_1529_: bool;
+    var phi_1530_: bool;
+    var phi_1531_: bool;
+    var phi_1535_: bool;
+    var phi_1547_: u32;
+    var phi_1548_: bool;
+    var phi_1549_: u32;
+    var phi_1550_: bool;
+    var phi_1551_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -286,375 +342,600 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e25 = id_2;
-    let _e26 = n_2;
-    let _e27 = lane_2;
-    let _e39 = ((_e25.y * _e26.x) + _e25.x);
-    let _e42 = (_e26.x * _e26.y);
-    let _e45 = params.member.member_1.member_2;
-    let _e47 = input.member[0u];
-    if (_e45 < _e47) {
-        phi_271_ = _e45;
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e45 = ((_e31.y * _e32.x) + _e31.x);
+    let _e48 = (_e32.x * _e32.y);
+    let _e51 = params.member.member_1.member_2;
+    let _e53 = input.member[0u];
+    if (_e51 < _e53) {
+        phi_278_ = _e51;
     } else {
-        phi_271_ = _e47;
+        phi_278_ = _e53;
     }
-    let _e50 = phi_271_;
-    let _e52 = params.member.member_1.member_1;
-    if (_e50 > _e52) {
-        let _e55 = params.member.member_1.member_1;
-        phi_281_ = (_e50 - _e55);
+    let _e56 = phi_278_;
+    let _e58 = params.member.member_1.member_1;
+    if (_e56 > _e58) {
+        let _e61 = params.member.member_1.member_1;
+        phi_288_ = (_e56 - _e61);
     } else {
-        phi_281_ = 0u;
+        phi_288_ = 0u;
     }
-    let _e58 = phi_281_;
-    let _e60 = params.member.member_1.member;
-    if (_e60 < _e58) {
-        phi_288_ = _e60;
+    let _e64 = phi_288_;
+    let _e66 = params.member.member_1.member;
+    if (_e66 < _e64) {
+        phi_295_ = _e66;
     } else {
-        phi_288_ = _e58;
+        phi_295_ = _e64;
     }
-    let _e63 = phi_288_;
-    let _e64 = (_e63 / 128u);
-    if ((_e63 % 128u) > 0u) {
-        phi_304_ = (_e64 + 1u);
+    let _e69 = phi_295_;
+    let _e70 = (_e69 / 128u);
+    if ((_e69 % 128u) > 0u) {
+        phi_311_ = (_e70 + 1u);
     } else {
-        phi_304_ = _e64;
+        phi_311_ = _e70;
     }
-    let _e69 = phi_304_;
-    if (_e69 > _e39) {
-        let _e71 = (_e69 - _e39);
-        if (_e42 == 0u) {
+    let _e75 = phi_311_;
+    if (_e75 > _e45) {
+        let _e77 = (_e75 - _e45);
+        if (_e48 == 0u) {
             return;
         }
-        let _e73 = (_e71 / _e42);
-        if (_e42 == 0u) {
+        let _e79 = (_e77 / _e48);
+        if (_e48 == 0u) {
             return;
         }
-        if ((_e71 % _e42) > 0u) {
-            phi_325_ = (_e73 + 1u);
+        if ((_e77 % _e48) > 0u) {
+            phi_332_ = (_e79 + 1u);
         } else {
-            phi_325_ = _e73;
+            phi_332_ = _e79;
         }
-        let _e79 = phi_325_;
-        phi_326_ = _e79;
+        let _e85 = phi_332_;
+        phi_333_ = _e85;
     } else {
-        phi_326_ = 0u;
+        phi_333_ = 0u;
     }
-    let _e81 = phi_326_;
-    phi_329_ = type_12(0u, _e81);
+    let _e87 = phi_333_;
+    phi_336_ = type_12(0u, _e87);
     loop {
-        let _e84 = phi_329_;
-        if (_e84.member < _e84.member_1) {
-            phi_330_ = type_12((_e84.member + 1u), _e84.member_1);
-            phi_353_ = type_12(1u, _e84.member);
+        let _e90 = phi_336_;
+        if (_e90.member < _e90.member_1) {
+            phi_337_ = type_12((_e90.member + 1u), _e90.member_1);
+            phi_360_ = type_12(1u, _e90.member);
         } else {
-            phi_330_ = _e84;
-            phi_353_ = type_12(0u, type_12().member_1);
+            phi_337_ = _e90;
+            phi_360_ = type_12(0u, type_12().member_1);
         }
-        let _e96 = phi_330_;
-        let _e98 = phi_353_;
-        let _e102 = (bitcast<i32>(_e98.member) != 0i);
-        if _e102 {
-            let _e106 = (((_e39 + (_e98.member_1 * _e42)) * 128u) + _e27);
-            if (_e27 == 0u) {
+        let _e102 = phi_337_;
+        let _e104 = phi_360_;
+        let _e108 = (bitcast<i32>(_e104.member) != 0i);
+        if _e108 {
+            let _e112 = (((_e45 + (_e104.member_1 * _e48)) * 128u) + _e33);
+            if (_e33 == 0u) {
                 atomicStore((&counters[0u]), 0u);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e106 < _e63) {
-                let _e112 = params.member.member_1.member_1;
-                let _e114 = (2u * (_e112 + _e106));
-                let _e117 = input.member[(4u + _e114)];
-                let _e120 = input.member[(_e114 + 5u)];
-                let _e123 = elements.member[_e117];
-                let _e125 = elements.member[_e120];
-                let _e135 = params.member.member.member_2[1u];
-                let _e139 = params.member.member.member_2[1u];
-                let _e142 = boxes.member[(_e135 + _e117)];
-                let _e144 = boxes.member[(_e139 + _e120)];
-                let _e147 = params.member.member.member_1;
-                if ((_e147 & 1u) != 0u) {
-                    if (_e125[0] == _e123[0]) {
-                        phi_508_ = true;
+            if (_e112 < _e69) {
+                let _e118 = params.member.member_1.member_1;
+                let _e120 = (2u * (_e118 + _e112));
+                let _e123 = input.member[(4u + _e120)];
+                let _e126 = input.member[(_e120 + 5u)];
+                let _e129 = elements.member[_e123];
+                let _e131 = elements.member[_e126];
+                let _e141 = params.member.member.member_2[1u];
+                let _e145 = params.member.member.member_2[1u];
+                let _e148 = boxes.member[(_e141 + _e123)];
+                let _e150 = boxes.member[(_e145 + _e126)];
+                let _e153 = params.member.member.member_1;
+                if ((_e153 & 1u) != 0u) {
+                    if (_e131[0] == _e129[0]) {
+                        phi_515_ = true;
                     } else {
-                        phi_508_ = (_e125[0] == _e123[1]);
+                        phi_515_ = (_e131[0] == _e129[1]);
                     }
-                    let _e153 = phi_508_;
-                    if (_e125[1] == _e123[0]) {
-                        phi_514_ = true;
+                    let _e159 = phi_515_;
+                    if (_e131[1] == _e129[0]) {
+                        phi_521_ = true;
                     } else {
-                        phi_514_ = (_e125[1] == _e123[1]);
+                        phi_521_ = (_e131[1] == _e129[1]);
                     }
-                    let _e157 = phi_514_;
-                    if (_e153 || _e157) {
-                        phi_520_ = false;
+                    let _e163 = phi_521_;
+                    if (_e159 || _e163) {
+                        phi_527_ = false;
                     } else {
-                        phi_520_ = true;
+                        phi_527_ = true;
                     }
-                    let _e160 = phi_520_;
-                    phi_521_ = _e160;
+                    let _e166 = phi_527_;
+                    phi_528_ = _e166;
                 } else {
-                    phi_521_ = true;
+                    phi_528_ = true;
                 }
-                let _e162 = phi_521_;
-                if _e162 {
-                    let _e164 = params.member.member.member_1;
-                    if ((_e164 & 2u) != 0u) {
-                        let _e168 = params.member.member.member_1;
-                        let _e172 = bodies.member[_e123[0]];
-                        let _e174 = bodies.member[_e125[0]];
-                        if ((_e172 / 2u) != (_e174 / 2u)) {
-                            phi_565_ = true;
+                let _e168 = phi_528_;
+                if _e168 {
+                    let _e170 = params.member.member.member_1;
+                    if ((_e170 & 2u) != 0u) {
+                        let _e174 = bodies.member[_e129[0]];
+                        let _e176 = bodies.member[_e131[0]];
+                        if ((_e174 / 4u) != (_e176 / 4u)) {
+                            phi_571_ = true;
                         } else {
-                            phi_565_ = ((_e168 & 4u) != 0u);
-                        }
-                        let _e179 = phi_565_;
-                        if _e179 {
-                            phi_572_ = (((_e172 & _e174) & 1u) == 0u);
-                        } else {
-                            phi_572_ = false;
-                        }
-                        let _e184 = phi_572_;
-                        phi_576_ = _e184;
-                    } else {
-                        phi_576_ = true;
-                    }
-                    let _e186 = phi_576_;
-                    if _e186 {
-                        let _e188 = params.member.member.member_1;
-                        if ((_e188 & 32u) != 0u) {
-                            let _e192 = params.member.member.member_6;
-                            let _e233 = (((((_e142.member_1[0] - _e144.member[0]) > _e192) && ((_e144.member_1[0] - _e142.member[0]) > _e192)) && (((_e142.member_1[1] - _e144.member[1]) > _e192) && ((_e144.member_1[1] - _e142.member[1]) > _e192))) && (((_e142.member_1[2] - _e144.member[2]) > _e192) && ((_e144.member_1[2] - _e142.member[2]) > _e192)));
-                            if _e233 {
-                                phi_1154_ = bool();
+                            if ((_e174 & 2u) == 0u) {
+                                phi_570_ = false;
                             } else {
-                                let _e235 = keys.member[_e123[0]];
-                                let _e238 = keys.member[_e123[1]];
-                                let _e240 = function_(_e235[0], _e238[0]);
-                                let _e242 = keys.member[_e123[1]];
-                                let _e244 = function_(_e240, _e242[0]);
-                                let _e246 = keys.member[_e125[0]];
-                                let _e249 = keys.member[_e125[1]];
-                                let _e251 = function_1(_e246[3], _e249[3]);
-                                let _e253 = keys.member[_e125[1]];
-                                let _e255 = function_1(_e251, _e253[3]);
-                                if (_e244[1] > _e255[1]) {
-                                    phi_707_ = true;
-                                } else {
-                                    if (_e244[1] == _e255[1]) {
-                                        phi_706_ = (_e244[0] > _e255[0]);
-                                    } else {
-                                        phi_706_ = false;
-                                    }
-                                    let _e266 = phi_706_;
-                                    phi_707_ = _e266;
-                                }
-                                let _e268 = phi_707_;
-                                let _e271 = keys.member[_e125[0]];
-                                let _e274 = keys.member[_e125[1]];
-                                let _e276 = function_(_e271[0], _e274[0]);
-                                let _e278 = keys.member[_e125[1]];
-                                let _e280 = function_(_e276, _e278[0]);
-                                let _e282 = keys.member[_e123[0]];
-                                let _e285 = keys.member[_e123[1]];
-                                let _e287 = function_1(_e282[3], _e285[3]);
-                                let _e289 = keys.member[_e123[1]];
-                                let _e291 = function_1(_e287, _e289[3]);
-                                if (_e280[1] > _e291[1]) {
-                                    phi_795_ = true;
-                                } else {
-                                    if (_e280[1] == _e291[1]) {
-                                        phi_794_ = (_e280[0] > _e291[0]);
-                                    } else {
-                                        phi_794_ = false;
-                                    }
-                                    let _e302 = phi_794_;
-                                    phi_795_ = _e302;
-                                }
-                                let _e304 = phi_795_;
-                                let _e308 = keys.member[_e123[0]];
-                                let _e311 = keys.member[_e123[1]];
-                                let _e313 = function_2(_e308[1], _e311[1]);
-                                let _e315 = keys.member[_e123[1]];
-                                let _e317 = function_2(_e313, _e315[1]);
-                                let _e319 = keys.member[_e125[0]];
-                                let _e322 = keys.member[_e125[1]];
-                                let _e324 = function_3(_e319[4], _e322[4]);
-                                let _e326 = keys.member[_e125[1]];
-                                let _e328 = function_3(_e324, _e326[4]);
-                                if (_e317[1] > _e328[1]) {
-                                    phi_884_ = true;
-                                } else {
-                                    if (_e317[1] == _e328[1]) {
-                                        phi_883_ = (_e317[0] > _e328[0]);
-                                    } else {
-                                        phi_883_ = false;
-                                    }
-                                    let _e339 = phi_883_;
-                                    phi_884_ = _e339;
-                                }
-                                let _e341 = phi_884_;
-                                let _e344 = keys.member[_e125[0]];
-                                let _e347 = keys.member[_e125[1]];
-                                let _e349 = function_2(_e344[1], _e347[1]);
-                                let _e351 = keys.member[_e125[1]];
-                                let _e353 = function_2(_e349, _e351[1]);
-                                let _e355 = keys.member[_e123[0]];
-                                let _e358 = keys.member[_e123[1]];
-                                let _e360 = function_3(_e355[4], _e358[4]);
-                                let _e362 = keys.member[_e123[1]];
-                                let _e364 = function_3(_e360, _e362[4]);
-                                if (_e353[1] > _e364[1]) {
-                                    phi_972_ = true;
-                                } else {
-                                    if (_e353[1] == _e364[1]) {
-                                        phi_971_ = (_e353[0] > _e364[0]);
-                                    } else {
-                                        phi_971_ = false;
-                                    }
-                                    let _e375 = phi_971_;
-                                    phi_972_ = _e375;
-                                }
-                                let _e377 = phi_972_;
-                                let _e382 = keys.member[_e123[0]];
-                                let _e385 = keys.member[_e123[1]];
-                                let _e387 = function_4(_e382[2], _e385[2]);
-                                let _e389 = keys.member[_e123[1]];
-                                let _e391 = function_4(_e387, _e389[2]);
-                                let _e393 = keys.member[_e125[0]];
-                                let _e396 = keys.member[_e125[1]];
-                                let _e398 = function_5(_e393[5], _e396[5]);
-                                let _e400 = keys.member[_e125[1]];
-                                let _e402 = function_5(_e398, _e400[5]);
-                                if (_e391[1] > _e402[1]) {
-                                    phi_1062_ = true;
-                                } else {
-                                    if (_e391[1] == _e402[1]) {
-                                        phi_1061_ = (_e391[0] > _e402[0]);
-                                    } else {
-                                        phi_1061_ = false;
-                                    }
-                                    let _e413 = phi_1061_;
-                                    phi_1062_ = _e413;
-                                }
-                                let _e415 = phi_1062_;
-                                let _e418 = keys.member[_e125[0]];
-                                let _e421 = keys.member[_e125[1]];
-                                let _e423 = function_4(_e418[2], _e421[2]);
-                                let _e425 = keys.member[_e125[1]];
-                                let _e427 = function_4(_e423, _e425[2]);
-                                let _e429 = keys.member[_e123[0]];
-                                let _e432 = keys.member[_e123[1]];
-                                let _e434 = function_5(_e429[5], _e432[5]);
-                                let _e436 = keys.member[_e123[1]];
-                                let _e438 = function_5(_e434, _e436[5]);
-                                if (_e427[1] > _e438[1]) {
-                                    phi_1150_ = true;
-                                } else {
-                                    if (_e427[1] == _e438[1]) {
-                                        phi_1149_ = (_e427[0] > _e438[0]);
-                                    } else {
-                                        phi_1149_ = false;
-                                    }
-                                    let _e449 = phi_1149_;
-                                    phi_1150_ = _e449;
-                                }
-                                let _e451 = phi_1150_;
-                                phi_1154_ = (((!(_e268) && !(_e304)) && (!(_e341) && !(_e377))) && (!(_e415) && !(_e451)));
+                                phi_570_ = true;
                             }
-                            let _e456 = phi_1154_;
-                            phi_1155_ = _e456;
-                            phi_1156_ = _e233;
-                        } else {
-                            phi_1155_ = bool();
-                            phi_1156_ = true;
+                            let _e183 = phi_570_;
+                            phi_571_ = _e183;
                         }
-                        let _e458 = phi_1155_;
-                        let _e460 = phi_1156_;
-                        if _e460 {
-                            phi_1160_ = false;
+                        let _e185 = phi_571_;
+                        if _e185 {
+                            phi_578_ = (((_e174 & _e176) & 1u) == 0u);
                         } else {
-                            phi_1160_ = true;
+                            phi_578_ = false;
                         }
-                        let _e462 = phi_1160_;
-                        phi_1161_ = _e458;
-                        phi_1162_ = _e462;
+                        let _e190 = phi_578_;
+                        if _e190 {
+                            let _e192 = params.member.member.member_1;
+                            if ((_e192 & 4u) != 0u) {
+                                let _e197 = params.member.member.member[0u];
+                                let _e199 = bodies.member[_e197];
+                                let _e202 = bodies.member[(_e197 + 1u)];
+                                let _e207 = ((_e197 + 4u) + (2u * (_e174 >> bitcast<u32>(2i))));
+                                let _e212 = ((_e197 + 4u) + (2u * (_e176 >> bitcast<u32>(2i))));
+                                let _e214 = bodies.member[_e207];
+                                let _e216 = bodies.member[_e212];
+                                let _e225 = bodies.member[((((_e197 + 4u) + (2u * _e199)) + (_e214 * _e202)) + (_e216 / 32u))];
+                                let _e228 = bodies.member[(_e207 + 1u)];
+                                let _e231 = bodies.member[(_e212 + 1u)];
+                                if (_e228 == _e231) {
+                                    if (((_e225 >> bitcast<u32>(((_e216 % 32u) & 31u))) & 1u) == 1u) {
+                                        phi_694_ = true;
+                                    } else {
+                                        phi_694_ = ((_e174 >> bitcast<u32>(2i)) == (_e176 >> bitcast<u32>(2i)));
+                                    }
+                                    let _e245 = phi_694_;
+                                    phi_695_ = _e245;
+                                } else {
+                                    phi_695_ = false;
+                                }
+                                let _e247 = phi_695_;
+                                if _e247 {
+                                    let _e250 = bodies.member[(_e197 + 2u)];
+                                    let _e253 = bodies.member[(_e197 + 3u)];
+                                    let _e254 = (_e253 + _e197);
+                                    if (_e126 < _e123) {
+                                        phi_730_ = _e123;
+                                        phi_731_ = _e126;
+                                    } else {
+                                        phi_730_ = _e126;
+                                        phi_731_ = _e123;
+                                    }
+                                    let _e257 = phi_730_;
+                                    let _e259 = phi_731_;
+                                    phi_736_ = type_14(0i, 32i);
+                                    phi_739_ = _e250;
+                                    phi_741_ = 0u;
+                                    loop {
+                                        let _e261 = phi_736_;
+                                        let _e263 = phi_739_;
+                                        let _e265 = phi_741_;
+                                        local = _e265;
+                                        local_1 = _e265;
+                                        if (_e261.member < _e261.member_1) {
+                                            let _e272 = (_e261.member + 1i);
+                                            if ((false == (_e272 > _e261.member)) != false) {
+                                                phi_762_ = true;
+                                            } else {
+                                                phi_762_ = false;
+                                            }
+                                            let _e277 = phi_762_;
+                                            if _e277 {
+                                                phi_768_ = type_15(0u, type_15().member_1);
+                                            } else {
+                                                phi_768_ = type_15(1u, _e272);
+                                            }
+                                            let _e282 = phi_768_;
+                                            phi_737_ = type_14(_e282.member_1, _e261.member_1);
+                                            phi_782_ = type_15(1u, _e261.member);
+                                        } else {
+                                            phi_737_ = _e261;
+                                            phi_782_ = type_15(0u, type_15().member_1);
+                                        }
+                                        let _e288 = phi_737_;
+                                        let _e290 = phi_782_;
+                                        if (bitcast<i32>(_e290.member) != 0i) {
+                                            if (_e265 >= _e263) {
+                                                phi_865_ = u32();
+                                                phi_866_ = u32();
+                                                phi_867_ = false;
+                                            } else {
+                                                let _e297 = (_e265 + ((_e263 - _e265) / 2u));
+                                                let _e299 = (_e254 + (3u * _e297));
+                                                let _e301 = bodies.member[_e299];
+                                                let _e304 = bodies.member[(_e299 + 1u)];
+                                                let _e307 = bodies.member[(_e299 + 2u)];
+                                                if (_e301 < 1u) {
+                                                    phi_858_ = true;
+                                                } else {
+                                                    if (_e301 == 1u) {
+                                                        if (_e304 < _e259) {
+                                                            phi_852_ = false;
+                                                        } else {
+                                                            if (_e304 == _e259) {
+                                                                if (_e307 < _e257) {
+                                                                    phi_850_ = false;
+                                                                } else {
+                                                                    phi_850_ = true;
+                                                                }
+                                                                let _e314 = phi_850_;
+                                                                phi_851_ = _e314;
+                                                            } else {
+                                                                phi_851_ = true;
+                                                            }
+                                                            let _e316 = phi_851_;
+                                                            phi_852_ = _e316;
+                                                        }
+                                                        let _e318 = phi_852_;
+                                                        phi_853_ = _e318;
+                                                    } else {
+                                                        phi_853_ = true;
+                                                    }
+                                                    let _e320 = phi_853_;
+                                                    if _e320 {
+                                                        phi_857_ = false;
+                                                    } else {
+                                                        phi_857_ = true;
+                                                    }
+                                                    let _e322 = phi_857_;
+                                                    phi_858_ = _e322;
+                                                }
+                                                let _e324 = phi_858_;
+                                                if _e324 {
+                                                    phi_863_ = _e263;
+                                                    phi_864_ = (_e297 + 1u);
+                                                } else {
+                                                    phi_863_ = _e297;
+                                                    phi_864_ = _e265;
+                                                }
+                                                let _e327 = phi_863_;
+                                                let _e329 = phi_864_;
+                                                phi_865_ = _e327;
+                                                phi_866_ = _e329;
+                                                phi_867_ = true;
+                                            }
+                                            let _e331 = phi_865_;
+                                            let _e333 = phi_866_;
+                                            let _e335 = phi_867_;
+                                            phi_740_ = _e331;
+                                            phi_742_ = _e333;
+                                            phi_868_ = _e335;
+                                        } else {
+                                            phi_740_ = u32();
+                                            phi_742_ = u32();
+                                            phi_868_ = false;
+                                        }
+                                        let _e337 = phi_740_;
+                                        let _e339 = phi_742_;
+                                        let _e341 = phi_868_;
+                                        continue;
+                                        continuing {
+                                            phi_736_ = _e288;
+                                            phi_739_ = _e337;
+                                            phi_741_ = _e339;
+                                            break if !(_e341);
+                                        }
+                                    }
+                                    let _e344 = local;
+                                    if (_e344 < _e250) {
+                                        let _e347 = local_1;
+                                        let _e349 = (_e254 + (3u * _e347));
+                                        let _e351 = bodies.member[_e349];
+                                        if (_e351 == 1u) {
+                                            let _e355 = bodies.member[(_e349 + 1u)];
+                                            if (_e355 == _e259) {
+                                                let _e359 = bodies.member[(_e349 + 2u)];
+                                                phi_916_ = (_e359 == _e257);
+                                                phi_917_ = false;
+                                            } else {
+                                                phi_916_ = bool();
+                                                phi_917_ = true;
+                                            }
+                                            let _e362 = phi_916_;
+                                            let _e364 = phi_917_;
+                                            phi_918_ = _e362;
+                                            phi_919_ = _e364;
+                                        } else {
+                                            phi_918_ = bool();
+                                            phi_919_ = true;
+                                        }
+                                        let _e366 = phi_918_;
+                                        let _e368 = phi_919_;
+                                        if _e368 {
+                                            phi_923_ = false;
+                                        } else {
+                                            phi_923_ = _e366;
+                                        }
+                                        let _e370 = phi_923_;
+                                        phi_924_ = _e370;
+                                    } else {
+                                        phi_924_ = false;
+                                    }
+                                    let _e372 = phi_924_;
+                                    phi_928_ = _e372;
+                                } else {
+                                    phi_928_ = true;
+                                }
+                                let _e374 = phi_928_;
+                                if _e374 {
+                                    phi_932_ = false;
+                                } else {
+                                    phi_932_ = true;
+                                }
+                                let _e376 = phi_932_;
+                                phi_933_ = _e376;
+                            } else {
+                                phi_933_ = true;
+                            }
+                            let _e378 = phi_933_;
+                            if _e378 {
+                                phi_937_ = false;
+                            } else {
+                                phi_937_ = true;
+                            }
+                            let _e380 = phi_937_;
+                            phi_938_ = _e380;
+                        } else {
+                            phi_938_ = true;
+                        }
+                        let _e382 = phi_938_;
+                        if _e382 {
+                            phi_942_ = false;
+                        } else {
+                            phi_942_ = true;
+                        }
+                        let _e384 = phi_942_;
+                        phi_943_ = _e384;
                     } else {
-                        phi_1161_ = false;
-                        phi_1162_ = true;
+                        phi_943_ = true;
                     }
-                    let _e464 = phi_1161_;
-                    let _e466 = phi_1162_;
-                    phi_1163_ = _e464;
-                    phi_1164_ = _e466;
+                    let _e386 = phi_943_;
+                    if _e386 {
+                        let _e388 = params.member.member.member_1;
+                        if ((_e388 & 32u) != 0u) {
+                            let _e392 = params.member.member.member_6;
+                            let _e433 = (((((_e148.member_1[0] - _e150.member[0]) > _e392) && ((_e150.member_1[0] - _e148.member[0]) > _e392)) && (((_e148.member_1[1] - _e150.member[1]) > _e392) && ((_e150.member_1[1] - _e148.member[1]) > _e392))) && (((_e148.member_1[2] - _e150.member[2]) > _e392) && ((_e150.member_1[2] - _e148.member[2]) > _e392)));
+                            if _e433 {
+                                phi_1521_ = bool();
+                            } else {
+                                let _e435 = keys.member[_e129[0]];
+                                let _e438 = keys.member[_e129[1]];
+                                let _e440 = function_(_e435[0], _e438[0]);
+                                let _e442 = keys.member[_e129[1]];
+                                let _e444 = function_(_e440, _e442[0]);
+                                let _e446 = keys.member[_e131[0]];
+                                let _e449 = keys.member[_e131[1]];
+                                let _e451 = function_1(_e446[3], _e449[3]);
+                                let _e453 = keys.member[_e131[1]];
+                                let _e455 = function_1(_e451, _e453[3]);
+                                if (_e444[1] > _e455[1]) {
+                                    phi_1074_ = true;
+                                } else {
+                                    if (_e444[1] == _e455[1]) {
+                                        phi_1073_ = (_e444[0] > _e455[0]);
+                                    } else {
+                                        phi_1073_ = false;
+                                    }
+                                    let _e466 = phi_1073_;
+                                    phi_1074_ = _e466;
+                                }
+                                let _e468 = phi_1074_;
+                                let _e471 = keys.member[_e131[0]];
+                                let _e474 = keys.member[_e131[1]];
+                                let _e476 = function_(_e471[0], _e474[0]);
+                                let _e478 = keys.member[_e131[1]];
+                                let _e480 = function_(_e476, _e478[0]);
+                                let _e482 = keys.member[_e129[0]];
+                                let _e485 = keys.member[_e129[1]];
+                                let _e487 = function_1(_e482[3], _e485[3]);
+                                let _e489 = keys.member[_e129[1]];
+                                let _e491 = function_1(_e487, _e489[3]);
+                                if (_e480[1] > _e491[1]) {
+                                    phi_1162_ = true;
+                                } else {
+                                    if (_e480[1] == _e491[1]) {
+                                        phi_1161_ = (_e480[0] > _e491[0]);
+                                    } else {
+                                        phi_1161_ = false;
+                                    }
+                                    let _e502 = phi_1161_;
+                                    phi_1162_ = _e502;
+                                }
+                                let _e504 = phi_1162_;
+                                let _e508 = keys.member[_e129[0]];
+                                let _e511 = keys.member[_e129[1]];
+                                let _e513 = function_2(_e508[1], _e511[1]);
+                                let _e515 = keys.member[_e129[1]];
+                                let _e517 = function_2(_e513, _e515[1]);
+                                let _e519 = keys.member[_e131[0]];
+                                let _e522 = keys.member[_e131[1]];
+                                let _e524 = function_3(_e519[4], _e522[4]);
+                                let _e526 = keys.member[_e131[1]];
+                                let _e528 = function_3(_e524, _e526[4]);
+                                if (_e517[1] > _e528[1]) {
+                                    phi_1251_ = true;
+                                } else {
+                                    if (_e517[1] == _e528[1]) {
+                                        phi_1250_ = (_e517[0] > _e528[0]);
+                                    } else {
+                                        phi_1250_ = false;
+                                    }
+                                    let _e539 = phi_1250_;
+                                    phi_1251_ = _e539;
+                                }
+                                let _e541 = phi_1251_;
+                                let _e544 = keys.member[_e131[0]];
+                                let _e547 = keys.member[_e131[1]];
+                                let _e549 = function_2(_e544[1], _e547[1]);
+                                let _e551 = keys.member[_e131[1]];
+                                let _e553 = function_2(_e549, _e551[1]);
+                                let _e555 = keys.member[_e129[0]];
+                                let _e558 = keys.member[_e129[1]];
+                                let _e560 = function_3(_e555[4], _e558[4]);
+                                let _e562 = keys.member[_e129[1]];
+                                let _e564 = function_3(_e560, _e562[4]);
+                                if (_e553[1] > _e564[1]) {
+                                    phi_1339_ = true;
+                                } else {
+                                    if (_e553[1] == _e564[1]) {
+                                        phi_1338_ = (_e553[0] > _e564[0]);
+                                    } else {
+                                        phi_1338_ = false;
+                                    }
+                                    let _e575 = phi_1338_;
+                                    phi_1339_ = _e575;
+                                }
+                                let _e577 = phi_1339_;
+                                let _e582 = keys.member[_e129[0]];
+                                let _e585 = keys.member[_e129[1]];
+                                let _e587 = function_4(_e582[2], _e585[2]);
+                                let _e589 = keys.member[_e129[1]];
+                                let _e591 = function_4(_e587, _e589[2]);
+                                let _e593 = keys.member[_e131[0]];
+                                let _e596 = keys.member[_e131[1]];
+                                let _e598 = function_5(_e593[5], _e596[5]);
+                                let _e600 = keys.member[_e131[1]];
+                                let _e602 = function_5(_e598, _e600[5]);
+                                if (_e591[1] > _e602[1]) {
+                                    phi_1429_ = true;
+                                } else {
+                                    if (_e591[1] == _e602[1]) {
+                                        phi_1428_ = (_e591[0] > _e602[0]);
+                                    } else {
+                                        phi_1428_ = false;
+                                    }
+                                    let _e613 = phi_1428_;
+                                    phi_1429_ = _e613;
+                                }
+                                let _e615 = phi_1429_;
+                                let _e618 = keys.member[_e131[0]];
+                                let _e621 = keys.member[_e131[1]];
+                                let _e623 = function_4(_e618[2], _e621[2]);
+                                let _e625 = keys.member[_e131[1]];
+                                let _e627 = function_4(_e623, _e625[2]);
+                                let _e629 = keys.member[_e129[0]];
+                                let _e632 = keys.member[_e129[1]];
+                                let _e634 = function_5(_e629[5], _e632[5]);
+                                let _e636 = keys.member[_e129[1]];
+                                let _e638 = function_5(_e634, _e636[5]);
+                                if (_e627[1] > _e638[1]) {
+                                    phi_1517_ = true;
+                                } else {
+                                    if (_e627[1] == _e638[1]) {
+                                        phi_1516_ = (_e627[0] > _e638[0]);
+                                    } else {
+                                        phi_1516_ = false;
+                                    }
+                                    let _e649 = phi_1516_;
+                                    phi_1517_ = _e649;
+                                }
+                                let _e651 = phi_1517_;
+                                phi_1521_ = (((!(_e468) && !(_e504)) && (!(_e541) && !(_e577))) && (!(_e615) && !(_e651)));
+                            }
+                            let _e656 = phi_1521_;
+                            phi_1522_ = _e656;
+                            phi_1523_ = _e433;
+                        } else {
+                            phi_1522_ = bool();
+                            phi_1523_ = true;
+                        }
+                        let _e658 = phi_1522_;
+                        let _e660 = phi_1523_;
+                        if _e660 {
+                            phi_1527_ = false;
+                        } else {
+                            phi_1527_ = true;
+                        }
+                        let _e662 = phi_1527_;
+                        phi_1528_ = _e658;
+                        phi_1529_ = _e662;
+                    } else {
+                        phi_1528_ = false;
+                        phi_1529_ = true;
+                    }
+                    let _e664 = phi_1528_;
+                    let _e666 = phi_1529_;
+                    phi_1530_ = _e664;
+                    phi_1531_ = _e666;
                 } else {
-                    phi_1163_ = false;
-                    phi_1164_ = true;
+                    phi_1530_ = false;
+                    phi_1531_ = true;
                 }
-                let _e468 = phi_1163_;
-                let _e470 = phi_1164_;
-                if _e470 {
-                    phi_1168_ = _e468;
+                let _e668 = phi_1530_;
+                let _e670 = phi_1531_;
+                if _e670 {
+                    phi_1535_ = _e668;
                 } else {
-                    phi_1168_ = true;
+                    phi_1535_ = true;
                 }
-                let _e472 = phi_1168_;
-                if _e472 {
-                    let _e474 = atomicAdd((&counters[1u]), 1u);
-                    let _e476 = atomicAdd((&counters[0u]), 1u);
-                    phi_1180_ = _e476;
-                    phi_1181_ = true;
+                let _e672 = phi_1535_;
+                if _e672 {
+                    let _e674 = atomicAdd((&counters[1u]), 1u);
+                    let _e676 = atomicAdd((&counters[0u]), 1u);
+                    phi_1547_ = _e676;
+                    phi_1548_ = true;
                 } else {
-                    phi_1180_ = 0u;
-                    phi_1181_ = false;
+                    phi_1547_ = 0u;
+                    phi_1548_ = false;
                 }
-                let _e478 = phi_1180_;
-                let _e480 = phi_1181_;
-                phi_1182_ = _e478;
-                phi_1183_ = _e480;
-                phi_1184_ = type_12(_e117, _e120);
+                let _e678 = phi_1547_;
+                let _e680 = phi_1548_;
+                phi_1549_ = _e678;
+                phi_1550_ = _e680;
+                phi_1551_ = type_12(_e123, _e126);
             } else {
-                phi_1182_ = 0u;
-                phi_1183_ = false;
-                phi_1184_ = type_12(0u, 0u);
+                phi_1549_ = 0u;
+                phi_1550_ = false;
+                phi_1551_ = type_12(0u, 0u);
             }
-            let _e482 = phi_1182_;
-            let _e484 = phi_1183_;
-            let _e486 = phi_1184_;
+            let _e682 = phi_1549_;
+            let _e684 = phi_1550_;
+            let _e686 = phi_1551_;
             workgroupBarrier();
-            if (_e27 == 0u) {
-                let _e489 = atomicLoad((&counters[0u]));
-                let _e491 = atomicLoad((&counters[1u]));
-                if (_e489 > 0u) {
-                    let _e494 = atomicAdd((&output.member[0u]), _e489);
-                    if ((_e494 + _e489) < _e494) {
-                        let _e498 = atomicAdd((&output.member[2u]), 1u);
+            if (_e33 == 0u) {
+                let _e689 = atomicLoad((&counters[0u]));
+                let _e691 = atomicLoad((&counters[1u]));
+                if (_e689 > 0u) {
+                    let _e694 = atomicAdd((&output.member[0u]), _e689);
+                    if ((_e694 + _e689) < _e694) {
+                        let _e698 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e494);
+                    atomicStore((&counters[2u]), _e694);
                 }
-                if (_e491 > 0u) {
-                    let _e502 = atomicAdd((&output.member[1u]), _e491);
-                    if ((_e502 + _e491) < _e502) {
-                        let _e506 = atomicAdd((&output.member[3u]), 1u);
+                if (_e691 > 0u) {
+                    let _e702 = atomicAdd((&output.member[1u]), _e691);
+                    if ((_e702 + _e691) < _e702) {
+                        let _e706 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e484 {
-                let _e508 = params.member.member_1.member_3;
-                let _e510 = atomicLoad((&counters[2u]));
-                let _e511 = (_e510 + _e482);
-                if (_e511 < _e508) {
-                    let _e515 = (2u * _e511);
-                    atomicStore((&output.member[(4u + _e515)]), _e486.member);
-                    atomicStore((&output.member[(_e515 + 5u)]), _e486.member_1);
+            if _e684 {
+                let _e708 = params.member.member_1.member_3;
+                let _e710 = atomicLoad((&counters[2u]));
+                let _e711 = (_e710 + _e682);
+                if (_e711 < _e708) {
+                    let _e715 = (2u * _e711);
+                    atomicStore((&output.member[(4u + _e715)]), _e686.member);
+                    atomicStore((&output.member[(_e715 + 5u)]), _e686.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_329_ = _e96;
-            break if !(_e102);
+            phi_336_ = _e102;
+            break if !(_e108);
         }
     }
     return;

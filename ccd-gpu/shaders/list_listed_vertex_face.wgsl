@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -29,257 +35,304 @@ struct type_12 {
     member_1: u32,
 }
 
+struct type_14 {
+    member: i32,
+    member_1: i32,
+}
+
 struct type_15 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_17 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_17 {
-    member: array<type_15>,
-}
-
-struct type_20 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_21 {
-    member: u32,
+struct type_19 {
+    member: array<type_17>,
 }
 
 struct type_22 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_21,
+    member: array<array<array<u32, 2>, 6>>,
 }
 
 struct type_23 {
-    member: type_22,
+    member: u32,
+}
+
+struct type_24 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_23,
 }
 
 struct type_25 {
+    member: type_24,
+}
+
+struct type_27 {
     member: array<array<u32, 3>>,
 }
 
-struct type_28 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_20;
+var<storage> keys: type_22;
 @group(0) @binding(5) 
 var<storage> input: type_10;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_28;
+var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
-var<storage> params: type_23;
+var<storage> params: type_25;
 @group(0) @binding(1) 
-var<storage> boxes: type_17;
+var<storage> boxes: type_19;
 @group(0) @binding(2) 
-var<storage> elements: type_25;
+var<storage> elements: type_27;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_105_: bool;
-    var phi_106_: bool;
-    var phi_110_: array<u32, 2>;
+    var phi_112_: bool;
+    var phi_113_: bool;
+    var phi_117_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_106_ = true;
+        phi_113_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_105_ = (param[0] > param_1[0]);
+            phi_112_ = (param[0] > param_1[0]);
         } else {
-            phi_105_ = false;
+            phi_112_ = false;
         }
-        let _e14 = phi_105_;
-        phi_106_ = _e14;
+        let _e14 = phi_112_;
+        phi_113_ = _e14;
     }
-    let _e16 = phi_106_;
+    let _e16 = phi_113_;
     if _e16 {
-        phi_110_ = param_1;
+        phi_117_ = param_1;
     } else {
-        phi_110_ = param;
+        phi_117_ = param;
     }
-    let _e18 = phi_110_;
+    let _e18 = phi_117_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_129_: bool;
-    var phi_130_: bool;
-    var phi_134_: array<u32, 2>;
+    var phi_136_: bool;
+    var phi_137_: bool;
+    var phi_141_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_130_ = true;
+        phi_137_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_129_ = (param_3[0] > param_2[0]);
+            phi_136_ = (param_3[0] > param_2[0]);
         } else {
-            phi_129_ = false;
+            phi_136_ = false;
         }
-        let _e14 = phi_129_;
-        phi_130_ = _e14;
+        let _e14 = phi_136_;
+        phi_137_ = _e14;
     }
-    let _e16 = phi_130_;
+    let _e16 = phi_137_;
     if _e16 {
-        phi_134_ = param_3;
+        phi_141_ = param_3;
     } else {
-        phi_134_ = param_2;
+        phi_141_ = param_2;
     }
-    let _e18 = phi_134_;
+    let _e18 = phi_141_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_153_: bool;
-    var phi_154_: bool;
-    var phi_158_: array<u32, 2>;
+    var phi_160_: bool;
+    var phi_161_: bool;
+    var phi_165_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_154_ = true;
+        phi_161_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_153_ = (param_4[0] > param_5[0]);
+            phi_160_ = (param_4[0] > param_5[0]);
         } else {
-            phi_153_ = false;
+            phi_160_ = false;
         }
-        let _e14 = phi_153_;
-        phi_154_ = _e14;
+        let _e14 = phi_160_;
+        phi_161_ = _e14;
     }
-    let _e16 = phi_154_;
+    let _e16 = phi_161_;
     if _e16 {
-        phi_158_ = param_5;
+        phi_165_ = param_5;
     } else {
-        phi_158_ = param_4;
+        phi_165_ = param_4;
     }
-    let _e18 = phi_158_;
+    let _e18 = phi_165_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_177_: bool;
-    var phi_178_: bool;
-    var phi_182_: array<u32, 2>;
+    var phi_184_: bool;
+    var phi_185_: bool;
+    var phi_189_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_178_ = true;
+        phi_185_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_177_ = (param_7[0] > param_6[0]);
+            phi_184_ = (param_7[0] > param_6[0]);
         } else {
-            phi_177_ = false;
+            phi_184_ = false;
         }
-        let _e14 = phi_177_;
-        phi_178_ = _e14;
+        let _e14 = phi_184_;
+        phi_185_ = _e14;
     }
-    let _e16 = phi_178_;
+    let _e16 = phi_185_;
     if _e16 {
-        phi_182_ = param_7;
+        phi_189_ = param_7;
     } else {
-        phi_182_ = param_6;
+        phi_189_ = param_6;
     }
-    let _e18 = phi_182_;
+    let _e18 = phi_189_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_201_: bool;
-    var phi_202_: bool;
-    var phi_206_: array<u32, 2>;
+    var phi_208_: bool;
+    var phi_209_: bool;
+    var phi_213_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_202_ = true;
+        phi_209_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_201_ = (param_8[0] > param_9[0]);
+            phi_208_ = (param_8[0] > param_9[0]);
         } else {
-            phi_201_ = false;
+            phi_208_ = false;
         }
-        let _e14 = phi_201_;
-        phi_202_ = _e14;
+        let _e14 = phi_208_;
+        phi_209_ = _e14;
     }
-    let _e16 = phi_202_;
+    let _e16 = phi_209_;
     if _e16 {
-        phi_206_ = param_9;
+        phi_213_ = param_9;
     } else {
-        phi_206_ = param_8;
+        phi_213_ = param_8;
     }
-    let _e18 = phi_206_;
+    let _e18 = phi_213_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_225_: bool;
-    var phi_226_: bool;
-    var phi_230_: array<u32, 2>;
+    var phi_232_: bool;
+    var phi_233_: bool;
+    var phi_237_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_226_ = true;
+        phi_233_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_225_ = (param_11[0] > param_10[0]);
+            phi_232_ = (param_11[0] > param_10[0]);
         } else {
-            phi_225_ = false;
+            phi_232_ = false;
         }
-        let _e14 = phi_225_;
-        phi_226_ = _e14;
+        let _e14 = phi_232_;
+        phi_233_ = _e14;
     }
-    let _e16 = phi_226_;
+    let _e16 = phi_233_;
     if _e16 {
-        phi_230_ = param_11;
+        phi_237_ = param_11;
     } else {
-        phi_230_ = param_10;
+        phi_237_ = param_10;
     }
-    let _e18 = phi_230_;
+    let _e18 = phi_237_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_272_: u32;
-    var phi_282_: u32;
+    var phi_279_: u32;
     var phi_289_: u32;
-    var phi_305_: u32;
-    var phi_326_: u32;
-    var phi_327_: u32;
-    var phi_330_: type_12;
-    var phi_331_: type_12;
-    var phi_354_: type_12;
-    var phi_475_: bool;
+    var phi_296_: u32;
+    var phi_312_: u32;
+    var phi_333_: u32;
+    var phi_334_: u32;
+    var phi_337_: type_12;
+    var phi_338_: type_12;
+    var phi_361_: type_12;
     var phi_482_: bool;
-    var phi_490_: bool;
-    var phi_511_: bool;
-    var phi_512_: bool;
-    var phi_557_: bool;
-    var phi_564_: bool;
-    var phi_568_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_975_: bool;
-    var phi_976_: bool;
+    var phi_489_: bool;
+    var phi_497_: bool;
+    var phi_518_: bool;
+    var phi_519_: bool;
+    var phi_562_: bool;
+    var phi_563_: bool;
+    var phi_570_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_728_: type_14;
+    var phi_731_: u32;
+    var phi_733_: u32;
+    var phi_754_: bool;
+    var phi_760_: type_15;
+    var phi_729_: type_14;
+    var phi_774_: type_15;
+    var phi_842_: bool;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_849_: bool;
+    var phi_855_: u32;
+    var phi_856_: u32;
+    var phi_857_: u32;
+    var phi_858_: u32;
+    var phi_859_: bool;
+    var phi_732_: u32;
+    var phi_734_: u32;
+    var phi_860_: bool;
+    var local: u32;
+    var local_1: u32;
+    var phi_908_: bool;
+    var phi_909_: bool;
+    var phi_910_: bool;
+    var phi_911_: bool;
+    var phi_915_: bool;
+    var phi_916_: bool;
+    var phi_920_: bool;
+    var phi_924_: bool;
+    var phi_925_: bool;
+    var phi_929_: bool;
+    var phi_930_: bool;
+    var phi_934_: bool;
+    var phi_935_: bool;
     var phi_1068_: bool;
     var phi_1069_: bool;
     var phi_1159_: bool;
     var phi_1160_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1178_: bool;
-    var phi_1190_: u32;
-    var phi_1191_: bool;
-    var phi_1192_: u32;
-    var phi_1193_: bool;
-    var phi_1194_: type_12;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1435_: bool;
+    var phi_1436_: bool;
+    var phi_1526_: bool;
+    var phi_1527_: bool;
+    var phi_1531_: bool;
+    var phi_1532_: bool;
+    var phi_1533_: bool;
+    var phi_1537_: bool;
+    var phi_1538_: bool;
+    var phi_1539_: bool;
+    var phi_1540_: bool;
+    var phi_1541_: bool;
+    var phi_1545_: bool;
+    var phi_1557_: u32;
+    var phi_1558_: bool;
+    var phi_1559_: u32;
+    var phi_1560_: bool;
+    var phi_1561_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -287,379 +340,589 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e25 = id_2;
-    let _e26 = n_2;
-    let _e27 = lane_2;
-    let _e39 = ((_e25.y * _e26.x) + _e25.x);
-    let _e42 = (_e26.x * _e26.y);
-    let _e45 = params.member.member_1.member_2;
-    let _e47 = input.member[0u];
-    if (_e45 < _e47) {
-        phi_272_ = _e45;
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e45 = ((_e31.y * _e32.x) + _e31.x);
+    let _e48 = (_e32.x * _e32.y);
+    let _e51 = params.member.member_1.member_2;
+    let _e53 = input.member[0u];
+    if (_e51 < _e53) {
+        phi_279_ = _e51;
     } else {
-        phi_272_ = _e47;
+        phi_279_ = _e53;
     }
-    let _e50 = phi_272_;
-    let _e52 = params.member.member_1.member_1;
-    if (_e50 > _e52) {
-        let _e55 = params.member.member_1.member_1;
-        phi_282_ = (_e50 - _e55);
+    let _e56 = phi_279_;
+    let _e58 = params.member.member_1.member_1;
+    if (_e56 > _e58) {
+        let _e61 = params.member.member_1.member_1;
+        phi_289_ = (_e56 - _e61);
     } else {
-        phi_282_ = 0u;
+        phi_289_ = 0u;
     }
-    let _e58 = phi_282_;
-    let _e60 = params.member.member_1.member;
-    if (_e60 < _e58) {
-        phi_289_ = _e60;
+    let _e64 = phi_289_;
+    let _e66 = params.member.member_1.member;
+    if (_e66 < _e64) {
+        phi_296_ = _e66;
     } else {
-        phi_289_ = _e58;
+        phi_296_ = _e64;
     }
-    let _e63 = phi_289_;
-    let _e64 = (_e63 / 128u);
-    if ((_e63 % 128u) > 0u) {
-        phi_305_ = (_e64 + 1u);
+    let _e69 = phi_296_;
+    let _e70 = (_e69 / 128u);
+    if ((_e69 % 128u) > 0u) {
+        phi_312_ = (_e70 + 1u);
     } else {
-        phi_305_ = _e64;
+        phi_312_ = _e70;
     }
-    let _e69 = phi_305_;
-    if (_e69 > _e39) {
-        let _e71 = (_e69 - _e39);
-        if (_e42 == 0u) {
+    let _e75 = phi_312_;
+    if (_e75 > _e45) {
+        let _e77 = (_e75 - _e45);
+        if (_e48 == 0u) {
             return;
         }
-        let _e73 = (_e71 / _e42);
-        if (_e42 == 0u) {
+        let _e79 = (_e77 / _e48);
+        if (_e48 == 0u) {
             return;
         }
-        if ((_e71 % _e42) > 0u) {
-            phi_326_ = (_e73 + 1u);
+        if ((_e77 % _e48) > 0u) {
+            phi_333_ = (_e79 + 1u);
         } else {
-            phi_326_ = _e73;
+            phi_333_ = _e79;
         }
-        let _e79 = phi_326_;
-        phi_327_ = _e79;
+        let _e85 = phi_333_;
+        phi_334_ = _e85;
     } else {
-        phi_327_ = 0u;
+        phi_334_ = 0u;
     }
-    let _e81 = phi_327_;
-    phi_330_ = type_12(0u, _e81);
+    let _e87 = phi_334_;
+    phi_337_ = type_12(0u, _e87);
     loop {
-        let _e84 = phi_330_;
-        if (_e84.member < _e84.member_1) {
-            phi_331_ = type_12((_e84.member + 1u), _e84.member_1);
-            phi_354_ = type_12(1u, _e84.member);
+        let _e90 = phi_337_;
+        if (_e90.member < _e90.member_1) {
+            phi_338_ = type_12((_e90.member + 1u), _e90.member_1);
+            phi_361_ = type_12(1u, _e90.member);
         } else {
-            phi_331_ = _e84;
-            phi_354_ = type_12(0u, type_12().member_1);
+            phi_338_ = _e90;
+            phi_361_ = type_12(0u, type_12().member_1);
         }
-        let _e96 = phi_331_;
-        let _e98 = phi_354_;
-        let _e102 = (bitcast<i32>(_e98.member) != 0i);
-        if _e102 {
-            let _e106 = (((_e39 + (_e98.member_1 * _e42)) * 128u) + _e27);
-            if (_e27 == 0u) {
+        let _e102 = phi_338_;
+        let _e104 = phi_361_;
+        let _e108 = (bitcast<i32>(_e104.member) != 0i);
+        if _e108 {
+            let _e112 = (((_e45 + (_e104.member_1 * _e48)) * 128u) + _e33);
+            if (_e33 == 0u) {
                 atomicStore((&counters[0u]), 0u);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e106 < _e63) {
-                let _e112 = params.member.member_1.member_1;
-                let _e114 = (2u * (_e112 + _e106));
-                let _e117 = input.member[(4u + _e114)];
-                let _e120 = input.member[(_e114 + 5u)];
-                let _e123 = elements.member[_e120];
-                let _e127 = params.member.member.member_2[2u];
-                let _e130 = boxes.member[_e117];
-                let _e132 = boxes.member[(_e127 + _e120)];
-                let _e135 = params.member.member.member_1;
-                if ((_e135 & 1u) != 0u) {
-                    if (_e123[0] == _e117) {
-                        phi_475_ = true;
-                    } else {
-                        phi_475_ = (_e123[0] == _e117);
-                    }
-                    let _e142 = phi_475_;
-                    if (_e123[1] == _e117) {
+            if (_e112 < _e69) {
+                let _e118 = params.member.member_1.member_1;
+                let _e120 = (2u * (_e118 + _e112));
+                let _e123 = input.member[(4u + _e120)];
+                let _e126 = input.member[(_e120 + 5u)];
+                let _e129 = elements.member[_e126];
+                let _e133 = params.member.member.member_2[2u];
+                let _e136 = boxes.member[_e123];
+                let _e138 = boxes.member[(_e133 + _e126)];
+                let _e141 = params.member.member.member_1;
+                if ((_e141 & 1u) != 0u) {
+                    if (_e129[0] == _e123) {
                         phi_482_ = true;
                     } else {
-                        phi_482_ = (_e123[1] == _e117);
+                        phi_482_ = (_e129[0] == _e123);
                     }
-                    let _e147 = phi_482_;
-                    if (_e123[2] == _e117) {
-                        phi_490_ = true;
+                    let _e148 = phi_482_;
+                    if (_e129[1] == _e123) {
+                        phi_489_ = true;
                     } else {
-                        phi_490_ = (_e123[2] == _e117);
+                        phi_489_ = (_e129[1] == _e123);
                     }
-                    let _e153 = phi_490_;
-                    if ((_e142 || _e147) || _e153) {
-                        phi_511_ = false;
+                    let _e153 = phi_489_;
+                    if (_e129[2] == _e123) {
+                        phi_497_ = true;
                     } else {
-                        phi_511_ = true;
+                        phi_497_ = (_e129[2] == _e123);
                     }
-                    let _e156 = phi_511_;
-                    phi_512_ = _e156;
+                    let _e159 = phi_497_;
+                    if ((_e148 || _e153) || _e159) {
+                        phi_518_ = false;
+                    } else {
+                        phi_518_ = true;
+                    }
+                    let _e162 = phi_518_;
+                    phi_519_ = _e162;
                 } else {
-                    phi_512_ = true;
+                    phi_519_ = true;
                 }
-                let _e158 = phi_512_;
-                if _e158 {
-                    let _e160 = params.member.member.member_1;
-                    if ((_e160 & 2u) != 0u) {
-                        let _e164 = params.member.member.member_1;
-                        let _e168 = bodies.member[_e117];
-                        let _e171 = bodies.member[_e123[0]];
-                        if ((_e168 / 2u) != (_e171 / 2u)) {
-                            phi_557_ = true;
+                let _e164 = phi_519_;
+                if _e164 {
+                    let _e166 = params.member.member.member_1;
+                    if ((_e166 & 2u) != 0u) {
+                        let _e170 = bodies.member[_e123];
+                        let _e173 = bodies.member[_e129[0]];
+                        if ((_e170 / 4u) != (_e173 / 4u)) {
+                            phi_563_ = true;
                         } else {
-                            phi_557_ = ((_e164 & 4u) != 0u);
-                        }
-                        let _e176 = phi_557_;
-                        if _e176 {
-                            phi_564_ = (((_e168 & _e171) & 1u) == 0u);
-                        } else {
-                            phi_564_ = false;
-                        }
-                        let _e181 = phi_564_;
-                        phi_568_ = _e181;
-                    } else {
-                        phi_568_ = true;
-                    }
-                    let _e183 = phi_568_;
-                    if _e183 {
-                        let _e185 = params.member.member.member_1;
-                        if ((_e185 & 32u) != 0u) {
-                            let _e189 = params.member.member.member_6;
-                            let _e230 = (((((_e130.member_1[0] - _e132.member[0]) > _e189) && ((_e132.member_1[0] - _e130.member[0]) > _e189)) && (((_e130.member_1[1] - _e132.member[1]) > _e189) && ((_e132.member_1[1] - _e130.member[1]) > _e189))) && (((_e130.member_1[2] - _e132.member[2]) > _e189) && ((_e132.member_1[2] - _e130.member[2]) > _e189)));
-                            if _e230 {
-                                phi_1164_ = bool();
+                            if ((_e170 & 2u) == 0u) {
+                                phi_562_ = false;
                             } else {
-                                let _e232 = keys.member[_e117];
-                                let _e235 = keys.member[_e117];
-                                let _e237 = function_(_e232[0], _e235[0]);
-                                let _e239 = keys.member[_e117];
-                                let _e241 = function_(_e237, _e239[0]);
-                                let _e244 = keys.member[_e123[0]];
-                                let _e248 = keys.member[_e123[1]];
-                                let _e250 = function_1(_e244[3], _e248[3]);
-                                let _e253 = keys.member[_e123[2]];
-                                let _e255 = function_1(_e250, _e253[3]);
-                                if (_e241[1] > _e255[1]) {
-                                    phi_702_ = true;
-                                } else {
-                                    if (_e241[1] == _e255[1]) {
-                                        phi_701_ = (_e241[0] > _e255[0]);
+                                phi_562_ = true;
+                            }
+                            let _e180 = phi_562_;
+                            phi_563_ = _e180;
+                        }
+                        let _e182 = phi_563_;
+                        if _e182 {
+                            phi_570_ = (((_e170 & _e173) & 1u) == 0u);
+                        } else {
+                            phi_570_ = false;
+                        }
+                        let _e187 = phi_570_;
+                        if _e187 {
+                            let _e189 = params.member.member.member_1;
+                            if ((_e189 & 4u) != 0u) {
+                                let _e194 = params.member.member.member[0u];
+                                let _e196 = bodies.member[_e194];
+                                let _e199 = bodies.member[(_e194 + 1u)];
+                                let _e204 = ((_e194 + 4u) + (2u * (_e170 >> bitcast<u32>(2i))));
+                                let _e209 = ((_e194 + 4u) + (2u * (_e173 >> bitcast<u32>(2i))));
+                                let _e211 = bodies.member[_e204];
+                                let _e213 = bodies.member[_e209];
+                                let _e222 = bodies.member[((((_e194 + 4u) + (2u * _e196)) + (_e211 * _e199)) + (_e213 / 32u))];
+                                let _e225 = bodies.member[(_e204 + 1u)];
+                                let _e228 = bodies.member[(_e209 + 1u)];
+                                if (_e225 == _e228) {
+                                    if (((_e222 >> bitcast<u32>(((_e213 % 32u) & 31u))) & 1u) == 1u) {
+                                        phi_686_ = true;
                                     } else {
-                                        phi_701_ = false;
+                                        phi_686_ = ((_e170 >> bitcast<u32>(2i)) == (_e173 >> bitcast<u32>(2i)));
                                     }
-                                    let _e266 = phi_701_;
-                                    phi_702_ = _e266;
-                                }
-                                let _e268 = phi_702_;
-                                let _e272 = keys.member[_e123[0]];
-                                let _e276 = keys.member[_e123[1]];
-                                let _e278 = function_(_e272[0], _e276[0]);
-                                let _e281 = keys.member[_e123[2]];
-                                let _e283 = function_(_e278, _e281[0]);
-                                let _e285 = keys.member[_e117];
-                                let _e288 = keys.member[_e117];
-                                let _e290 = function_1(_e285[3], _e288[3]);
-                                let _e292 = keys.member[_e117];
-                                let _e294 = function_1(_e290, _e292[3]);
-                                if (_e283[1] > _e294[1]) {
-                                    phi_793_ = true;
+                                    let _e242 = phi_686_;
+                                    phi_687_ = _e242;
                                 } else {
-                                    if (_e283[1] == _e294[1]) {
-                                        phi_792_ = (_e283[0] > _e294[0]);
-                                    } else {
-                                        phi_792_ = false;
-                                    }
-                                    let _e305 = phi_792_;
-                                    phi_793_ = _e305;
+                                    phi_687_ = false;
                                 }
-                                let _e307 = phi_793_;
-                                let _e311 = keys.member[_e117];
-                                let _e314 = keys.member[_e117];
-                                let _e316 = function_2(_e311[1], _e314[1]);
-                                let _e318 = keys.member[_e117];
-                                let _e320 = function_2(_e316, _e318[1]);
-                                let _e323 = keys.member[_e123[0]];
-                                let _e327 = keys.member[_e123[1]];
-                                let _e329 = function_3(_e323[4], _e327[4]);
-                                let _e332 = keys.member[_e123[2]];
-                                let _e334 = function_3(_e329, _e332[4]);
-                                if (_e320[1] > _e334[1]) {
-                                    phi_885_ = true;
+                                let _e244 = phi_687_;
+                                if _e244 {
+                                    let _e247 = bodies.member[(_e194 + 2u)];
+                                    let _e250 = bodies.member[(_e194 + 3u)];
+                                    let _e251 = (_e250 + _e194);
+                                    phi_728_ = type_14(0i, 32i);
+                                    phi_731_ = _e247;
+                                    phi_733_ = 0u;
+                                    loop {
+                                        let _e253 = phi_728_;
+                                        let _e255 = phi_731_;
+                                        let _e257 = phi_733_;
+                                        local = _e257;
+                                        local_1 = _e257;
+                                        if (_e253.member < _e253.member_1) {
+                                            let _e264 = (_e253.member + 1i);
+                                            if ((false == (_e264 > _e253.member)) != false) {
+                                                phi_754_ = true;
+                                            } else {
+                                                phi_754_ = false;
+                                            }
+                                            let _e269 = phi_754_;
+                                            if _e269 {
+                                                phi_760_ = type_15(0u, type_15().member_1);
+                                            } else {
+                                                phi_760_ = type_15(1u, _e264);
+                                            }
+                                            let _e274 = phi_760_;
+                                            phi_729_ = type_14(_e274.member_1, _e253.member_1);
+                                            phi_774_ = type_15(1u, _e253.member);
+                                        } else {
+                                            phi_729_ = _e253;
+                                            phi_774_ = type_15(0u, type_15().member_1);
+                                        }
+                                        let _e280 = phi_729_;
+                                        let _e282 = phi_774_;
+                                        if (bitcast<i32>(_e282.member) != 0i) {
+                                            if (_e257 >= _e255) {
+                                                phi_857_ = u32();
+                                                phi_858_ = u32();
+                                                phi_859_ = false;
+                                            } else {
+                                                let _e289 = (_e257 + ((_e255 - _e257) / 2u));
+                                                let _e291 = (_e251 + (3u * _e289));
+                                                let _e293 = bodies.member[_e291];
+                                                let _e296 = bodies.member[(_e291 + 1u)];
+                                                let _e299 = bodies.member[(_e291 + 2u)];
+                                                if (_e293 == 0u) {
+                                                    if (_e296 < _e123) {
+                                                        phi_844_ = false;
+                                                    } else {
+                                                        if (_e296 == _e123) {
+                                                            if (_e299 < _e126) {
+                                                                phi_842_ = false;
+                                                            } else {
+                                                                phi_842_ = true;
+                                                            }
+                                                            let _e305 = phi_842_;
+                                                            phi_843_ = _e305;
+                                                        } else {
+                                                            phi_843_ = true;
+                                                        }
+                                                        let _e307 = phi_843_;
+                                                        phi_844_ = _e307;
+                                                    }
+                                                    let _e309 = phi_844_;
+                                                    phi_845_ = _e309;
+                                                } else {
+                                                    phi_845_ = true;
+                                                }
+                                                let _e311 = phi_845_;
+                                                if _e311 {
+                                                    phi_849_ = false;
+                                                } else {
+                                                    phi_849_ = true;
+                                                }
+                                                let _e313 = phi_849_;
+                                                if _e313 {
+                                                    phi_855_ = _e255;
+                                                    phi_856_ = (_e289 + 1u);
+                                                } else {
+                                                    phi_855_ = _e289;
+                                                    phi_856_ = _e257;
+                                                }
+                                                let _e316 = phi_855_;
+                                                let _e318 = phi_856_;
+                                                phi_857_ = _e316;
+                                                phi_858_ = _e318;
+                                                phi_859_ = true;
+                                            }
+                                            let _e320 = phi_857_;
+                                            let _e322 = phi_858_;
+                                            let _e324 = phi_859_;
+                                            phi_732_ = _e320;
+                                            phi_734_ = _e322;
+                                            phi_860_ = _e324;
+                                        } else {
+                                            phi_732_ = u32();
+                                            phi_734_ = u32();
+                                            phi_860_ = false;
+                                        }
+                                        let _e326 = phi_732_;
+                                        let _e328 = phi_734_;
+                                        let _e330 = phi_860_;
+                                        continue;
+                                        continuing {
+                                            phi_728_ = _e280;
+                                            phi_731_ = _e326;
+                                            phi_733_ = _e328;
+                                            break if !(_e330);
+                                        }
+                                    }
+                                    let _e333 = local;
+                                    if (_e333 < _e247) {
+                                        let _e336 = local_1;
+                                        let _e338 = (_e251 + (3u * _e336));
+                                        let _e340 = bodies.member[_e338];
+                                        if (_e340 == 0u) {
+                                            let _e344 = bodies.member[(_e338 + 1u)];
+                                            if (_e344 == _e123) {
+                                                let _e348 = bodies.member[(_e338 + 2u)];
+                                                phi_908_ = (_e348 == _e126);
+                                                phi_909_ = false;
+                                            } else {
+                                                phi_908_ = bool();
+                                                phi_909_ = true;
+                                            }
+                                            let _e351 = phi_908_;
+                                            let _e353 = phi_909_;
+                                            phi_910_ = _e351;
+                                            phi_911_ = _e353;
+                                        } else {
+                                            phi_910_ = bool();
+                                            phi_911_ = true;
+                                        }
+                                        let _e355 = phi_910_;
+                                        let _e357 = phi_911_;
+                                        if _e357 {
+                                            phi_915_ = false;
+                                        } else {
+                                            phi_915_ = _e355;
+                                        }
+                                        let _e359 = phi_915_;
+                                        phi_916_ = _e359;
+                                    } else {
+                                        phi_916_ = false;
+                                    }
+                                    let _e361 = phi_916_;
+                                    phi_920_ = _e361;
                                 } else {
-                                    if (_e320[1] == _e334[1]) {
-                                        phi_884_ = (_e320[0] > _e334[0]);
-                                    } else {
-                                        phi_884_ = false;
-                                    }
-                                    let _e345 = phi_884_;
-                                    phi_885_ = _e345;
+                                    phi_920_ = true;
                                 }
-                                let _e347 = phi_885_;
-                                let _e351 = keys.member[_e123[0]];
-                                let _e355 = keys.member[_e123[1]];
-                                let _e357 = function_2(_e351[1], _e355[1]);
-                                let _e360 = keys.member[_e123[2]];
-                                let _e362 = function_2(_e357, _e360[1]);
-                                let _e364 = keys.member[_e117];
-                                let _e367 = keys.member[_e117];
-                                let _e369 = function_3(_e364[4], _e367[4]);
-                                let _e371 = keys.member[_e117];
-                                let _e373 = function_3(_e369, _e371[4]);
-                                if (_e362[1] > _e373[1]) {
-                                    phi_976_ = true;
+                                let _e363 = phi_920_;
+                                if _e363 {
+                                    phi_924_ = false;
                                 } else {
-                                    if (_e362[1] == _e373[1]) {
-                                        phi_975_ = (_e362[0] > _e373[0]);
-                                    } else {
-                                        phi_975_ = false;
-                                    }
-                                    let _e384 = phi_975_;
-                                    phi_976_ = _e384;
+                                    phi_924_ = true;
                                 }
-                                let _e386 = phi_976_;
-                                let _e391 = keys.member[_e117];
-                                let _e394 = keys.member[_e117];
-                                let _e396 = function_4(_e391[2], _e394[2]);
-                                let _e398 = keys.member[_e117];
-                                let _e400 = function_4(_e396, _e398[2]);
-                                let _e403 = keys.member[_e123[0]];
-                                let _e407 = keys.member[_e123[1]];
-                                let _e409 = function_5(_e403[5], _e407[5]);
-                                let _e412 = keys.member[_e123[2]];
-                                let _e414 = function_5(_e409, _e412[5]);
-                                if (_e400[1] > _e414[1]) {
+                                let _e365 = phi_924_;
+                                phi_925_ = _e365;
+                            } else {
+                                phi_925_ = true;
+                            }
+                            let _e367 = phi_925_;
+                            if _e367 {
+                                phi_929_ = false;
+                            } else {
+                                phi_929_ = true;
+                            }
+                            let _e369 = phi_929_;
+                            phi_930_ = _e369;
+                        } else {
+                            phi_930_ = true;
+                        }
+                        let _e371 = phi_930_;
+                        if _e371 {
+                            phi_934_ = false;
+                        } else {
+                            phi_934_ = true;
+                        }
+                        let _e373 = phi_934_;
+                        phi_935_ = _e373;
+                    } else {
+                        phi_935_ = true;
+                    }
+                    let _e375 = phi_935_;
+                    if _e375 {
+                        let _e377 = params.member.member.member_1;
+                        if ((_e377 & 32u) != 0u) {
+                            let _e381 = params.member.member.member_6;
+                            let _e422 = (((((_e136.member_1[0] - _e138.member[0]) > _e381) && ((_e138.member_1[0] - _e136.member[0]) > _e381)) && (((_e136.member_1[1] - _e138.member[1]) > _e381) && ((_e138.member_1[1] - _e136.member[1]) > _e381))) && (((_e136.member_1[2] - _e138.member[2]) > _e381) && ((_e138.member_1[2] - _e136.member[2]) > _e381)));
+                            if _e422 {
+                                phi_1531_ = bool();
+                            } else {
+                                let _e424 = keys.member[_e123];
+                                let _e427 = keys.member[_e123];
+                                let _e429 = function_(_e424[0], _e427[0]);
+                                let _e431 = keys.member[_e123];
+                                let _e433 = function_(_e429, _e431[0]);
+                                let _e436 = keys.member[_e129[0]];
+                                let _e440 = keys.member[_e129[1]];
+                                let _e442 = function_1(_e436[3], _e440[3]);
+                                let _e445 = keys.member[_e129[2]];
+                                let _e447 = function_1(_e442, _e445[3]);
+                                if (_e433[1] > _e447[1]) {
                                     phi_1069_ = true;
                                 } else {
-                                    if (_e400[1] == _e414[1]) {
-                                        phi_1068_ = (_e400[0] > _e414[0]);
+                                    if (_e433[1] == _e447[1]) {
+                                        phi_1068_ = (_e433[0] > _e447[0]);
                                     } else {
                                         phi_1068_ = false;
                                     }
-                                    let _e425 = phi_1068_;
-                                    phi_1069_ = _e425;
+                                    let _e458 = phi_1068_;
+                                    phi_1069_ = _e458;
                                 }
-                                let _e427 = phi_1069_;
-                                let _e431 = keys.member[_e123[0]];
-                                let _e435 = keys.member[_e123[1]];
-                                let _e437 = function_4(_e431[2], _e435[2]);
-                                let _e440 = keys.member[_e123[2]];
-                                let _e442 = function_4(_e437, _e440[2]);
-                                let _e444 = keys.member[_e117];
-                                let _e447 = keys.member[_e117];
-                                let _e449 = function_5(_e444[5], _e447[5]);
-                                let _e451 = keys.member[_e117];
-                                let _e453 = function_5(_e449, _e451[5]);
-                                if (_e442[1] > _e453[1]) {
+                                let _e460 = phi_1069_;
+                                let _e464 = keys.member[_e129[0]];
+                                let _e468 = keys.member[_e129[1]];
+                                let _e470 = function_(_e464[0], _e468[0]);
+                                let _e473 = keys.member[_e129[2]];
+                                let _e475 = function_(_e470, _e473[0]);
+                                let _e477 = keys.member[_e123];
+                                let _e480 = keys.member[_e123];
+                                let _e482 = function_1(_e477[3], _e480[3]);
+                                let _e484 = keys.member[_e123];
+                                let _e486 = function_1(_e482, _e484[3]);
+                                if (_e475[1] > _e486[1]) {
                                     phi_1160_ = true;
                                 } else {
-                                    if (_e442[1] == _e453[1]) {
-                                        phi_1159_ = (_e442[0] > _e453[0]);
+                                    if (_e475[1] == _e486[1]) {
+                                        phi_1159_ = (_e475[0] > _e486[0]);
                                     } else {
                                         phi_1159_ = false;
                                     }
-                                    let _e464 = phi_1159_;
-                                    phi_1160_ = _e464;
+                                    let _e497 = phi_1159_;
+                                    phi_1160_ = _e497;
                                 }
-                                let _e466 = phi_1160_;
-                                phi_1164_ = (((!(_e268) && !(_e307)) && (!(_e347) && !(_e386))) && (!(_e427) && !(_e466)));
+                                let _e499 = phi_1160_;
+                                let _e503 = keys.member[_e123];
+                                let _e506 = keys.member[_e123];
+                                let _e508 = function_2(_e503[1], _e506[1]);
+                                let _e510 = keys.member[_e123];
+                                let _e512 = function_2(_e508, _e510[1]);
+                                let _e515 = keys.member[_e129[0]];
+                                let _e519 = keys.member[_e129[1]];
+                                let _e521 = function_3(_e515[4], _e519[4]);
+                                let _e524 = keys.member[_e129[2]];
+                                let _e526 = function_3(_e521, _e524[4]);
+                                if (_e512[1] > _e526[1]) {
+                                    phi_1252_ = true;
+                                } else {
+                                    if (_e512[1] == _e526[1]) {
+                                        phi_1251_ = (_e512[0] > _e526[0]);
+                                    } else {
+                                        phi_1251_ = false;
+                                    }
+                                    let _e537 = phi_1251_;
+                                    phi_1252_ = _e537;
+                                }
+                                let _e539 = phi_1252_;
+                                let _e543 = keys.member[_e129[0]];
+                                let _e547 = keys.member[_e129[1]];
+                                let _e549 = function_2(_e543[1], _e547[1]);
+                                let _e552 = keys.member[_e129[2]];
+                                let _e554 = function_2(_e549, _e552[1]);
+                                let _e556 = keys.member[_e123];
+                                let _e559 = keys.member[_e123];
+                                let _e561 = function_3(_e556[4], _e559[4]);
+                                let _e563 = keys.member[_e123];
+                                let _e565 = function_3(_e561, _e563[4]);
+                                if (_e554[1] > _e565[1]) {
+                                    phi_1343_ = true;
+                                } else {
+                                    if (_e554[1] == _e565[1]) {
+                                        phi_1342_ = (_e554[0] > _e565[0]);
+                                    } else {
+                                        phi_1342_ = false;
+                                    }
+                                    let _e576 = phi_1342_;
+                                    phi_1343_ = _e576;
+                                }
+                                let _e578 = phi_1343_;
+                                let _e583 = keys.member[_e123];
+                                let _e586 = keys.member[_e123];
+                                let _e588 = function_4(_e583[2], _e586[2]);
+                                let _e590 = keys.member[_e123];
+                                let _e592 = function_4(_e588, _e590[2]);
+                                let _e595 = keys.member[_e129[0]];
+                                let _e599 = keys.member[_e129[1]];
+                                let _e601 = function_5(_e595[5], _e599[5]);
+                                let _e604 = keys.member[_e129[2]];
+                                let _e606 = function_5(_e601, _e604[5]);
+                                if (_e592[1] > _e606[1]) {
+                                    phi_1436_ = true;
+                                } else {
+                                    if (_e592[1] == _e606[1]) {
+                                        phi_1435_ = (_e592[0] > _e606[0]);
+                                    } else {
+                                        phi_1435_ = false;
+                                    }
+                                    let _e617 = phi_1435_;
+                                    phi_1436_ = _e617;
+                                }
+                                let _e619 = phi_1436_;
+                                let _e623 = keys.member[_e129[0]];
+                                let _e627 = keys.member[_e129[1]];
+                                let _e629 = function_4(_e623[2], _e627[2]);
+                                let _e632 = keys.member[_e129[2]];
+                                let _e634 = function_4(_e629, _e632[2]);
+                                let _e636 = keys.member[_e123];
+                                let _e639 = keys.member[_e123];
+                                let _e641 = function_5(_e636[5], _e639[5]);
+                                let _e643 = keys.member[_e123];
+                                let _e645 = function_5(_e641, _e643[5]);
+                                if (_e634[1] > _e645[1]) {
+                                    phi_1527_ = true;
+                                } else {
+                                    if (_e634[1] == _e645[1]) {
+                                        phi_1526_ = (_e634[0] > _e645[0]);
+                                    } else {
+                                        phi_1526_ = false;
+                                    }
+                                    let _e656 = phi_1526_;
+                                    phi_1527_ = _e656;
+                                }
+                                let _e658 = phi_1527_;
+                                phi_1531_ = (((!(_e460) && !(_e499)) && (!(_e539) && !(_e578))) && (!(_e619) && !(_e658)));
                             }
-                            let _e471 = phi_1164_;
-                            phi_1165_ = _e471;
-                            phi_1166_ = _e230;
+                            let _e663 = phi_1531_;
+                            phi_1532_ = _e663;
+                            phi_1533_ = _e422;
                         } else {
-                            phi_1165_ = bool();
-                            phi_1166_ = true;
+                            phi_1532_ = bool();
+                            phi_1533_ = true;
                         }
-                        let _e473 = phi_1165_;
-                        let _e475 = phi_1166_;
-                        if _e475 {
-                            phi_1170_ = false;
+                        let _e665 = phi_1532_;
+                        let _e667 = phi_1533_;
+                        if _e667 {
+                            phi_1537_ = false;
                         } else {
-                            phi_1170_ = true;
+                            phi_1537_ = true;
                         }
-                        let _e477 = phi_1170_;
-                        phi_1171_ = _e473;
-                        phi_1172_ = _e477;
+                        let _e669 = phi_1537_;
+                        phi_1538_ = _e665;
+                        phi_1539_ = _e669;
                     } else {
-                        phi_1171_ = false;
-                        phi_1172_ = true;
+                        phi_1538_ = false;
+                        phi_1539_ = true;
                     }
-                    let _e479 = phi_1171_;
-                    let _e481 = phi_1172_;
-                    phi_1173_ = _e479;
-                    phi_1174_ = _e481;
+                    let _e671 = phi_1538_;
+                    let _e673 = phi_1539_;
+                    phi_1540_ = _e671;
+                    phi_1541_ = _e673;
                 } else {
-                    phi_1173_ = false;
-                    phi_1174_ = true;
+                    phi_1540_ = false;
+                    phi_1541_ = true;
                 }
-                let _e483 = phi_1173_;
-                let _e485 = phi_1174_;
-                if _e485 {
-                    phi_1178_ = _e483;
+                let _e675 = phi_1540_;
+                let _e677 = phi_1541_;
+                if _e677 {
+                    phi_1545_ = _e675;
                 } else {
-                    phi_1178_ = true;
+                    phi_1545_ = true;
                 }
-                let _e487 = phi_1178_;
-                if _e487 {
-                    let _e489 = atomicAdd((&counters[1u]), 1u);
-                    let _e491 = atomicAdd((&counters[0u]), 1u);
-                    phi_1190_ = _e491;
-                    phi_1191_ = true;
+                let _e679 = phi_1545_;
+                if _e679 {
+                    let _e681 = atomicAdd((&counters[1u]), 1u);
+                    let _e683 = atomicAdd((&counters[0u]), 1u);
+                    phi_1557_ = _e683;
+                    phi_1558_ = true;
                 } else {
-                    phi_1190_ = 0u;
-                    phi_1191_ = false;
+                    phi_1557_ = 0u;
+                    phi_1558_ = false;
                 }
-                let _e493 = phi_1190_;
-                let _e495 = phi_1191_;
-                phi_1192_ = _e493;
-                phi_1193_ = _e495;
-                phi_1194_ = type_12(_e117, _e120);
+                let _e685 = phi_1557_;
+                let _e687 = phi_1558_;
+                phi_1559_ = _e685;
+                phi_1560_ = _e687;
+                phi_1561_ = type_12(_e123, _e126);
             } else {
-                phi_1192_ = 0u;
-                phi_1193_ = false;
-                phi_1194_ = type_12(0u, 0u);
+                phi_1559_ = 0u;
+                phi_1560_ = false;
+                phi_1561_ = type_12(0u, 0u);
             }
-            let _e497 = phi_1192_;
-            let _e499 = phi_1193_;
-            let _e501 = phi_1194_;
+            let _e689 = phi_1559_;
+            let _e691 = phi_1560_;
+            let _e693 = phi_1561_;
             workgroupBarrier();
-            if (_e27 == 0u) {
-                let _e504 = atomicLoad((&counters[0u]));
-                let _e506 = atomicLoad((&counters[1u]));
-                if (_e504 > 0u) {
-                    let _e509 = atomicAdd((&output.member[0u]), _e504);
-                    if ((_e509 + _e504) < _e509) {
-                        let _e513 = atomicAdd((&output.member[2u]), 1u);
+            if (_e33 == 0u) {
+                let _e696 = atomicLoad((&counters[0u]));
+                let _e698 = atomicLoad((&counters[1u]));
+                if (_e696 > 0u) {
+                    let _e701 = atomicAdd((&output.member[0u]), _e696);
+                    if ((_e701 + _e696) < _e701) {
+                        let _e705 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e509);
+                    atomicStore((&counters[2u]), _e701);
                 }
-                if (_e506 > 0u) {
-                    let _e517 = atomicAdd((&output.member[1u]), _e506);
-                    if ((_e517 + _e506) < _e517) {
-                        let _e521 = atomicAdd((&output.member[3u]), 1u);
+                if (_e698 > 0u) {
+                    let _e709 = atomicAdd((&output.member[1u]), _e698);
+                    if ((_e709 + _e698) < _e709) {
+                        let _e713 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e499 {
-                let _e523 = params.member.member_1.member_3;
-                let _e525 = atomicLoad((&counters[2u]));
-                let _e526 = (_e525 + _e497);
-                if (_e526 < _e523) {
-                    let _e530 = (2u * _e526);
-                    atomicStore((&output.member[(4u + _e530)]), _e501.member);
-                    atomicStore((&output.member[(_e530 + 5u)]), _e501.member_1);
+            if _e691 {
+                let _e715 = params.member.member_1.member_3;
+                let _e717 = atomicLoad((&counters[2u]));
+                let _e718 = (_e717 + _e689);
+                if (_e718 < _e715) {
+                    let _e722 = (2u * _e718);
+                    atomicStore((&output.member[(4u + _e722)]), _e693.member);
+                    atomicStore((&output.member[(_e722 + 5u)]), _e693.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_330_ = _e96;
-            break if !(_e102);
+            phi_337_ = _e102;
+            break if !(_e108);
         }
     }
     return;

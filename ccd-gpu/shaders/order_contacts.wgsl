@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -86,7 +92,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e42 = phi_88_;
     if (_e28 < _e42) {
         let _e45 = order.member[_e28];
-        phi_107_ = type_11(0u, 6u);
+        phi_107_ = type_11(0u, 7u);
         loop {
             let _e49 = phi_107_;
             if (_e49.member < _e49.member_1) {
@@ -100,8 +106,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e63 = phi_131_;
             let _e67 = (bitcast<i32>(_e63.member) != 0i);
             if _e67 {
-                let _e72 = contacts.member[((4u + (6u * _e45)) + _e63.member_1)];
-                ordered.member[((6u * _e28) + _e63.member_1)] = _e72;
+                let _e72 = contacts.member[((4u + (7u * _e45)) + _e63.member_1)];
+                ordered.member[((7u * _e28) + _e63.member_1)] = _e72;
             }
             continue;
             continuing {

@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -116,7 +122,7 @@ var<storage> b_nodes: type_18;
 var<storage, read_write> pairs: type_34;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_34;
-var<workgroup> shared_: array<atomic<u32>, 18>;
+var<workgroup> shared_: array<atomic<u32>, 22>;
 var<workgroup> state: array<u32, 1>;
 var<workgroup> stack: array<u32, 2048>;
 @group(0) @binding(3) 
@@ -129,325 +135,327 @@ var<storage, read_write> front: type_10;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_26;
     var local_1: array<array<u32, 2>, 4>;
-    var phi_184_: u32;
-    var phi_197_: array<u32, 2>;
-    var phi_237_: u32;
-    var phi_249_: type_12;
-    var phi_250_: type_12;
-    var phi_273_: type_12;
-    var phi_291_: u32;
-    var phi_321_: bool;
-    var phi_325_: u32;
-    var phi_326_: u32;
-    var phi_327_: u32;
-    var phi_381_: u32;
-    var phi_386_: u32;
-    var phi_391_: u32;
-    var phi_400_: u32;
-    var phi_406_: u32;
-    var phi_412_: u32;
-    var phi_353_: u32;
-    var phi_359_: u32;
-    var phi_413_: u32;
-    var phi_414_: u32;
-    var phi_415_: u32;
-    var phi_434_: u32;
-    var phi_435_: u32;
-    var phi_504_: array<u32, 2>;
-    var phi_505_: array<u32, 2>;
-    var phi_577_: array<u32, 2>;
-    var phi_613_: array<u32, 2>;
-    var phi_623_: array<u32, 2>;
-    var phi_625_: array<array<u32, 2>, 4>;
-    var phi_626_: array<array<u32, 2>, 4>;
-    var phi_627_: bool;
-    var phi_628_: array<array<u32, 2>, 4>;
-    var phi_629_: bool;
-    var phi_641_: bool;
-    var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_662_: bool;
-    var phi_667_: bool;
-    var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
+    var phi_181_: u32;
+    var phi_198_: type_12;
+    var phi_199_: type_12;
+    var phi_222_: type_12;
+    var phi_240_: u32;
+    var phi_270_: bool;
+    var phi_274_: u32;
+    var phi_275_: u32;
+    var phi_276_: u32;
+    var phi_330_: u32;
+    var phi_335_: u32;
+    var phi_340_: u32;
+    var phi_349_: u32;
+    var phi_355_: u32;
+    var phi_361_: u32;
+    var phi_302_: u32;
+    var phi_308_: u32;
+    var phi_362_: u32;
+    var phi_363_: u32;
+    var phi_364_: u32;
+    var phi_383_: u32;
+    var phi_384_: u32;
+    var phi_453_: array<u32, 2>;
+    var phi_454_: array<u32, 2>;
+    var phi_468_: array<u32, 2>;
+    var phi_494_: u32;
+    var phi_566_: array<u32, 2>;
+    var phi_602_: array<u32, 2>;
+    var phi_612_: array<u32, 2>;
+    var phi_614_: array<array<u32, 2>, 4>;
+    var phi_615_: array<array<u32, 2>, 4>;
+    var phi_616_: bool;
+    var phi_617_: array<array<u32, 2>, 4>;
+    var phi_618_: bool;
+    var phi_630_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_651_: bool;
+    var phi_656_: bool;
+    var phi_697_: bool;
+    var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_704_: bool;
+    var phi_706_: bool;
     var phi_715_: bool;
-    var phi_717_: bool;
-    var phi_726_: bool;
-    var phi_731_: bool;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_774_: bool;
-    var phi_775_: bool;
+    var phi_720_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_768_: bool;
+    var phi_778_: bool;
     var phi_779_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_898_: array<u32, 2>;
-    var phi_928_: array<u32, 2>;
-    var phi_958_: array<u32, 2>;
-    var phi_988_: array<u32, 2>;
-    var phi_990_: array<array<u32, 2>, 4>;
-    var phi_991_: bool;
-    var phi_992_: array<array<u32, 2>, 4>;
-    var phi_993_: bool;
-    var phi_1152_: array<u32, 2>;
-    var phi_1184_: array<u32, 2>;
-    var phi_1059_: array<u32, 2>;
-    var phi_1091_: array<u32, 2>;
-    var phi_1186_: array<array<u32, 2>, 4>;
-    var phi_1187_: array<array<u32, 2>, 4>;
-    var phi_1188_: array<array<u32, 2>, 4>;
-    var phi_1189_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_887_: array<u32, 2>;
+    var phi_917_: array<u32, 2>;
+    var phi_947_: array<u32, 2>;
+    var phi_977_: array<u32, 2>;
+    var phi_979_: array<array<u32, 2>, 4>;
+    var phi_980_: bool;
+    var phi_981_: array<array<u32, 2>, 4>;
+    var phi_982_: bool;
+    var phi_1141_: array<u32, 2>;
+    var phi_1173_: array<u32, 2>;
+    var phi_1048_: array<u32, 2>;
+    var phi_1080_: array<u32, 2>;
+    var phi_1175_: array<array<u32, 2>, 4>;
+    var phi_1176_: array<array<u32, 2>, 4>;
+    var phi_1177_: array<array<u32, 2>, 4>;
+    var phi_1178_: bool;
+    var phi_1179_: array<array<u32, 2>, 4>;
+    var phi_1180_: bool;
+    var phi_1184_: array<array<u32, 2>, 4>;
+    var phi_1185_: array<array<u32, 2>, 4>;
+    var phi_1186_: bool;
     var phi_1190_: array<array<u32, 2>, 4>;
-    var phi_1191_: bool;
-    var phi_1195_: array<array<u32, 2>, 4>;
-    var phi_1196_: array<array<u32, 2>, 4>;
-    var phi_1197_: bool;
-    var phi_1201_: array<array<u32, 2>, 4>;
-    var phi_1221_: type_12;
-    var phi_1222_: type_12;
-    var phi_1245_: type_12;
-    var phi_1274_: bool;
-    var phi_1286_: bool;
-    var phi_1287_: bool;
-    var phi_1360_: f32;
-    var phi_1366_: f32;
-    var phi_1372_: f32;
-    var phi_1378_: f32;
-    var phi_1384_: f32;
-    var phi_1390_: f32;
-    var phi_1408_: f32;
-    var phi_1413_: f32;
-    var phi_1418_: f32;
-    var phi_1434_: type_31;
-    var phi_1504_: f32;
-    var phi_1510_: f32;
-    var phi_1516_: f32;
-    var phi_1522_: f32;
-    var phi_1528_: f32;
-    var phi_1534_: f32;
-    var phi_1552_: f32;
-    var phi_1557_: f32;
-    var phi_1562_: f32;
-    var phi_1578_: type_31;
-    var phi_1768_: f32;
-    var phi_1774_: f32;
-    var phi_1781_: f32;
-    var phi_1790_: f32;
-    var phi_1797_: f32;
-    var phi_1805_: f32;
-    var phi_1814_: f32;
-    var phi_1821_: f32;
-    var phi_1829_: f32;
-    var phi_1922_: f32;
-    var phi_1929_: f32;
-    var phi_1935_: f32;
-    var phi_1941_: f32;
-    var phi_1960_: f32;
-    var phi_1967_: f32;
-    var phi_1973_: f32;
-    var phi_1979_: f32;
-    var phi_1998_: f32;
-    var phi_2005_: f32;
-    var phi_2011_: f32;
-    var phi_2017_: f32;
-    var phi_2036_: f32;
-    var phi_2043_: f32;
-    var phi_2049_: f32;
-    var phi_2055_: f32;
-    var phi_2074_: f32;
-    var phi_2081_: f32;
-    var phi_2087_: f32;
-    var phi_2093_: f32;
-    var phi_2112_: f32;
-    var phi_2119_: f32;
-    var phi_2125_: f32;
-    var phi_2131_: f32;
-    var phi_2146_: f32;
-    var phi_2151_: f32;
-    var phi_2156_: f32;
+    var phi_1200_: array<u32, 2>;
+    var phi_1232_: array<u32, 2>;
+    var phi_1270_: type_12;
+    var phi_1271_: type_12;
+    var phi_1294_: type_12;
+    var phi_1323_: bool;
+    var phi_1335_: bool;
+    var phi_1336_: bool;
+    var phi_1409_: f32;
+    var phi_1415_: f32;
+    var phi_1421_: f32;
+    var phi_1427_: f32;
+    var phi_1433_: f32;
+    var phi_1439_: f32;
+    var phi_1457_: f32;
+    var phi_1462_: f32;
+    var phi_1467_: f32;
+    var phi_1483_: type_31;
+    var phi_1553_: f32;
+    var phi_1559_: f32;
+    var phi_1565_: f32;
+    var phi_1571_: f32;
+    var phi_1577_: f32;
+    var phi_1583_: f32;
+    var phi_1601_: f32;
+    var phi_1606_: f32;
+    var phi_1611_: f32;
+    var phi_1627_: type_31;
+    var phi_1817_: f32;
+    var phi_1823_: f32;
+    var phi_1830_: f32;
+    var phi_1839_: f32;
+    var phi_1846_: f32;
+    var phi_1854_: f32;
+    var phi_1863_: f32;
+    var phi_1870_: f32;
+    var phi_1878_: f32;
+    var phi_1971_: f32;
+    var phi_1978_: f32;
+    var phi_1984_: f32;
+    var phi_1990_: f32;
+    var phi_2009_: f32;
+    var phi_2016_: f32;
+    var phi_2022_: f32;
+    var phi_2028_: f32;
+    var phi_2047_: f32;
+    var phi_2054_: f32;
+    var phi_2060_: f32;
+    var phi_2066_: f32;
+    var phi_2085_: f32;
+    var phi_2092_: f32;
+    var phi_2098_: f32;
+    var phi_2104_: f32;
+    var phi_2123_: f32;
+    var phi_2130_: f32;
+    var phi_2136_: f32;
+    var phi_2142_: f32;
     var phi_2161_: f32;
-    var phi_2166_: f32;
-    var phi_2225_: f32;
-    var phi_2248_: f32;
-    var phi_2271_: f32;
-    var phi_2293_: f32;
-    var phi_2309_: f32;
-    var phi_2364_: f32;
-    var phi_2387_: f32;
-    var phi_2410_: f32;
-    var phi_2432_: f32;
-    var phi_2448_: f32;
-    var phi_2503_: f32;
-    var phi_2526_: f32;
-    var phi_2549_: f32;
-    var phi_2571_: f32;
-    var phi_2587_: f32;
-    var phi_2642_: f32;
-    var phi_2665_: f32;
-    var phi_2689_: f32;
-    var phi_2712_: f32;
-    var phi_2728_: f32;
-    var phi_2783_: f32;
-    var phi_2806_: f32;
-    var phi_2830_: f32;
-    var phi_2853_: f32;
-    var phi_2869_: f32;
-    var phi_2924_: f32;
-    var phi_2947_: f32;
-    var phi_2971_: f32;
-    var phi_2994_: f32;
-    var phi_3010_: f32;
-    var phi_3065_: f32;
-    var phi_3088_: f32;
-    var phi_3112_: f32;
-    var phi_3135_: f32;
-    var phi_3151_: f32;
-    var phi_3206_: f32;
-    var phi_3229_: f32;
-    var phi_3253_: f32;
-    var phi_3276_: f32;
-    var phi_3292_: f32;
-    var phi_3347_: f32;
-    var phi_3370_: f32;
-    var phi_3394_: f32;
-    var phi_3417_: f32;
-    var phi_3433_: f32;
-    var phi_3440_: f32;
-    var phi_3445_: f32;
-    var phi_3450_: f32;
-    var phi_3455_: f32;
-    var phi_3460_: f32;
-    var phi_3465_: f32;
-    var phi_3470_: f32;
-    var phi_3475_: f32;
-    var phi_3479_: bool;
-    var phi_3481_: bool;
-    var phi_3482_: bool;
-    var phi_3483_: bool;
-    var phi_3484_: bool;
-    var phi_3488_: bool;
-    var phi_3574_: array<u32, 2>;
-    var phi_3596_: array<u32, 2>;
-    var phi_3598_: array<array<u32, 2>, 4>;
-    var phi_3599_: array<array<u32, 2>, 4>;
-    var phi_3600_: bool;
-    var phi_3601_: array<array<u32, 2>, 4>;
-    var phi_3602_: bool;
-    var phi_3614_: bool;
-    var phi_3622_: bool;
-    var phi_3623_: bool;
-    var phi_3635_: bool;
-    var phi_3640_: bool;
-    var phi_3681_: bool;
-    var phi_3682_: bool;
-    var phi_3683_: bool;
-    var phi_3684_: bool;
-    var phi_3688_: bool;
-    var phi_3690_: bool;
-    var phi_3699_: bool;
-    var phi_3704_: bool;
-    var phi_3745_: bool;
-    var phi_3746_: bool;
-    var phi_3747_: bool;
-    var phi_3748_: bool;
-    var phi_3752_: bool;
-    var phi_3762_: bool;
-    var phi_3763_: bool;
-    var phi_3775_: bool;
-    var phi_3776_: bool;
-    var phi_3799_: array<array<u32, 2>, 4>;
-    var phi_3800_: bool;
-    var phi_3801_: array<array<u32, 2>, 4>;
-    var phi_3802_: bool;
-    var phi_3819_: array<array<u32, 2>, 4>;
-    var phi_3820_: array<array<u32, 2>, 4>;
-    var phi_3821_: array<array<u32, 2>, 4>;
-    var phi_3822_: bool;
-    var phi_3823_: array<array<u32, 2>, 4>;
-    var phi_3824_: bool;
-    var phi_3828_: array<array<u32, 2>, 4>;
-    var phi_3829_: array<array<u32, 2>, 4>;
-    var phi_3830_: bool;
-    var phi_3834_: array<array<u32, 2>, 4>;
-    var phi_3835_: array<array<u32, 2>, 4>;
+    var phi_2168_: f32;
+    var phi_2174_: f32;
+    var phi_2180_: f32;
+    var phi_2195_: f32;
+    var phi_2200_: f32;
+    var phi_2205_: f32;
+    var phi_2210_: f32;
+    var phi_2215_: f32;
+    var phi_2274_: f32;
+    var phi_2297_: f32;
+    var phi_2320_: f32;
+    var phi_2342_: f32;
+    var phi_2358_: f32;
+    var phi_2413_: f32;
+    var phi_2436_: f32;
+    var phi_2459_: f32;
+    var phi_2481_: f32;
+    var phi_2497_: f32;
+    var phi_2552_: f32;
+    var phi_2575_: f32;
+    var phi_2598_: f32;
+    var phi_2620_: f32;
+    var phi_2636_: f32;
+    var phi_2691_: f32;
+    var phi_2714_: f32;
+    var phi_2738_: f32;
+    var phi_2761_: f32;
+    var phi_2777_: f32;
+    var phi_2832_: f32;
+    var phi_2855_: f32;
+    var phi_2879_: f32;
+    var phi_2902_: f32;
+    var phi_2918_: f32;
+    var phi_2973_: f32;
+    var phi_2996_: f32;
+    var phi_3020_: f32;
+    var phi_3043_: f32;
+    var phi_3059_: f32;
+    var phi_3114_: f32;
+    var phi_3137_: f32;
+    var phi_3161_: f32;
+    var phi_3184_: f32;
+    var phi_3200_: f32;
+    var phi_3255_: f32;
+    var phi_3278_: f32;
+    var phi_3302_: f32;
+    var phi_3325_: f32;
+    var phi_3341_: f32;
+    var phi_3396_: f32;
+    var phi_3419_: f32;
+    var phi_3443_: f32;
+    var phi_3466_: f32;
+    var phi_3482_: f32;
+    var phi_3489_: f32;
+    var phi_3494_: f32;
+    var phi_3499_: f32;
+    var phi_3504_: f32;
+    var phi_3509_: f32;
+    var phi_3514_: f32;
+    var phi_3519_: f32;
+    var phi_3524_: f32;
+    var phi_3528_: bool;
+    var phi_3530_: bool;
+    var phi_3531_: bool;
+    var phi_3532_: bool;
+    var phi_3533_: bool;
+    var phi_3537_: bool;
+    var phi_3625_: array<u32, 2>;
+    var phi_3647_: array<u32, 2>;
+    var phi_3649_: array<array<u32, 2>, 4>;
+    var phi_3650_: array<array<u32, 2>, 4>;
+    var phi_3651_: bool;
+    var phi_3652_: array<array<u32, 2>, 4>;
+    var phi_3653_: bool;
+    var phi_3665_: bool;
+    var phi_3673_: bool;
+    var phi_3674_: bool;
+    var phi_3686_: bool;
+    var phi_3691_: bool;
+    var phi_3732_: bool;
+    var phi_3733_: bool;
+    var phi_3734_: bool;
+    var phi_3735_: bool;
+    var phi_3739_: bool;
+    var phi_3741_: bool;
+    var phi_3750_: bool;
+    var phi_3755_: bool;
+    var phi_3796_: bool;
+    var phi_3797_: bool;
+    var phi_3798_: bool;
+    var phi_3799_: bool;
+    var phi_3803_: bool;
+    var phi_3813_: bool;
+    var phi_3814_: bool;
+    var phi_3826_: bool;
+    var phi_3827_: bool;
+    var phi_3850_: array<array<u32, 2>, 4>;
+    var phi_3851_: bool;
+    var phi_3852_: array<array<u32, 2>, 4>;
     var phi_3853_: bool;
-    var phi_3854_: bool;
-    var phi_3858_: u32;
-    var phi_3859_: u32;
-    var phi_3871_: type_24;
-    var phi_3872_: type_24;
-    var phi_3890_: bool;
-    var phi_3891_: bool;
-    var phi_3895_: u32;
-    var phi_3896_: u32;
-    var phi_3908_: type_24;
-    var phi_3909_: type_24;
-    var phi_3927_: bool;
-    var phi_3928_: bool;
-    var phi_3932_: u32;
-    var phi_3933_: u32;
-    var phi_3945_: type_24;
-    var phi_3946_: type_24;
-    var phi_3964_: bool;
-    var phi_3965_: bool;
-    var phi_3969_: u32;
-    var phi_3970_: u32;
-    var phi_3982_: type_24;
-    var phi_3983_: type_24;
-    var phi_3999_: bool;
-    var phi_4000_: bool;
-    var phi_4004_: u32;
-    var phi_4005_: u32;
-    var phi_4011_: type_24;
-    var phi_4012_: type_24;
-    var phi_4013_: type_24;
-    var phi_4014_: type_24;
-    var phi_4015_: type_24;
-    var phi_4033_: array<u32, 2>;
-    var phi_4034_: array<u32, 2>;
-    var phi_4046_: array<u32, 2>;
-    var phi_4047_: array<u32, 2>;
-    var phi_4064_: array<u32, 2>;
-    var phi_4065_: array<u32, 2>;
-    var phi_4077_: array<u32, 2>;
-    var phi_4078_: array<u32, 2>;
-    var phi_4095_: array<u32, 2>;
-    var phi_4096_: array<u32, 2>;
-    var phi_4108_: array<u32, 2>;
-    var phi_4109_: array<u32, 2>;
-    var phi_4126_: array<u32, 2>;
-    var phi_4127_: array<u32, 2>;
-    var phi_4139_: array<u32, 2>;
-    var phi_4140_: array<u32, 2>;
-    var phi_4173_: u32;
-    var phi_4335_: type_12;
-    var phi_4340_: type_12;
-    var phi_4487_: type_12;
-    var phi_4492_: type_12;
-    var phi_4639_: type_12;
-    var phi_4644_: type_12;
-    var phi_4791_: type_12;
-    var phi_4796_: type_12;
-    var phi_4849_: bool;
-    var phi_4850_: bool;
-    var phi_4869_: u32;
-    var phi_4873_: u32;
-    var phi_4930_: type_12;
-    var phi_4931_: type_12;
-    var phi_4954_: type_12;
-    var phi_5010_: u32;
-    var phi_5013_: type_12;
-    var phi_5014_: type_12;
-    var phi_5037_: type_12;
-    var phi_5109_: type_12;
-    var phi_5110_: type_12;
-    var phi_5133_: type_12;
-    var phi_5213_: bool;
-    var phi_5214_: bool;
+    var phi_3870_: array<array<u32, 2>, 4>;
+    var phi_3871_: array<array<u32, 2>, 4>;
+    var phi_3872_: array<array<u32, 2>, 4>;
+    var phi_3873_: bool;
+    var phi_3874_: array<array<u32, 2>, 4>;
+    var phi_3875_: bool;
+    var phi_3879_: array<array<u32, 2>, 4>;
+    var phi_3880_: array<array<u32, 2>, 4>;
+    var phi_3881_: bool;
+    var phi_3885_: array<array<u32, 2>, 4>;
+    var phi_3886_: array<array<u32, 2>, 4>;
+    var phi_3904_: bool;
+    var phi_3905_: bool;
+    var phi_3909_: u32;
+    var phi_3910_: u32;
+    var phi_3922_: type_24;
+    var phi_3923_: type_24;
+    var phi_3941_: bool;
+    var phi_3942_: bool;
+    var phi_3946_: u32;
+    var phi_3947_: u32;
+    var phi_3959_: type_24;
+    var phi_3960_: type_24;
+    var phi_3978_: bool;
+    var phi_3979_: bool;
+    var phi_3983_: u32;
+    var phi_3984_: u32;
+    var phi_3996_: type_24;
+    var phi_3997_: type_24;
+    var phi_4015_: bool;
+    var phi_4016_: bool;
+    var phi_4020_: u32;
+    var phi_4021_: u32;
+    var phi_4033_: type_24;
+    var phi_4034_: type_24;
+    var phi_4050_: bool;
+    var phi_4051_: bool;
+    var phi_4055_: u32;
+    var phi_4056_: u32;
+    var phi_4062_: type_24;
+    var phi_4063_: type_24;
+    var phi_4064_: type_24;
+    var phi_4065_: type_24;
+    var phi_4066_: type_24;
+    var phi_4085_: array<u32, 2>;
+    var phi_4086_: array<u32, 2>;
+    var phi_4098_: array<u32, 2>;
+    var phi_4099_: array<u32, 2>;
+    var phi_4116_: array<u32, 2>;
+    var phi_4117_: array<u32, 2>;
+    var phi_4129_: array<u32, 2>;
+    var phi_4130_: array<u32, 2>;
+    var phi_4147_: array<u32, 2>;
+    var phi_4148_: array<u32, 2>;
+    var phi_4160_: array<u32, 2>;
+    var phi_4161_: array<u32, 2>;
+    var phi_4178_: array<u32, 2>;
+    var phi_4179_: array<u32, 2>;
+    var phi_4191_: array<u32, 2>;
+    var phi_4192_: array<u32, 2>;
+    var phi_4225_: u32;
+    var phi_4385_: type_12;
+    var phi_4390_: type_12;
+    var phi_4526_: type_12;
+    var phi_4531_: type_12;
+    var phi_4667_: type_12;
+    var phi_4672_: type_12;
+    var phi_4808_: type_12;
+    var phi_4813_: type_12;
+    var phi_4857_: bool;
+    var phi_4858_: bool;
+    var phi_4877_: u32;
+    var phi_4881_: u32;
+    var phi_4938_: type_12;
+    var phi_4939_: type_12;
+    var phi_4962_: type_12;
+    var phi_5018_: u32;
+    var phi_5021_: type_12;
+    var phi_5022_: type_12;
+    var phi_5045_: type_12;
+    var phi_5117_: type_12;
+    var phi_5118_: type_12;
+    var phi_5141_: type_12;
+    var phi_5221_: bool;
+    var phi_5222_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -458,2471 +466,2465 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e70 = id_2;
     let _e71 = n_2;
     let _e72 = lane_2;
-    let _e82 = params.member.member_2;
-    let _e87 = ((_e70.y * _e71.x) + _e70.x);
+    let _e85 = ((_e70.y * _e71.x) + _e70.x);
+    let _e87 = params.member.member_2;
     let _e90 = params.member.member_1.member_1;
-    let _e93 = params.member.member_2.member_3;
-    let _e94 = (_e90 % 2u);
-    let _e97 = params.member.member_2.member_7;
-    let _e99 = atomicLoad((&control.member[_e90]));
-    if (_e93 < _e99) {
-        phi_184_ = _e93;
+    let _e92 = (_e90 % 2u);
+    let _e95 = atomicLoad((&control.member[_e90]));
+    if (_e87.member_3 < _e95) {
+        phi_181_ = _e87.member_3;
     } else {
-        phi_184_ = _e99;
+        phi_181_ = _e95;
     }
-    let _e102 = phi_184_;
-    let _e103 = (_e94 * _e93);
-    let _e105 = ((1u - _e94) * _e93);
-    let _e107 = (_e82.member == 1u);
-    if (_e82.member == 0u) {
-        phi_197_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_197_ = array<u32, 2>(1u, 1u);
-    }
-    let _e111 = phi_197_;
-    let _e117 = params.member.member.member[_e111[0]];
-    let _e118 = (_e117 - 1u);
-    let _e122 = params.member.member.member[_e111[1]];
-    let _e123 = (_e122 - 1u);
-    let _e127 = params.member.member.member_2[_e111[0]];
-    let _e131 = params.member.member.member_2[_e111[1]];
-    if (_e82.member_1 == 0u) {
-        phi_237_ = 1u;
-    } else {
-        phi_237_ = 0u;
-    }
-    let _e135 = phi_237_;
+    let _e98 = phi_181_;
+    let _e99 = (_e92 * _e87.member_3);
+    let _e101 = ((1u - _e92) * _e87.member_3);
+    let _e103 = params.member.member_1.member_3;
     if (_e72 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_249_ = type_12(0u, _e82.member_11);
+    phi_198_ = type_12(0u, _e87.member_11);
     loop {
-        let _e144 = phi_249_;
-        if (_e144.member < _e144.member_1) {
-            phi_250_ = type_12((_e144.member + 1u), _e144.member_1);
-            phi_273_ = type_12(1u, _e144.member);
+        let _e112 = phi_198_;
+        if (_e112.member < _e112.member_1) {
+            phi_199_ = type_12((_e112.member + 1u), _e112.member_1);
+            phi_222_ = type_12(1u, _e112.member);
         } else {
-            phi_250_ = _e144;
-            phi_273_ = type_12(0u, type_12().member_1);
+            phi_199_ = _e112;
+            phi_222_ = type_12(0u, type_12().member_1);
         }
-        let _e156 = phi_250_;
-        let _e158 = phi_273_;
-        if (bitcast<i32>(_e158.member) != 0i) {
+        let _e124 = phi_199_;
+        let _e126 = phi_222_;
+        if (bitcast<i32>(_e126.member) != 0i) {
             if (_e72 == 0u) {
-                let _e165 = atomicLoad((&shared_[0u]));
-                if (128u < _e165) {
-                    phi_291_ = 128u;
+                let _e133 = atomicLoad((&shared_[0u]));
+                if (128u < _e133) {
+                    phi_240_ = 128u;
                 } else {
-                    phi_291_ = _e165;
+                    phi_240_ = _e133;
                 }
-                let _e168 = phi_291_;
-                if (_e82.member_9 > 0u) {
-                    if (_e158.member_1 >= 16u) {
-                        let _e174 = atomicLoad((&control.member[(1024u + _e90)]));
-                        if (_e82.member_9 > 0u) {
-                            phi_321_ = ((_e174 * 100u) >= (_e82.member_9 << bitcast<u32>((_e97 & 31u))));
+                let _e136 = phi_240_;
+                if (_e87.member_9 > 0u) {
+                    if (_e126.member_1 >= 16u) {
+                        let _e142 = atomicLoad((&control.member[(1024u + _e90)]));
+                        if (_e87.member_9 > 0u) {
+                            phi_270_ = ((_e142 * 100u) >= (_e87.member_9 << bitcast<u32>((_e87.member_7 & 31u))));
                         } else {
-                            phi_321_ = false;
+                            phi_270_ = false;
                         }
-                        let _e183 = phi_321_;
-                        if _e183 {
-                            phi_325_ = 2u;
+                        let _e151 = phi_270_;
+                        if _e151 {
+                            phi_274_ = 2u;
                         } else {
-                            phi_325_ = 0u;
+                            phi_274_ = 0u;
                         }
-                        let _e185 = phi_325_;
-                        phi_326_ = _e185;
+                        let _e153 = phi_274_;
+                        phi_275_ = _e153;
                     } else {
-                        phi_326_ = 0u;
+                        phi_275_ = 0u;
                     }
-                    let _e187 = phi_326_;
-                    phi_327_ = _e187;
+                    let _e155 = phi_275_;
+                    phi_276_ = _e155;
                 } else {
-                    phi_327_ = 0u;
+                    phi_276_ = 0u;
                 }
-                let _e189 = phi_327_;
-                let _e190 = (128u - _e168);
-                if (_e189 == 0u) {
-                    if (_e190 > 0u) {
-                        let _e194 = atomicLoad((&shared_[5u]));
-                        if (_e82.member_6 == 0u) {
-                            if (_e87 < _e102) {
-                                phi_353_ = ((((_e102 - 1u) - _e87) >> bitcast<u32>((_e97 & 31u))) + 1u);
+                let _e157 = phi_276_;
+                let _e158 = (128u - _e136);
+                if (_e157 == 0u) {
+                    if (_e158 > 0u) {
+                        let _e162 = atomicLoad((&shared_[5u]));
+                        if (_e87.member_6 == 0u) {
+                            if (_e85 < _e98) {
+                                phi_302_ = ((((_e98 - 1u) - _e85) >> bitcast<u32>((_e87.member_7 & 31u))) + 1u);
                             } else {
-                                phi_353_ = 0u;
+                                phi_302_ = 0u;
                             }
-                            let _e237 = phi_353_;
-                            let _e238 = (_e237 - _e194);
-                            if (_e190 < _e238) {
-                                phi_359_ = _e190;
+                            let _e205 = phi_302_;
+                            let _e206 = (_e205 - _e162);
+                            if (_e158 < _e206) {
+                                phi_308_ = _e158;
                             } else {
-                                phi_359_ = _e238;
+                                phi_308_ = _e206;
                             }
-                            let _e241 = phi_359_;
-                            atomicStore((&shared_[3u]), (_e87 + (_e194 << bitcast<u32>((_e97 & 31u)))));
-                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e97 & 31u))));
-                            atomicStore((&shared_[5u]), (_e194 + _e241));
-                            phi_413_ = _e241;
+                            let _e209 = phi_308_;
+                            atomicStore((&shared_[3u]), (_e85 + (_e162 << bitcast<u32>((_e87.member_7 & 31u)))));
+                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e87.member_7 & 31u))));
+                            atomicStore((&shared_[5u]), (_e162 + _e209));
+                            phi_362_ = _e209;
                         } else {
-                            if (_e194 == 0u) {
-                                let _e202 = (_e102 >> bitcast<u32>(((_e97 + 2u) & 31u)));
-                                if (_e82.member_8 < _e202) {
-                                    phi_381_ = _e202;
+                            if (_e162 == 0u) {
+                                let _e170 = (_e98 >> bitcast<u32>(((_e87.member_7 + 2u) & 31u)));
+                                if (_e87.member_8 < _e170) {
+                                    phi_330_ = _e170;
                                 } else {
-                                    phi_381_ = _e82.member_8;
+                                    phi_330_ = _e87.member_8;
                                 }
-                                let _e205 = phi_381_;
-                                if (128u < _e205) {
-                                    phi_386_ = 128u;
+                                let _e173 = phi_330_;
+                                if (128u < _e173) {
+                                    phi_335_ = 128u;
                                 } else {
-                                    phi_386_ = _e205;
+                                    phi_335_ = _e173;
                                 }
-                                let _e208 = phi_386_;
-                                if (_e190 < _e208) {
-                                    phi_391_ = _e190;
+                                let _e176 = phi_335_;
+                                if (_e158 < _e176) {
+                                    phi_340_ = _e158;
                                 } else {
-                                    phi_391_ = _e208;
+                                    phi_340_ = _e176;
                                 }
-                                let _e211 = phi_391_;
-                                let _e214 = atomicAdd((&control.member[(512u + _e90)]), _e211);
-                                if (_e102 < _e214) {
-                                    phi_400_ = _e102;
+                                let _e179 = phi_340_;
+                                let _e182 = atomicAdd((&control.member[(512u + _e90)]), _e179);
+                                if (_e98 < _e182) {
+                                    phi_349_ = _e98;
                                 } else {
-                                    phi_400_ = _e214;
+                                    phi_349_ = _e182;
                                 }
-                                let _e217 = phi_400_;
-                                let _e218 = (_e102 - _e217);
-                                if (_e211 < _e218) {
-                                    phi_406_ = _e211;
+                                let _e185 = phi_349_;
+                                let _e186 = (_e98 - _e185);
+                                if (_e179 < _e186) {
+                                    phi_355_ = _e179;
                                 } else {
-                                    phi_406_ = _e218;
+                                    phi_355_ = _e186;
                                 }
-                                let _e221 = phi_406_;
-                                atomicStore((&shared_[3u]), _e214);
+                                let _e189 = phi_355_;
+                                atomicStore((&shared_[3u]), _e182);
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), select(0u, 1u, (_e221 < _e211)));
-                                phi_412_ = _e221;
+                                atomicStore((&shared_[5u]), select(0u, 1u, (_e189 < _e179)));
+                                phi_361_ = _e189;
                             } else {
-                                phi_412_ = 0u;
+                                phi_361_ = 0u;
                             }
-                            let _e228 = phi_412_;
-                            phi_413_ = _e228;
+                            let _e196 = phi_361_;
+                            phi_362_ = _e196;
                         }
-                        let _e254 = phi_413_;
-                        phi_414_ = _e254;
+                        let _e222 = phi_362_;
+                        phi_363_ = _e222;
                     } else {
-                        phi_414_ = 0u;
+                        phi_363_ = 0u;
                     }
-                    let _e256 = phi_414_;
-                    phi_415_ = _e256;
+                    let _e224 = phi_363_;
+                    phi_364_ = _e224;
                 } else {
-                    phi_415_ = 0u;
+                    phi_364_ = 0u;
                 }
-                let _e258 = phi_415_;
-                if (_e189 == 0u) {
-                    if ((_e168 + _e258) == 0u) {
-                        if (_e82.member_9 > 0u) {
-                            let _e266 = atomicAdd((&control.member[(1024u + _e90)]), 1u);
+                let _e226 = phi_364_;
+                if (_e157 == 0u) {
+                    if ((_e136 + _e226) == 0u) {
+                        if (_e87.member_9 > 0u) {
+                            let _e234 = atomicAdd((&control.member[(1024u + _e90)]), 1u);
                         }
-                        phi_434_ = 1u;
+                        phi_383_ = 1u;
                     } else {
-                        phi_434_ = _e189;
+                        phi_383_ = _e157;
                     }
-                    let _e268 = phi_434_;
-                    phi_435_ = _e268;
+                    let _e236 = phi_383_;
+                    phi_384_ = _e236;
                 } else {
-                    phi_435_ = _e189;
+                    phi_384_ = _e157;
                 }
-                let _e270 = phi_435_;
-                atomicStore((&shared_[1u]), _e168);
-                atomicStore((&shared_[2u]), _e258);
+                let _e238 = phi_384_;
+                atomicStore((&shared_[1u]), _e136);
+                atomicStore((&shared_[2u]), _e226);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                state[0u] = _e270;
+                state[0u] = _e238;
             }
-            let _e278 = workgroupUniformLoad((&state[0u]));
-            if (_e278 != 0u) {
-                phi_4849_ = false;
+            let _e246 = workgroupUniformLoad((&state[0u]));
+            if (_e246 != 0u) {
+                phi_4857_ = false;
             } else {
-                let _e281 = atomicLoad((&shared_[1u]));
-                let _e283 = atomicLoad((&shared_[2u]));
-                if (_e72 < _e281) {
-                    let _e306 = atomicLoad((&shared_[0u]));
-                    let _e309 = (2u * ((_e306 - 1u) - _e72));
-                    let _e311 = stack[_e309];
-                    let _e314 = stack[(_e309 + 1u)];
-                    phi_505_ = array<u32, 2>(_e311, _e314);
+                let _e249 = atomicLoad((&shared_[1u]));
+                let _e251 = atomicLoad((&shared_[2u]));
+                if (_e72 < _e249) {
+                    let _e274 = atomicLoad((&shared_[0u]));
+                    let _e277 = (2u * ((_e274 - 1u) - _e72));
+                    let _e279 = stack[_e277];
+                    let _e282 = stack[(_e277 + 1u)];
+                    phi_454_ = array<u32, 2>(_e279, _e282);
                 } else {
-                    if (_e72 < (_e281 + _e283)) {
-                        let _e288 = atomicLoad((&shared_[3u]));
-                        let _e291 = atomicLoad((&shared_[4u]));
-                        let _e295 = (2u * (_e103 + (_e288 + ((_e72 - _e281) * _e291))));
-                        let _e298 = atomicLoad((&nodes.member[(4u + _e295)]));
-                        let _e301 = atomicLoad((&nodes.member[(_e295 + 5u)]));
-                        phi_504_ = array<u32, 2>(_e298, _e301);
+                    if (_e72 < (_e249 + _e251)) {
+                        let _e256 = atomicLoad((&shared_[3u]));
+                        let _e259 = atomicLoad((&shared_[4u]));
+                        let _e263 = (2u * (_e99 + (_e256 + ((_e72 - _e249) * _e259))));
+                        let _e266 = atomicLoad((&nodes.member[(4u + _e263)]));
+                        let _e269 = atomicLoad((&nodes.member[(_e263 + 5u)]));
+                        phi_453_ = array<u32, 2>(_e266, _e269);
                     } else {
-                        phi_504_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_453_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e304 = phi_504_;
-                    phi_505_ = _e304;
+                    let _e272 = phi_453_;
+                    phi_454_ = _e272;
                 }
-                let _e317 = phi_505_;
-                if (_e317[0] != 4294967295u) {
-                    let _e323 = a_nodes.member[_e317[0]];
-                    let _e325 = b_nodes.member[_e317[1]];
-                    if _e107 {
-                        if (_e317[0] == _e317[1]) {
-                            if (_e323.member_3 == 4294967295u) {
-                                phi_625_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                let _e285 = phi_454_;
+                let _e288 = params.member.member_2.member;
+                let _e289 = (_e288 == 1u);
+                let _e292 = params.member.member_2.member;
+                if (_e292 == 0u) {
+                    phi_468_ = array<u32, 2>(0u, 2u);
+                } else {
+                    phi_468_ = array<u32, 2>(1u, 1u);
+                }
+                let _e295 = phi_468_;
+                let _e301 = params.member.member.member[_e295[0]];
+                let _e302 = (_e301 - 1u);
+                let _e306 = params.member.member.member[_e295[1]];
+                let _e307 = (_e306 - 1u);
+                let _e310 = params.member.member_2.member_1;
+                if (_e310 == 0u) {
+                    phi_494_ = 1u;
+                } else {
+                    phi_494_ = 0u;
+                }
+                let _e313 = phi_494_;
+                if (_e285[0] != 4294967295u) {
+                    let _e319 = a_nodes.member[_e285[0]];
+                    let _e321 = b_nodes.member[_e285[1]];
+                    if _e289 {
+                        if (_e285[0] == _e285[1]) {
+                            if (_e319.member_3 == 4294967295u) {
+                                phi_614_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                             } else {
-                                let _e331 = a_nodes.member[_e323.member_1];
-                                let _e334 = a_nodes.member[_e323.member_3];
-                                if !((_e331.member_3 == 4294967295u)) {
-                                    phi_577_ = array<u32, 2>(_e323.member_1, _e323.member_1);
+                                let _e327 = a_nodes.member[_e319.member_1];
+                                let _e330 = a_nodes.member[_e319.member_3];
+                                if !((_e327.member_3 == 4294967295u)) {
+                                    phi_566_ = array<u32, 2>(_e319.member_1, _e319.member_1);
                                 } else {
-                                    phi_577_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_566_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e342 = phi_577_;
-                                if ((((((_e331.member[0] <= _e334.member_2[0]) && (_e334.member[0] <= _e331.member_2[0])) && (_e331.member[1] <= _e334.member_2[1])) && (_e334.member[1] <= _e331.member_2[1])) && (_e331.member[2] <= _e334.member_2[2])) && (_e334.member[2] <= _e331.member_2[2])) {
-                                    phi_613_ = array<u32, 2>(_e323.member_1, _e323.member_3);
+                                let _e338 = phi_566_;
+                                if ((((((_e327.member[0] <= _e330.member_2[0]) && (_e330.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e330.member_2[1])) && (_e330.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e330.member_2[2])) && (_e330.member[2] <= _e327.member_2[2])) {
+                                    phi_602_ = array<u32, 2>(_e319.member_1, _e319.member_3);
                                 } else {
-                                    phi_613_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_602_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e374 = phi_613_;
-                                if !((_e334.member_3 == 4294967295u)) {
-                                    phi_623_ = array<u32, 2>(_e323.member_3, _e323.member_3);
+                                let _e370 = phi_602_;
+                                if !((_e330.member_3 == 4294967295u)) {
+                                    phi_612_ = array<u32, 2>(_e319.member_3, _e319.member_3);
                                 } else {
-                                    phi_623_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_612_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e382 = phi_623_;
-                                phi_625_ = array<array<u32, 2>, 4>(_e342, _e374, _e382, array<u32, 2>(4294967295u, 4294967295u));
+                                let _e378 = phi_612_;
+                                phi_614_ = array<array<u32, 2>, 4>(_e338, _e370, _e378, array<u32, 2>(4294967295u, 4294967295u));
                             }
-                            let _e385 = phi_625_;
-                            phi_626_ = _e385;
-                            phi_627_ = false;
+                            let _e381 = phi_614_;
+                            phi_615_ = _e381;
+                            phi_616_ = false;
                         } else {
-                            phi_626_ = array<array<u32, 2>, 4>();
-                            phi_627_ = true;
+                            phi_615_ = array<array<u32, 2>, 4>();
+                            phi_616_ = true;
                         }
-                        let _e387 = phi_626_;
-                        let _e389 = phi_627_;
-                        phi_628_ = _e387;
-                        phi_629_ = _e389;
+                        let _e383 = phi_615_;
+                        let _e385 = phi_616_;
+                        phi_617_ = _e383;
+                        phi_618_ = _e385;
                     } else {
-                        phi_628_ = array<array<u32, 2>, 4>();
-                        phi_629_ = true;
+                        phi_617_ = array<array<u32, 2>, 4>();
+                        phi_618_ = true;
                     }
-                    let _e391 = phi_628_;
-                    let _e393 = phi_629_;
-                    if _e393 {
-                        if (_e323.member_3 == 4294967295u) {
-                            phi_641_ = false;
+                    let _e387 = phi_617_;
+                    let _e389 = phi_618_;
+                    if _e389 {
+                        if (_e319.member_3 == 4294967295u) {
+                            phi_630_ = false;
                         } else {
-                            phi_641_ = !((_e325.member_3 == 4294967295u));
+                            phi_630_ = !((_e321.member_3 == 4294967295u));
                         }
-                        let _e400 = phi_641_;
-                        if _e400 {
-                            if (_e135 == 1u) {
-                                phi_649_ = false;
+                        let _e396 = phi_630_;
+                        if _e396 {
+                            if (_e313 == 1u) {
+                                phi_638_ = false;
                             } else {
-                                phi_649_ = true;
+                                phi_638_ = true;
                             }
-                            let _e403 = phi_649_;
-                            phi_650_ = _e403;
+                            let _e399 = phi_638_;
+                            phi_639_ = _e399;
                         } else {
-                            phi_650_ = true;
+                            phi_639_ = true;
                         }
-                        let _e405 = phi_650_;
-                        if _e405 {
-                            if (_e323.member_3 == 4294967295u) {
-                                phi_662_ = false;
+                        let _e401 = phi_639_;
+                        if _e401 {
+                            if (_e319.member_3 == 4294967295u) {
+                                phi_651_ = false;
                             } else {
-                                phi_662_ = !((_e325.member_3 == 4294967295u));
+                                phi_651_ = !((_e321.member_3 == 4294967295u));
                             }
-                            let _e412 = phi_662_;
-                            if _e412 {
-                                phi_667_ = (_e135 == 1u);
+                            let _e408 = phi_651_;
+                            if _e408 {
+                                phi_656_ = (_e313 == 1u);
                             } else {
-                                phi_667_ = false;
+                                phi_656_ = false;
                             }
-                            let _e415 = phi_667_;
-                            if _e415 {
-                                phi_710_ = bool();
-                                phi_711_ = true;
+                            let _e411 = phi_656_;
+                            if _e411 {
+                                phi_699_ = bool();
+                                phi_700_ = true;
                             } else {
-                                let _e417 = (_e323.member_3 == 4294967295u);
-                                if _e417 {
-                                    phi_709_ = bool();
+                                let _e413 = (_e319.member_3 == 4294967295u);
+                                if _e413 {
+                                    phi_698_ = bool();
                                 } else {
-                                    if _e412 {
-                                        phi_708_ = ((((_e325.member_2[0] - _e325.member[0]) * (_e325.member_2[1] - _e325.member[1])) * (_e325.member_2[2] - _e325.member[2])) > (((_e323.member_2[0] - _e323.member[0]) * (_e323.member_2[1] - _e323.member[1])) * (_e323.member_2[2] - _e323.member[2])));
+                                    if _e408 {
+                                        phi_697_ = ((((_e321.member_2[0] - _e321.member[0]) * (_e321.member_2[1] - _e321.member[1])) * (_e321.member_2[2] - _e321.member[2])) > (((_e319.member_2[0] - _e319.member[0]) * (_e319.member_2[1] - _e319.member[1])) * (_e319.member_2[2] - _e319.member[2])));
                                     } else {
-                                        phi_708_ = false;
+                                        phi_697_ = false;
                                     }
-                                    let _e446 = phi_708_;
-                                    phi_709_ = _e446;
+                                    let _e442 = phi_697_;
+                                    phi_698_ = _e442;
                                 }
-                                let _e448 = phi_709_;
-                                phi_710_ = _e448;
-                                phi_711_ = _e417;
+                                let _e444 = phi_698_;
+                                phi_699_ = _e444;
+                                phi_700_ = _e413;
                             }
-                            let _e450 = phi_710_;
-                            let _e452 = phi_711_;
-                            if _e452 {
-                                phi_715_ = true;
+                            let _e446 = phi_699_;
+                            let _e448 = phi_700_;
+                            if _e448 {
+                                phi_704_ = true;
                             } else {
-                                phi_715_ = _e450;
+                                phi_704_ = _e446;
                             }
-                            let _e454 = phi_715_;
-                            phi_717_ = !(_e454);
+                            let _e450 = phi_704_;
+                            phi_706_ = !(_e450);
                         } else {
-                            phi_717_ = true;
+                            phi_706_ = true;
                         }
-                        let _e457 = phi_717_;
-                        if (_e323.member_3 == 4294967295u) {
-                            phi_726_ = false;
+                        let _e453 = phi_706_;
+                        if (_e319.member_3 == 4294967295u) {
+                            phi_715_ = false;
                         } else {
-                            phi_726_ = !((_e325.member_3 == 4294967295u));
+                            phi_715_ = !((_e321.member_3 == 4294967295u));
                         }
-                        let _e464 = phi_726_;
-                        if _e464 {
-                            phi_731_ = (_e135 == 1u);
+                        let _e460 = phi_715_;
+                        if _e460 {
+                            phi_720_ = (_e313 == 1u);
                         } else {
-                            phi_731_ = false;
+                            phi_720_ = false;
                         }
-                        let _e467 = phi_731_;
-                        if _e467 {
-                            phi_774_ = bool();
-                            phi_775_ = true;
+                        let _e463 = phi_720_;
+                        if _e463 {
+                            phi_763_ = bool();
+                            phi_764_ = true;
                         } else {
-                            let _e469 = (_e323.member_3 == 4294967295u);
-                            if _e469 {
-                                phi_773_ = bool();
+                            let _e465 = (_e319.member_3 == 4294967295u);
+                            if _e465 {
+                                phi_762_ = bool();
                             } else {
-                                if _e464 {
-                                    phi_772_ = ((((_e325.member_2[0] - _e325.member[0]) * (_e325.member_2[1] - _e325.member[1])) * (_e325.member_2[2] - _e325.member[2])) > (((_e323.member_2[0] - _e323.member[0]) * (_e323.member_2[1] - _e323.member[1])) * (_e323.member_2[2] - _e323.member[2])));
+                                if _e460 {
+                                    phi_761_ = ((((_e321.member_2[0] - _e321.member[0]) * (_e321.member_2[1] - _e321.member[1])) * (_e321.member_2[2] - _e321.member[2])) > (((_e319.member_2[0] - _e319.member[0]) * (_e319.member_2[1] - _e319.member[1])) * (_e319.member_2[2] - _e319.member[2])));
                                 } else {
-                                    phi_772_ = false;
+                                    phi_761_ = false;
                                 }
-                                let _e498 = phi_772_;
-                                phi_773_ = _e498;
+                                let _e494 = phi_761_;
+                                phi_762_ = _e494;
                             }
-                            let _e500 = phi_773_;
-                            phi_774_ = _e500;
-                            phi_775_ = _e469;
+                            let _e496 = phi_762_;
+                            phi_763_ = _e496;
+                            phi_764_ = _e465;
                         }
-                        let _e502 = phi_774_;
-                        let _e504 = phi_775_;
-                        if _e504 {
+                        let _e498 = phi_763_;
+                        let _e500 = phi_764_;
+                        if _e500 {
+                            phi_768_ = true;
+                        } else {
+                            phi_768_ = _e498;
+                        }
+                        let _e502 = phi_768_;
+                        if _e453 {
+                            if (_e319.member_3 == 4294967295u) {
+                                phi_778_ = false;
+                            } else {
+                                phi_778_ = true;
+                            }
+                            let _e506 = phi_778_;
+                            phi_779_ = _e506;
+                        } else {
                             phi_779_ = true;
-                        } else {
-                            phi_779_ = _e502;
                         }
-                        let _e506 = phi_779_;
-                        if _e457 {
-                            if (_e323.member_3 == 4294967295u) {
-                                phi_789_ = false;
-                            } else {
-                                phi_789_ = true;
-                            }
-                            let _e510 = phi_789_;
-                            phi_790_ = _e510;
-                        } else {
-                            phi_790_ = true;
-                        }
-                        let _e512 = phi_790_;
-                        if _e512 {
-                            if _e506 {
-                                if (_e325.member_3 == 4294967295u) {
-                                    phi_802_ = false;
+                        let _e508 = phi_779_;
+                        if _e508 {
+                            if _e502 {
+                                if (_e321.member_3 == 4294967295u) {
+                                    phi_791_ = false;
                                 } else {
-                                    phi_802_ = true;
+                                    phi_791_ = true;
                                 }
-                                let _e516 = phi_802_;
-                                phi_803_ = _e516;
+                                let _e512 = phi_791_;
+                                phi_792_ = _e512;
                             } else {
-                                phi_803_ = true;
+                                phi_792_ = true;
                             }
-                            let _e518 = phi_803_;
-                            if _e518 {
-                                if _e457 {
-                                    if _e506 {
-                                        let _e521 = a_nodes.member[_e323.member_1];
-                                        let _e526 = a_nodes.member[_e323.member_3];
-                                        let _e531 = b_nodes.member[_e325.member_1];
-                                        let _e536 = b_nodes.member[_e325.member_3];
-                                        if ((((((_e521.member[0] <= _e531.member_2[0]) && (_e531.member[0] <= _e521.member_2[0])) && (_e521.member[1] <= _e531.member_2[1])) && (_e531.member[1] <= _e521.member_2[1])) && (_e521.member[2] <= _e531.member_2[2])) && (_e531.member[2] <= _e521.member_2[2])) {
-                                            phi_898_ = array<u32, 2>(_e323.member_1, _e325.member_1);
+                            let _e514 = phi_792_;
+                            if _e514 {
+                                if _e453 {
+                                    if _e502 {
+                                        let _e517 = a_nodes.member[_e319.member_1];
+                                        let _e522 = a_nodes.member[_e319.member_3];
+                                        let _e527 = b_nodes.member[_e321.member_1];
+                                        let _e532 = b_nodes.member[_e321.member_3];
+                                        if ((((((_e517.member[0] <= _e527.member_2[0]) && (_e527.member[0] <= _e517.member_2[0])) && (_e517.member[1] <= _e527.member_2[1])) && (_e527.member[1] <= _e517.member_2[1])) && (_e517.member[2] <= _e527.member_2[2])) && (_e527.member[2] <= _e517.member_2[2])) {
+                                            phi_887_ = array<u32, 2>(_e319.member_1, _e321.member_1);
                                         } else {
-                                            phi_898_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_887_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e566 = phi_898_;
-                                        if ((((((_e521.member[0] <= _e536.member_2[0]) && (_e536.member[0] <= _e521.member_2[0])) && (_e521.member[1] <= _e536.member_2[1])) && (_e536.member[1] <= _e521.member_2[1])) && (_e521.member[2] <= _e536.member_2[2])) && (_e536.member[2] <= _e521.member_2[2])) {
-                                            phi_928_ = array<u32, 2>(_e323.member_1, _e325.member_3);
+                                        let _e562 = phi_887_;
+                                        if ((((((_e517.member[0] <= _e532.member_2[0]) && (_e532.member[0] <= _e517.member_2[0])) && (_e517.member[1] <= _e532.member_2[1])) && (_e532.member[1] <= _e517.member_2[1])) && (_e517.member[2] <= _e532.member_2[2])) && (_e532.member[2] <= _e517.member_2[2])) {
+                                            phi_917_ = array<u32, 2>(_e319.member_1, _e321.member_3);
                                         } else {
-                                            phi_928_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_917_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e594 = phi_928_;
-                                        if ((((((_e526.member[0] <= _e531.member_2[0]) && (_e531.member[0] <= _e526.member_2[0])) && (_e526.member[1] <= _e531.member_2[1])) && (_e531.member[1] <= _e526.member_2[1])) && (_e526.member[2] <= _e531.member_2[2])) && (_e531.member[2] <= _e526.member_2[2])) {
-                                            phi_958_ = array<u32, 2>(_e323.member_3, _e325.member_1);
+                                        let _e590 = phi_917_;
+                                        if ((((((_e522.member[0] <= _e527.member_2[0]) && (_e527.member[0] <= _e522.member_2[0])) && (_e522.member[1] <= _e527.member_2[1])) && (_e527.member[1] <= _e522.member_2[1])) && (_e522.member[2] <= _e527.member_2[2])) && (_e527.member[2] <= _e522.member_2[2])) {
+                                            phi_947_ = array<u32, 2>(_e319.member_3, _e321.member_1);
                                         } else {
-                                            phi_958_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_947_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e622 = phi_958_;
-                                        if ((((((_e526.member[0] <= _e536.member_2[0]) && (_e536.member[0] <= _e526.member_2[0])) && (_e526.member[1] <= _e536.member_2[1])) && (_e536.member[1] <= _e526.member_2[1])) && (_e526.member[2] <= _e536.member_2[2])) && (_e536.member[2] <= _e526.member_2[2])) {
-                                            phi_988_ = array<u32, 2>(_e323.member_3, _e325.member_3);
+                                        let _e618 = phi_947_;
+                                        if ((((((_e522.member[0] <= _e532.member_2[0]) && (_e532.member[0] <= _e522.member_2[0])) && (_e522.member[1] <= _e532.member_2[1])) && (_e532.member[1] <= _e522.member_2[1])) && (_e522.member[2] <= _e532.member_2[2])) && (_e532.member[2] <= _e522.member_2[2])) {
+                                            phi_977_ = array<u32, 2>(_e319.member_3, _e321.member_3);
                                         } else {
-                                            phi_988_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_977_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e650 = phi_988_;
-                                        phi_990_ = array<array<u32, 2>, 4>(_e566, _e594, _e622, _e650);
-                                        phi_991_ = false;
+                                        let _e646 = phi_977_;
+                                        phi_979_ = array<array<u32, 2>, 4>(_e562, _e590, _e618, _e646);
+                                        phi_980_ = false;
                                     } else {
-                                        phi_990_ = array<array<u32, 2>, 4>();
-                                        phi_991_ = true;
+                                        phi_979_ = array<array<u32, 2>, 4>();
+                                        phi_980_ = true;
                                     }
-                                    let _e653 = phi_990_;
-                                    let _e655 = phi_991_;
-                                    phi_992_ = _e653;
-                                    phi_993_ = _e655;
+                                    let _e649 = phi_979_;
+                                    let _e651 = phi_980_;
+                                    phi_981_ = _e649;
+                                    phi_982_ = _e651;
                                 } else {
-                                    phi_992_ = array<array<u32, 2>, 4>();
-                                    phi_993_ = true;
+                                    phi_981_ = array<array<u32, 2>, 4>();
+                                    phi_982_ = true;
                                 }
-                                let _e657 = phi_992_;
-                                let _e659 = phi_993_;
-                                if _e659 {
-                                    if _e457 {
-                                        let _e731 = a_nodes.member[_e323.member_1];
-                                        let _e736 = a_nodes.member[_e323.member_3];
-                                        if ((((((_e731.member[0] <= _e325.member_2[0]) && (_e325.member[0] <= _e731.member_2[0])) && (_e731.member[1] <= _e325.member_2[1])) && (_e325.member[1] <= _e731.member_2[1])) && (_e731.member[2] <= _e325.member_2[2])) && (_e325.member[2] <= _e731.member_2[2])) {
-                                            phi_1059_ = array<u32, 2>(_e323.member_1, _e317[1]);
+                                let _e653 = phi_981_;
+                                let _e655 = phi_982_;
+                                if _e655 {
+                                    if _e453 {
+                                        let _e727 = a_nodes.member[_e319.member_1];
+                                        let _e732 = a_nodes.member[_e319.member_3];
+                                        if ((((((_e727.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e727.member_2[0])) && (_e727.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e727.member_2[1])) && (_e727.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e727.member_2[2])) {
+                                            phi_1048_ = array<u32, 2>(_e319.member_1, _e285[1]);
                                         } else {
-                                            phi_1059_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_1048_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e767 = phi_1059_;
-                                        if ((((((_e736.member[0] <= _e325.member_2[0]) && (_e325.member[0] <= _e736.member_2[0])) && (_e736.member[1] <= _e325.member_2[1])) && (_e325.member[1] <= _e736.member_2[1])) && (_e736.member[2] <= _e325.member_2[2])) && (_e325.member[2] <= _e736.member_2[2])) {
-                                            phi_1091_ = array<u32, 2>(_e323.member_3, _e317[1]);
+                                        let _e763 = phi_1048_;
+                                        if ((((((_e732.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e732.member_2[0])) && (_e732.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e732.member_2[1])) && (_e732.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e732.member_2[2])) {
+                                            phi_1080_ = array<u32, 2>(_e319.member_3, _e285[1]);
                                         } else {
-                                            phi_1091_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_1080_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e796 = phi_1091_;
-                                        phi_1186_ = array<array<u32, 2>, 4>(_e767, _e796, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                        let _e792 = phi_1080_;
+                                        phi_1175_ = array<array<u32, 2>, 4>(_e763, _e792, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                     } else {
-                                        let _e662 = b_nodes.member[_e325.member_1];
-                                        let _e667 = b_nodes.member[_e325.member_3];
-                                        if ((((((_e323.member[0] <= _e662.member_2[0]) && (_e662.member[0] <= _e323.member_2[0])) && (_e323.member[1] <= _e662.member_2[1])) && (_e662.member[1] <= _e323.member_2[1])) && (_e323.member[2] <= _e662.member_2[2])) && (_e662.member[2] <= _e323.member_2[2])) {
-                                            phi_1152_ = array<u32, 2>(_e317[0], _e325.member_1);
+                                        let _e658 = b_nodes.member[_e321.member_1];
+                                        let _e663 = b_nodes.member[_e321.member_3];
+                                        if ((((((_e319.member[0] <= _e658.member_2[0]) && (_e658.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e658.member_2[1])) && (_e658.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e658.member_2[2])) && (_e658.member[2] <= _e319.member_2[2])) {
+                                            phi_1141_ = array<u32, 2>(_e285[0], _e321.member_1);
                                         } else {
-                                            phi_1152_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_1141_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e698 = phi_1152_;
-                                        if ((((((_e323.member[0] <= _e667.member_2[0]) && (_e667.member[0] <= _e323.member_2[0])) && (_e323.member[1] <= _e667.member_2[1])) && (_e667.member[1] <= _e323.member_2[1])) && (_e323.member[2] <= _e667.member_2[2])) && (_e667.member[2] <= _e323.member_2[2])) {
-                                            phi_1184_ = array<u32, 2>(_e317[0], _e325.member_3);
+                                        let _e694 = phi_1141_;
+                                        if ((((((_e319.member[0] <= _e663.member_2[0]) && (_e663.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e663.member_2[1])) && (_e663.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e663.member_2[2])) && (_e663.member[2] <= _e319.member_2[2])) {
+                                            phi_1173_ = array<u32, 2>(_e285[0], _e321.member_3);
                                         } else {
-                                            phi_1184_ = array<u32, 2>(4294967295u, 4294967295u);
+                                            phi_1173_ = array<u32, 2>(4294967295u, 4294967295u);
                                         }
-                                        let _e727 = phi_1184_;
-                                        phi_1186_ = array<array<u32, 2>, 4>(_e698, _e727, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                        let _e723 = phi_1173_;
+                                        phi_1175_ = array<array<u32, 2>, 4>(_e694, _e723, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                     }
-                                    let _e799 = phi_1186_;
-                                    phi_1187_ = _e799;
+                                    let _e795 = phi_1175_;
+                                    phi_1176_ = _e795;
                                 } else {
-                                    phi_1187_ = _e657;
+                                    phi_1176_ = _e653;
                                 }
-                                let _e801 = phi_1187_;
-                                phi_1188_ = _e801;
-                                phi_1189_ = false;
+                                let _e797 = phi_1176_;
+                                phi_1177_ = _e797;
+                                phi_1178_ = false;
                             } else {
-                                phi_1188_ = array<array<u32, 2>, 4>();
-                                phi_1189_ = true;
+                                phi_1177_ = array<array<u32, 2>, 4>();
+                                phi_1178_ = true;
                             }
-                            let _e803 = phi_1188_;
-                            let _e805 = phi_1189_;
-                            phi_1190_ = _e803;
-                            phi_1191_ = _e805;
+                            let _e799 = phi_1177_;
+                            let _e801 = phi_1178_;
+                            phi_1179_ = _e799;
+                            phi_1180_ = _e801;
                         } else {
-                            phi_1190_ = array<array<u32, 2>, 4>();
-                            phi_1191_ = true;
+                            phi_1179_ = array<array<u32, 2>, 4>();
+                            phi_1180_ = true;
                         }
-                        let _e807 = phi_1190_;
-                        let _e809 = phi_1191_;
-                        phi_1195_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
-                        phi_1196_ = _e807;
-                        phi_1197_ = _e809;
+                        let _e803 = phi_1179_;
+                        let _e805 = phi_1180_;
+                        phi_1184_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                        phi_1185_ = _e803;
+                        phi_1186_ = _e805;
                     } else {
-                        phi_1195_ = _e391;
-                        phi_1196_ = array<array<u32, 2>, 4>();
-                        phi_1197_ = true;
+                        phi_1184_ = _e387;
+                        phi_1185_ = array<array<u32, 2>, 4>();
+                        phi_1186_ = true;
                     }
-                    let _e811 = phi_1195_;
-                    let _e813 = phi_1196_;
-                    let _e815 = phi_1197_;
-                    if _e815 {
-                        phi_1201_ = _e811;
+                    let _e807 = phi_1184_;
+                    let _e809 = phi_1185_;
+                    let _e811 = phi_1186_;
+                    if _e811 {
+                        phi_1190_ = _e807;
                     } else {
-                        phi_1201_ = _e813;
+                        phi_1190_ = _e809;
                     }
-                    let _e817 = phi_1201_;
-                    local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e817[0][0], _e817[0][1]), array<u32, 2>(_e817[1][0], _e817[1][1]), array<u32, 2>(_e817[2][0], _e817[2][1]), array<u32, 2>(_e817[3][0], _e817[3][1]));
-                    phi_1221_ = type_12(0u, 4u);
+                    let _e813 = phi_1190_;
+                    let _e816 = params.member.member_2.member;
+                    if (_e816 == 0u) {
+                        phi_1200_ = array<u32, 2>(0u, 2u);
+                    } else {
+                        phi_1200_ = array<u32, 2>(1u, 1u);
+                    }
+                    let _e819 = phi_1200_;
+                    let _e825 = params.member.member.member_2[_e819[0]];
+                    let _e829 = params.member.member.member_2[_e819[1]];
+                    let _e832 = params.member.member_2.member;
+                    let _e836 = params.member.member_2.member;
+                    if (_e836 == 0u) {
+                        phi_1232_ = array<u32, 2>(0u, 2u);
+                    } else {
+                        phi_1232_ = array<u32, 2>(1u, 1u);
+                    }
+                    let _e839 = phi_1232_;
+                    let _e845 = params.member.member.member[_e839[0]];
+                    let _e846 = (_e845 - 1u);
+                    let _e850 = params.member.member.member[_e839[1]];
+                    let _e851 = (_e850 - 1u);
+                    local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e813[0][0], _e813[0][1]), array<u32, 2>(_e813[1][0], _e813[1][1]), array<u32, 2>(_e813[2][0], _e813[2][1]), array<u32, 2>(_e813[3][0], _e813[3][1]));
+                    phi_1270_ = type_12(0u, 4u);
                     loop {
-                        let _e836 = phi_1221_;
-                        if (_e836.member < _e836.member_1) {
-                            phi_1222_ = type_12((_e836.member + 1u), _e836.member_1);
-                            phi_1245_ = type_12(1u, _e836.member);
+                        let _e870 = phi_1270_;
+                        if (_e870.member < _e870.member_1) {
+                            phi_1271_ = type_12((_e870.member + 1u), _e870.member_1);
+                            phi_1294_ = type_12(1u, _e870.member);
                         } else {
-                            phi_1222_ = _e836;
-                            phi_1245_ = type_12(0u, type_12().member_1);
+                            phi_1271_ = _e870;
+                            phi_1294_ = type_12(0u, type_12().member_1);
                         }
-                        let _e848 = phi_1222_;
-                        let _e850 = phi_1245_;
-                        let _e854 = (bitcast<i32>(_e850.member) != 0i);
-                        if _e854 {
-                            let _e856 = local_1[_e850.member_1];
-                            if (_e856[0] != 4294967295u) {
-                                if _e107 {
-                                    phi_1274_ = (_e856[0] == _e856[1]);
+                        let _e882 = phi_1271_;
+                        let _e884 = phi_1294_;
+                        let _e888 = (bitcast<i32>(_e884.member) != 0i);
+                        if _e888 {
+                            let _e890 = local_1[_e884.member_1];
+                            if (_e890[0] != 4294967295u) {
+                                if (_e832 == 1u) {
+                                    phi_1323_ = (_e890[0] == _e890[1]);
                                 } else {
-                                    phi_1274_ = false;
+                                    phi_1323_ = false;
                                 }
-                                let _e862 = phi_1274_;
-                                if _e862 {
-                                    phi_3483_ = bool();
-                                    phi_3484_ = true;
+                                let _e896 = phi_1323_;
+                                if _e896 {
+                                    phi_3532_ = bool();
+                                    phi_3533_ = true;
                                 } else {
-                                    if (_e856[0] >= _e118) {
-                                        if (_e856[1] >= _e123) {
-                                            phi_1286_ = false;
+                                    if (_e890[0] >= _e846) {
+                                        if (_e890[1] >= _e851) {
+                                            phi_1335_ = false;
                                         } else {
-                                            phi_1286_ = true;
+                                            phi_1335_ = true;
                                         }
-                                        let _e866 = phi_1286_;
-                                        phi_1287_ = _e866;
+                                        let _e900 = phi_1335_;
+                                        phi_1336_ = _e900;
                                     } else {
-                                        phi_1287_ = true;
+                                        phi_1336_ = true;
                                     }
-                                    let _e868 = phi_1287_;
-                                    if _e868 {
-                                        if (_e856[0] < _e118) {
-                                            let _e948 = oriented.member[(_e127 + _e856[0])];
-                                            phi_1434_ = type_31(array<f32, 3>(_e948.member.x, _e948.member.y, _e948.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e948.member.w, _e948.member_1.x, _e948.member_1.y), array<f32, 3>(_e948.member_1.z, _e948.member_1.w, _e948.member_2.x), array<f32, 3>(_e948.member_2.y, _e948.member_2.z, _e948.member_2.w)), array<f32, 3>(_e948.member_3.x, _e948.member_3.y, _e948.member_3.z));
+                                    let _e902 = phi_1336_;
+                                    if _e902 {
+                                        if (_e890[0] < _e846) {
+                                            let _e982 = oriented.member[(_e825 + _e890[0])];
+                                            phi_1483_ = type_31(array<f32, 3>(_e982.member.x, _e982.member.y, _e982.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e982.member.w, _e982.member_1.x, _e982.member_1.y), array<f32, 3>(_e982.member_1.z, _e982.member_1.w, _e982.member_2.x), array<f32, 3>(_e982.member_2.y, _e982.member_2.z, _e982.member_2.w)), array<f32, 3>(_e982.member_3.x, _e982.member_3.y, _e982.member_3.z));
                                         } else {
-                                            let _e871 = a_nodes.member[_e856[0]];
-                                            let _e886 = ((_e871.member[0] * 0.5f) + (_e871.member_2[0] * 0.5f));
-                                            let _e887 = ((_e871.member[1] * 0.5f) + (_e871.member_2[1] * 0.5f));
-                                            let _e888 = ((_e871.member[2] * 0.5f) + (_e871.member_2[2] * 0.5f));
-                                            if (_e886 < _e871.member_2[0]) {
-                                                phi_1360_ = _e886;
+                                            let _e905 = a_nodes.member[_e890[0]];
+                                            let _e920 = ((_e905.member[0] * 0.5f) + (_e905.member_2[0] * 0.5f));
+                                            let _e921 = ((_e905.member[1] * 0.5f) + (_e905.member_2[1] * 0.5f));
+                                            let _e922 = ((_e905.member[2] * 0.5f) + (_e905.member_2[2] * 0.5f));
+                                            if (_e920 < _e905.member_2[0]) {
+                                                phi_1409_ = _e920;
                                             } else {
-                                                phi_1360_ = _e871.member_2[0];
+                                                phi_1409_ = _e905.member_2[0];
                                             }
-                                            let _e892 = phi_1360_;
-                                            if (_e887 < _e871.member_2[1]) {
-                                                phi_1366_ = _e887;
+                                            let _e926 = phi_1409_;
+                                            if (_e921 < _e905.member_2[1]) {
+                                                phi_1415_ = _e921;
                                             } else {
-                                                phi_1366_ = _e871.member_2[1];
+                                                phi_1415_ = _e905.member_2[1];
                                             }
-                                            let _e896 = phi_1366_;
-                                            if (_e888 < _e871.member_2[2]) {
-                                                phi_1372_ = _e888;
+                                            let _e930 = phi_1415_;
+                                            if (_e922 < _e905.member_2[2]) {
+                                                phi_1421_ = _e922;
                                             } else {
-                                                phi_1372_ = _e871.member_2[2];
+                                                phi_1421_ = _e905.member_2[2];
                                             }
-                                            let _e900 = phi_1372_;
-                                            if (_e892 > _e871.member[0]) {
-                                                phi_1378_ = _e892;
+                                            let _e934 = phi_1421_;
+                                            if (_e926 > _e905.member[0]) {
+                                                phi_1427_ = _e926;
                                             } else {
-                                                phi_1378_ = _e871.member[0];
+                                                phi_1427_ = _e905.member[0];
                                             }
-                                            let _e904 = phi_1378_;
-                                            if (_e896 > _e871.member[1]) {
-                                                phi_1384_ = _e896;
+                                            let _e938 = phi_1427_;
+                                            if (_e930 > _e905.member[1]) {
+                                                phi_1433_ = _e930;
                                             } else {
-                                                phi_1384_ = _e871.member[1];
+                                                phi_1433_ = _e905.member[1];
                                             }
-                                            let _e908 = phi_1384_;
-                                            if (_e900 > _e871.member[2]) {
-                                                phi_1390_ = _e900;
+                                            let _e942 = phi_1433_;
+                                            if (_e934 > _e905.member[2]) {
+                                                phi_1439_ = _e934;
                                             } else {
-                                                phi_1390_ = _e871.member[2];
+                                                phi_1439_ = _e905.member[2];
                                             }
-                                            let _e912 = phi_1390_;
-                                            let _e915 = (_e871.member_2[0] - _e904);
-                                            let _e917 = (_e871.member_2[1] - _e908);
-                                            let _e919 = (_e871.member_2[2] - _e912);
-                                            let _e921 = (_e904 - _e871.member[0]);
-                                            let _e923 = (_e908 - _e871.member[1]);
-                                            let _e925 = (_e912 - _e871.member[2]);
-                                            if (_e915 > _e921) {
-                                                phi_1408_ = _e915;
+                                            let _e946 = phi_1439_;
+                                            let _e949 = (_e905.member_2[0] - _e938);
+                                            let _e951 = (_e905.member_2[1] - _e942);
+                                            let _e953 = (_e905.member_2[2] - _e946);
+                                            let _e955 = (_e938 - _e905.member[0]);
+                                            let _e957 = (_e942 - _e905.member[1]);
+                                            let _e959 = (_e946 - _e905.member[2]);
+                                            if (_e949 > _e955) {
+                                                phi_1457_ = _e949;
                                             } else {
-                                                phi_1408_ = _e921;
+                                                phi_1457_ = _e955;
                                             }
-                                            let _e928 = phi_1408_;
-                                            if (_e917 > _e923) {
-                                                phi_1413_ = _e917;
+                                            let _e962 = phi_1457_;
+                                            if (_e951 > _e957) {
+                                                phi_1462_ = _e951;
                                             } else {
-                                                phi_1413_ = _e923;
+                                                phi_1462_ = _e957;
                                             }
-                                            let _e931 = phi_1413_;
-                                            if (_e919 > _e925) {
-                                                phi_1418_ = _e919;
+                                            let _e965 = phi_1462_;
+                                            if (_e953 > _e959) {
+                                                phi_1467_ = _e953;
                                             } else {
-                                                phi_1418_ = _e925;
+                                                phi_1467_ = _e959;
                                             }
-                                            let _e934 = phi_1418_;
-                                            let _e936 = (1f + (0.000000059604645f * 4f));
-                                            let _e940 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1434_ = type_31(array<f32, 3>(_e904, _e908, _e912), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e928 * _e936) + _e940), ((_e931 * _e936) + _e940), ((_e934 * _e936) + _e940)));
+                                            let _e968 = phi_1467_;
+                                            let _e970 = (1f + (0.000000059604645f * 4f));
+                                            let _e974 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                            phi_1483_ = type_31(array<f32, 3>(_e938, _e942, _e946), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e962 * _e970) + _e974), ((_e965 * _e970) + _e974), ((_e968 * _e970) + _e974)));
                                         }
-                                        let _e987 = phi_1434_;
-                                        if (_e856[1] < _e123) {
-                                            let _e1067 = oriented.member[(_e131 + _e856[1])];
-                                            phi_1578_ = type_31(array<f32, 3>(_e1067.member.x, _e1067.member.y, _e1067.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1067.member.w, _e1067.member_1.x, _e1067.member_1.y), array<f32, 3>(_e1067.member_1.z, _e1067.member_1.w, _e1067.member_2.x), array<f32, 3>(_e1067.member_2.y, _e1067.member_2.z, _e1067.member_2.w)), array<f32, 3>(_e1067.member_3.x, _e1067.member_3.y, _e1067.member_3.z));
+                                        let _e1021 = phi_1483_;
+                                        if (_e890[1] < _e851) {
+                                            let _e1101 = oriented.member[(_e829 + _e890[1])];
+                                            phi_1627_ = type_31(array<f32, 3>(_e1101.member.x, _e1101.member.y, _e1101.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1101.member.w, _e1101.member_1.x, _e1101.member_1.y), array<f32, 3>(_e1101.member_1.z, _e1101.member_1.w, _e1101.member_2.x), array<f32, 3>(_e1101.member_2.y, _e1101.member_2.z, _e1101.member_2.w)), array<f32, 3>(_e1101.member_3.x, _e1101.member_3.y, _e1101.member_3.z));
                                         } else {
-                                            let _e990 = b_nodes.member[_e856[1]];
-                                            let _e1005 = ((_e990.member[0] * 0.5f) + (_e990.member_2[0] * 0.5f));
-                                            let _e1006 = ((_e990.member[1] * 0.5f) + (_e990.member_2[1] * 0.5f));
-                                            let _e1007 = ((_e990.member[2] * 0.5f) + (_e990.member_2[2] * 0.5f));
-                                            if (_e1005 < _e990.member_2[0]) {
-                                                phi_1504_ = _e1005;
+                                            let _e1024 = b_nodes.member[_e890[1]];
+                                            let _e1039 = ((_e1024.member[0] * 0.5f) + (_e1024.member_2[0] * 0.5f));
+                                            let _e1040 = ((_e1024.member[1] * 0.5f) + (_e1024.member_2[1] * 0.5f));
+                                            let _e1041 = ((_e1024.member[2] * 0.5f) + (_e1024.member_2[2] * 0.5f));
+                                            if (_e1039 < _e1024.member_2[0]) {
+                                                phi_1553_ = _e1039;
                                             } else {
-                                                phi_1504_ = _e990.member_2[0];
+                                                phi_1553_ = _e1024.member_2[0];
                                             }
-                                            let _e1011 = phi_1504_;
-                                            if (_e1006 < _e990.member_2[1]) {
-                                                phi_1510_ = _e1006;
+                                            let _e1045 = phi_1553_;
+                                            if (_e1040 < _e1024.member_2[1]) {
+                                                phi_1559_ = _e1040;
                                             } else {
-                                                phi_1510_ = _e990.member_2[1];
+                                                phi_1559_ = _e1024.member_2[1];
                                             }
-                                            let _e1015 = phi_1510_;
-                                            if (_e1007 < _e990.member_2[2]) {
-                                                phi_1516_ = _e1007;
+                                            let _e1049 = phi_1559_;
+                                            if (_e1041 < _e1024.member_2[2]) {
+                                                phi_1565_ = _e1041;
                                             } else {
-                                                phi_1516_ = _e990.member_2[2];
+                                                phi_1565_ = _e1024.member_2[2];
                                             }
-                                            let _e1019 = phi_1516_;
-                                            if (_e1011 > _e990.member[0]) {
-                                                phi_1522_ = _e1011;
+                                            let _e1053 = phi_1565_;
+                                            if (_e1045 > _e1024.member[0]) {
+                                                phi_1571_ = _e1045;
                                             } else {
-                                                phi_1522_ = _e990.member[0];
+                                                phi_1571_ = _e1024.member[0];
                                             }
-                                            let _e1023 = phi_1522_;
-                                            if (_e1015 > _e990.member[1]) {
-                                                phi_1528_ = _e1015;
+                                            let _e1057 = phi_1571_;
+                                            if (_e1049 > _e1024.member[1]) {
+                                                phi_1577_ = _e1049;
                                             } else {
-                                                phi_1528_ = _e990.member[1];
+                                                phi_1577_ = _e1024.member[1];
                                             }
-                                            let _e1027 = phi_1528_;
-                                            if (_e1019 > _e990.member[2]) {
-                                                phi_1534_ = _e1019;
+                                            let _e1061 = phi_1577_;
+                                            if (_e1053 > _e1024.member[2]) {
+                                                phi_1583_ = _e1053;
                                             } else {
-                                                phi_1534_ = _e990.member[2];
+                                                phi_1583_ = _e1024.member[2];
                                             }
-                                            let _e1031 = phi_1534_;
-                                            let _e1034 = (_e990.member_2[0] - _e1023);
-                                            let _e1036 = (_e990.member_2[1] - _e1027);
-                                            let _e1038 = (_e990.member_2[2] - _e1031);
-                                            let _e1040 = (_e1023 - _e990.member[0]);
-                                            let _e1042 = (_e1027 - _e990.member[1]);
-                                            let _e1044 = (_e1031 - _e990.member[2]);
-                                            if (_e1034 > _e1040) {
-                                                phi_1552_ = _e1034;
+                                            let _e1065 = phi_1583_;
+                                            let _e1068 = (_e1024.member_2[0] - _e1057);
+                                            let _e1070 = (_e1024.member_2[1] - _e1061);
+                                            let _e1072 = (_e1024.member_2[2] - _e1065);
+                                            let _e1074 = (_e1057 - _e1024.member[0]);
+                                            let _e1076 = (_e1061 - _e1024.member[1]);
+                                            let _e1078 = (_e1065 - _e1024.member[2]);
+                                            if (_e1068 > _e1074) {
+                                                phi_1601_ = _e1068;
                                             } else {
-                                                phi_1552_ = _e1040;
+                                                phi_1601_ = _e1074;
                                             }
-                                            let _e1047 = phi_1552_;
-                                            if (_e1036 > _e1042) {
-                                                phi_1557_ = _e1036;
+                                            let _e1081 = phi_1601_;
+                                            if (_e1070 > _e1076) {
+                                                phi_1606_ = _e1070;
                                             } else {
-                                                phi_1557_ = _e1042;
+                                                phi_1606_ = _e1076;
                                             }
-                                            let _e1050 = phi_1557_;
-                                            if (_e1038 > _e1044) {
-                                                phi_1562_ = _e1038;
+                                            let _e1084 = phi_1606_;
+                                            if (_e1072 > _e1078) {
+                                                phi_1611_ = _e1072;
                                             } else {
-                                                phi_1562_ = _e1044;
+                                                phi_1611_ = _e1078;
                                             }
-                                            let _e1053 = phi_1562_;
-                                            let _e1055 = (1f + (0.000000059604645f * 4f));
-                                            let _e1059 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1578_ = type_31(array<f32, 3>(_e1023, _e1027, _e1031), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1047 * _e1055) + _e1059), ((_e1050 * _e1055) + _e1059), ((_e1053 * _e1055) + _e1059)));
+                                            let _e1087 = phi_1611_;
+                                            let _e1089 = (1f + (0.000000059604645f * 4f));
+                                            let _e1093 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                            phi_1627_ = type_31(array<f32, 3>(_e1057, _e1061, _e1065), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1081 * _e1089) + _e1093), ((_e1084 * _e1089) + _e1093), ((_e1087 * _e1089) + _e1093)));
                                         }
-                                        let _e1106 = phi_1578_;
-                                        let _e1111 = (_e1106.member[0] - _e987.member[0]);
-                                        let _e1114 = (_e1106.member[1] - _e987.member[1]);
-                                        let _e1117 = (_e1106.member[2] - _e987.member[2]);
-                                        if (_e1111 < 0f) {
-                                            phi_1768_ = -(_e1111);
+                                        let _e1140 = phi_1627_;
+                                        let _e1145 = (_e1140.member[0] - _e1021.member[0]);
+                                        let _e1148 = (_e1140.member[1] - _e1021.member[1]);
+                                        let _e1151 = (_e1140.member[2] - _e1021.member[2]);
+                                        if (_e1145 < 0f) {
+                                            phi_1817_ = -(_e1145);
                                         } else {
-                                            phi_1768_ = _e1111;
+                                            phi_1817_ = _e1145;
                                         }
-                                        let _e1306 = phi_1768_;
-                                        if (_e1114 < 0f) {
-                                            phi_1774_ = -(_e1114);
+                                        let _e1340 = phi_1817_;
+                                        if (_e1148 < 0f) {
+                                            phi_1823_ = -(_e1148);
                                         } else {
-                                            phi_1774_ = _e1114;
+                                            phi_1823_ = _e1148;
                                         }
-                                        let _e1310 = phi_1774_;
-                                        if (_e1117 < 0f) {
-                                            phi_1781_ = -(_e1117);
+                                        let _e1344 = phi_1823_;
+                                        if (_e1151 < 0f) {
+                                            phi_1830_ = -(_e1151);
                                         } else {
-                                            phi_1781_ = _e1117;
+                                            phi_1830_ = _e1151;
                                         }
-                                        let _e1315 = phi_1781_;
-                                        if (_e987.member_2[0] < 0f) {
-                                            phi_1790_ = -(_e987.member_2[0]);
+                                        let _e1349 = phi_1830_;
+                                        if (_e1021.member_2[0] < 0f) {
+                                            phi_1839_ = -(_e1021.member_2[0]);
                                         } else {
-                                            phi_1790_ = _e987.member_2[0];
+                                            phi_1839_ = _e1021.member_2[0];
                                         }
-                                        let _e1322 = phi_1790_;
-                                        if (_e987.member_2[1] < 0f) {
-                                            phi_1797_ = -(_e987.member_2[1]);
+                                        let _e1356 = phi_1839_;
+                                        if (_e1021.member_2[1] < 0f) {
+                                            phi_1846_ = -(_e1021.member_2[1]);
                                         } else {
-                                            phi_1797_ = _e987.member_2[1];
+                                            phi_1846_ = _e1021.member_2[1];
                                         }
-                                        let _e1327 = phi_1797_;
-                                        if (_e987.member_2[2] < 0f) {
-                                            phi_1805_ = -(_e987.member_2[2]);
+                                        let _e1361 = phi_1846_;
+                                        if (_e1021.member_2[2] < 0f) {
+                                            phi_1854_ = -(_e1021.member_2[2]);
                                         } else {
-                                            phi_1805_ = _e987.member_2[2];
+                                            phi_1854_ = _e1021.member_2[2];
                                         }
-                                        let _e1333 = phi_1805_;
-                                        if (_e1106.member_2[0] < 0f) {
-                                            phi_1814_ = -(_e1106.member_2[0]);
+                                        let _e1367 = phi_1854_;
+                                        if (_e1140.member_2[0] < 0f) {
+                                            phi_1863_ = -(_e1140.member_2[0]);
                                         } else {
-                                            phi_1814_ = _e1106.member_2[0];
+                                            phi_1863_ = _e1140.member_2[0];
                                         }
-                                        let _e1340 = phi_1814_;
-                                        if (_e1106.member_2[1] < 0f) {
-                                            phi_1821_ = -(_e1106.member_2[1]);
+                                        let _e1374 = phi_1863_;
+                                        if (_e1140.member_2[1] < 0f) {
+                                            phi_1870_ = -(_e1140.member_2[1]);
                                         } else {
-                                            phi_1821_ = _e1106.member_2[1];
+                                            phi_1870_ = _e1140.member_2[1];
                                         }
-                                        let _e1345 = phi_1821_;
-                                        if (_e1106.member_2[2] < 0f) {
-                                            phi_1829_ = -(_e1106.member_2[2]);
+                                        let _e1379 = phi_1870_;
+                                        if (_e1140.member_2[2] < 0f) {
+                                            phi_1878_ = -(_e1140.member_2[2]);
                                         } else {
-                                            phi_1829_ = _e1106.member_2[2];
+                                            phi_1878_ = _e1140.member_2[2];
                                         }
-                                        let _e1351 = phi_1829_;
-                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1106.member_1[0][0] * _e987.member_1[0][0]) + (_e1106.member_1[0][1] * _e987.member_1[0][1])) + (_e1106.member_1[0][2] * _e987.member_1[0][2])), (((_e1106.member_1[1][0] * _e987.member_1[0][0]) + (_e1106.member_1[1][1] * _e987.member_1[0][1])) + (_e1106.member_1[1][2] * _e987.member_1[0][2])), (((_e1106.member_1[2][0] * _e987.member_1[0][0]) + (_e1106.member_1[2][1] * _e987.member_1[0][1])) + (_e1106.member_1[2][2] * _e987.member_1[0][2]))), array<f32, 3>((((_e1106.member_1[0][0] * _e987.member_1[1][0]) + (_e1106.member_1[0][1] * _e987.member_1[1][1])) + (_e1106.member_1[0][2] * _e987.member_1[1][2])), (((_e1106.member_1[1][0] * _e987.member_1[1][0]) + (_e1106.member_1[1][1] * _e987.member_1[1][1])) + (_e1106.member_1[1][2] * _e987.member_1[1][2])), (((_e1106.member_1[2][0] * _e987.member_1[1][0]) + (_e1106.member_1[2][1] * _e987.member_1[1][1])) + (_e1106.member_1[2][2] * _e987.member_1[1][2]))), array<f32, 3>((((_e1106.member_1[0][0] * _e987.member_1[2][0]) + (_e1106.member_1[0][1] * _e987.member_1[2][1])) + (_e1106.member_1[0][2] * _e987.member_1[2][2])), (((_e1106.member_1[1][0] * _e987.member_1[2][0]) + (_e1106.member_1[1][1] * _e987.member_1[2][1])) + (_e1106.member_1[1][2] * _e987.member_1[2][2])), (((_e1106.member_1[2][0] * _e987.member_1[2][0]) + (_e1106.member_1[2][1] * _e987.member_1[2][1])) + (_e1106.member_1[2][2] * _e987.member_1[2][2])))), array<f32, 3>((((_e987.member_1[0][0] * _e1111) + (_e987.member_1[0][1] * _e1114)) + (_e987.member_1[0][2] * _e1117)), (((_e987.member_1[1][0] * _e1111) + (_e987.member_1[1][1] * _e1114)) + (_e987.member_1[1][2] * _e1117)), (((_e987.member_1[2][0] * _e1111) + (_e987.member_1[2][1] * _e1114)) + (_e987.member_1[2][2] * _e1117))), array<f32, 3>((((_e1106.member_1[0][0] * _e1111) + (_e1106.member_1[0][1] * _e1114)) + (_e1106.member_1[0][2] * _e1117)), (((_e1106.member_1[1][0] * _e1111) + (_e1106.member_1[1][1] * _e1114)) + (_e1106.member_1[1][2] * _e1117)), (((_e1106.member_1[2][0] * _e1111) + (_e1106.member_1[2][1] * _e1114)) + (_e1106.member_1[2][2] * _e1117))), array<f32, 3>(_e987.member_2[0], _e987.member_2[1], _e987.member_2[2]), array<f32, 3>(_e1106.member_2[0], _e1106.member_2[1], _e1106.member_2[2]), ((((((_e1306 + _e1310) + _e1315) + (((_e1322 + _e1327) + _e1333) + ((_e1340 + _e1345) + _e1351))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                                        let _e1378 = local.member[0u][0u];
-                                        let _e1382 = local.member[0u][1u];
-                                        let _e1386 = local.member[0u][2u];
-                                        let _e1390 = local.member[1u][0u];
-                                        let _e1394 = local.member[1u][1u];
-                                        let _e1398 = local.member[1u][2u];
-                                        let _e1402 = local.member[2u][0u];
-                                        let _e1406 = local.member[2u][1u];
-                                        let _e1410 = local.member[2u][2u];
-                                        let _e1412 = local.member_3;
-                                        let _e1417 = local.member_4;
-                                        let _e1423 = local.member_1[0u];
-                                        if (_e1423 < 0f) {
-                                            phi_1922_ = -(_e1423);
+                                        let _e1385 = phi_1878_;
+                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1140.member_1[0][0] * _e1021.member_1[0][0]) + (_e1140.member_1[0][1] * _e1021.member_1[0][1])) + (_e1140.member_1[0][2] * _e1021.member_1[0][2])), (((_e1140.member_1[1][0] * _e1021.member_1[0][0]) + (_e1140.member_1[1][1] * _e1021.member_1[0][1])) + (_e1140.member_1[1][2] * _e1021.member_1[0][2])), (((_e1140.member_1[2][0] * _e1021.member_1[0][0]) + (_e1140.member_1[2][1] * _e1021.member_1[0][1])) + (_e1140.member_1[2][2] * _e1021.member_1[0][2]))), array<f32, 3>((((_e1140.member_1[0][0] * _e1021.member_1[1][0]) + (_e1140.member_1[0][1] * _e1021.member_1[1][1])) + (_e1140.member_1[0][2] * _e1021.member_1[1][2])), (((_e1140.member_1[1][0] * _e1021.member_1[1][0]) + (_e1140.member_1[1][1] * _e1021.member_1[1][1])) + (_e1140.member_1[1][2] * _e1021.member_1[1][2])), (((_e1140.member_1[2][0] * _e1021.member_1[1][0]) + (_e1140.member_1[2][1] * _e1021.member_1[1][1])) + (_e1140.member_1[2][2] * _e1021.member_1[1][2]))), array<f32, 3>((((_e1140.member_1[0][0] * _e1021.member_1[2][0]) + (_e1140.member_1[0][1] * _e1021.member_1[2][1])) + (_e1140.member_1[0][2] * _e1021.member_1[2][2])), (((_e1140.member_1[1][0] * _e1021.member_1[2][0]) + (_e1140.member_1[1][1] * _e1021.member_1[2][1])) + (_e1140.member_1[1][2] * _e1021.member_1[2][2])), (((_e1140.member_1[2][0] * _e1021.member_1[2][0]) + (_e1140.member_1[2][1] * _e1021.member_1[2][1])) + (_e1140.member_1[2][2] * _e1021.member_1[2][2])))), array<f32, 3>((((_e1021.member_1[0][0] * _e1145) + (_e1021.member_1[0][1] * _e1148)) + (_e1021.member_1[0][2] * _e1151)), (((_e1021.member_1[1][0] * _e1145) + (_e1021.member_1[1][1] * _e1148)) + (_e1021.member_1[1][2] * _e1151)), (((_e1021.member_1[2][0] * _e1145) + (_e1021.member_1[2][1] * _e1148)) + (_e1021.member_1[2][2] * _e1151))), array<f32, 3>((((_e1140.member_1[0][0] * _e1145) + (_e1140.member_1[0][1] * _e1148)) + (_e1140.member_1[0][2] * _e1151)), (((_e1140.member_1[1][0] * _e1145) + (_e1140.member_1[1][1] * _e1148)) + (_e1140.member_1[1][2] * _e1151)), (((_e1140.member_1[2][0] * _e1145) + (_e1140.member_1[2][1] * _e1148)) + (_e1140.member_1[2][2] * _e1151))), array<f32, 3>(_e1021.member_2[0], _e1021.member_2[1], _e1021.member_2[2]), array<f32, 3>(_e1140.member_2[0], _e1140.member_2[1], _e1140.member_2[2]), ((((((_e1340 + _e1344) + _e1349) + (((_e1356 + _e1361) + _e1367) + ((_e1374 + _e1379) + _e1385))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        let _e1412 = local.member[0u][0u];
+                                        let _e1416 = local.member[0u][1u];
+                                        let _e1420 = local.member[0u][2u];
+                                        let _e1424 = local.member[1u][0u];
+                                        let _e1428 = local.member[1u][1u];
+                                        let _e1432 = local.member[1u][2u];
+                                        let _e1436 = local.member[2u][0u];
+                                        let _e1440 = local.member[2u][1u];
+                                        let _e1444 = local.member[2u][2u];
+                                        let _e1446 = local.member_3;
+                                        let _e1451 = local.member_4;
+                                        let _e1457 = local.member_1[0u];
+                                        if (_e1457 < 0f) {
+                                            phi_1971_ = -(_e1457);
                                         } else {
-                                            phi_1922_ = _e1423;
+                                            phi_1971_ = _e1457;
                                         }
-                                        let _e1427 = phi_1922_;
-                                        if (_e1378 < 0f) {
-                                            phi_1929_ = -(_e1378);
+                                        let _e1461 = phi_1971_;
+                                        if (_e1412 < 0f) {
+                                            phi_1978_ = -(_e1412);
                                         } else {
-                                            phi_1929_ = _e1378;
+                                            phi_1978_ = _e1412;
                                         }
-                                        let _e1431 = phi_1929_;
-                                        if (_e1382 < 0f) {
-                                            phi_1935_ = -(_e1382);
+                                        let _e1465 = phi_1978_;
+                                        if (_e1416 < 0f) {
+                                            phi_1984_ = -(_e1416);
                                         } else {
-                                            phi_1935_ = _e1382;
+                                            phi_1984_ = _e1416;
                                         }
-                                        let _e1435 = phi_1935_;
-                                        if (_e1386 < 0f) {
-                                            phi_1941_ = -(_e1386);
+                                        let _e1469 = phi_1984_;
+                                        if (_e1420 < 0f) {
+                                            phi_1990_ = -(_e1420);
                                         } else {
-                                            phi_1941_ = _e1386;
+                                            phi_1990_ = _e1420;
                                         }
-                                        let _e1439 = phi_1941_;
-                                        let _e1446 = (_e1427 - (_e1412[0] + (((_e1431 * _e1417[0]) + (_e1435 * _e1417[1])) + (_e1439 * _e1417[2]))));
-                                        let _e1449 = local.member_1[1u];
-                                        if (_e1449 < 0f) {
-                                            phi_1960_ = -(_e1449);
+                                        let _e1473 = phi_1990_;
+                                        let _e1480 = (_e1461 - (_e1446[0] + (((_e1465 * _e1451[0]) + (_e1469 * _e1451[1])) + (_e1473 * _e1451[2]))));
+                                        let _e1483 = local.member_1[1u];
+                                        if (_e1483 < 0f) {
+                                            phi_2009_ = -(_e1483);
                                         } else {
-                                            phi_1960_ = _e1449;
+                                            phi_2009_ = _e1483;
                                         }
-                                        let _e1453 = phi_1960_;
-                                        if (_e1390 < 0f) {
-                                            phi_1967_ = -(_e1390);
+                                        let _e1487 = phi_2009_;
+                                        if (_e1424 < 0f) {
+                                            phi_2016_ = -(_e1424);
                                         } else {
-                                            phi_1967_ = _e1390;
+                                            phi_2016_ = _e1424;
                                         }
-                                        let _e1457 = phi_1967_;
-                                        if (_e1394 < 0f) {
-                                            phi_1973_ = -(_e1394);
+                                        let _e1491 = phi_2016_;
+                                        if (_e1428 < 0f) {
+                                            phi_2022_ = -(_e1428);
                                         } else {
-                                            phi_1973_ = _e1394;
+                                            phi_2022_ = _e1428;
                                         }
-                                        let _e1461 = phi_1973_;
-                                        if (_e1398 < 0f) {
-                                            phi_1979_ = -(_e1398);
+                                        let _e1495 = phi_2022_;
+                                        if (_e1432 < 0f) {
+                                            phi_2028_ = -(_e1432);
                                         } else {
-                                            phi_1979_ = _e1398;
+                                            phi_2028_ = _e1432;
                                         }
-                                        let _e1465 = phi_1979_;
-                                        let _e1472 = (_e1453 - (_e1412[1] + (((_e1457 * _e1417[0]) + (_e1461 * _e1417[1])) + (_e1465 * _e1417[2]))));
-                                        let _e1475 = local.member_1[2u];
-                                        if (_e1475 < 0f) {
-                                            phi_1998_ = -(_e1475);
+                                        let _e1499 = phi_2028_;
+                                        let _e1506 = (_e1487 - (_e1446[1] + (((_e1491 * _e1451[0]) + (_e1495 * _e1451[1])) + (_e1499 * _e1451[2]))));
+                                        let _e1509 = local.member_1[2u];
+                                        if (_e1509 < 0f) {
+                                            phi_2047_ = -(_e1509);
                                         } else {
-                                            phi_1998_ = _e1475;
+                                            phi_2047_ = _e1509;
                                         }
-                                        let _e1479 = phi_1998_;
-                                        if (_e1402 < 0f) {
-                                            phi_2005_ = -(_e1402);
+                                        let _e1513 = phi_2047_;
+                                        if (_e1436 < 0f) {
+                                            phi_2054_ = -(_e1436);
                                         } else {
-                                            phi_2005_ = _e1402;
+                                            phi_2054_ = _e1436;
                                         }
-                                        let _e1483 = phi_2005_;
-                                        if (_e1406 < 0f) {
-                                            phi_2011_ = -(_e1406);
+                                        let _e1517 = phi_2054_;
+                                        if (_e1440 < 0f) {
+                                            phi_2060_ = -(_e1440);
                                         } else {
-                                            phi_2011_ = _e1406;
+                                            phi_2060_ = _e1440;
                                         }
-                                        let _e1487 = phi_2011_;
-                                        if (_e1410 < 0f) {
-                                            phi_2017_ = -(_e1410);
+                                        let _e1521 = phi_2060_;
+                                        if (_e1444 < 0f) {
+                                            phi_2066_ = -(_e1444);
                                         } else {
-                                            phi_2017_ = _e1410;
+                                            phi_2066_ = _e1444;
                                         }
-                                        let _e1491 = phi_2017_;
-                                        let _e1498 = (_e1479 - (_e1412[2] + (((_e1483 * _e1417[0]) + (_e1487 * _e1417[1])) + (_e1491 * _e1417[2]))));
-                                        let _e1501 = local.member_2[0u];
-                                        if (_e1501 < 0f) {
-                                            phi_2036_ = -(_e1501);
+                                        let _e1525 = phi_2066_;
+                                        let _e1532 = (_e1513 - (_e1446[2] + (((_e1517 * _e1451[0]) + (_e1521 * _e1451[1])) + (_e1525 * _e1451[2]))));
+                                        let _e1535 = local.member_2[0u];
+                                        if (_e1535 < 0f) {
+                                            phi_2085_ = -(_e1535);
                                         } else {
-                                            phi_2036_ = _e1501;
+                                            phi_2085_ = _e1535;
                                         }
-                                        let _e1505 = phi_2036_;
-                                        if (_e1378 < 0f) {
-                                            phi_2043_ = -(_e1378);
+                                        let _e1539 = phi_2085_;
+                                        if (_e1412 < 0f) {
+                                            phi_2092_ = -(_e1412);
                                         } else {
-                                            phi_2043_ = _e1378;
+                                            phi_2092_ = _e1412;
                                         }
-                                        let _e1509 = phi_2043_;
-                                        if (_e1390 < 0f) {
-                                            phi_2049_ = -(_e1390);
+                                        let _e1543 = phi_2092_;
+                                        if (_e1424 < 0f) {
+                                            phi_2098_ = -(_e1424);
                                         } else {
-                                            phi_2049_ = _e1390;
+                                            phi_2098_ = _e1424;
                                         }
-                                        let _e1513 = phi_2049_;
-                                        if (_e1402 < 0f) {
-                                            phi_2055_ = -(_e1402);
+                                        let _e1547 = phi_2098_;
+                                        if (_e1436 < 0f) {
+                                            phi_2104_ = -(_e1436);
                                         } else {
-                                            phi_2055_ = _e1402;
+                                            phi_2104_ = _e1436;
                                         }
-                                        let _e1517 = phi_2055_;
-                                        let _e1524 = (_e1505 - (_e1417[0] + (((_e1509 * _e1412[0]) + (_e1513 * _e1412[1])) + (_e1517 * _e1412[2]))));
-                                        let _e1527 = local.member_2[1u];
-                                        if (_e1527 < 0f) {
-                                            phi_2074_ = -(_e1527);
+                                        let _e1551 = phi_2104_;
+                                        let _e1558 = (_e1539 - (_e1451[0] + (((_e1543 * _e1446[0]) + (_e1547 * _e1446[1])) + (_e1551 * _e1446[2]))));
+                                        let _e1561 = local.member_2[1u];
+                                        if (_e1561 < 0f) {
+                                            phi_2123_ = -(_e1561);
                                         } else {
-                                            phi_2074_ = _e1527;
+                                            phi_2123_ = _e1561;
                                         }
-                                        let _e1531 = phi_2074_;
-                                        if (_e1382 < 0f) {
-                                            phi_2081_ = -(_e1382);
+                                        let _e1565 = phi_2123_;
+                                        if (_e1416 < 0f) {
+                                            phi_2130_ = -(_e1416);
                                         } else {
-                                            phi_2081_ = _e1382;
+                                            phi_2130_ = _e1416;
                                         }
-                                        let _e1535 = phi_2081_;
-                                        if (_e1394 < 0f) {
-                                            phi_2087_ = -(_e1394);
+                                        let _e1569 = phi_2130_;
+                                        if (_e1428 < 0f) {
+                                            phi_2136_ = -(_e1428);
                                         } else {
-                                            phi_2087_ = _e1394;
+                                            phi_2136_ = _e1428;
                                         }
-                                        let _e1539 = phi_2087_;
-                                        if (_e1406 < 0f) {
-                                            phi_2093_ = -(_e1406);
+                                        let _e1573 = phi_2136_;
+                                        if (_e1440 < 0f) {
+                                            phi_2142_ = -(_e1440);
                                         } else {
-                                            phi_2093_ = _e1406;
+                                            phi_2142_ = _e1440;
                                         }
-                                        let _e1543 = phi_2093_;
-                                        let _e1550 = (_e1531 - (_e1417[1] + (((_e1535 * _e1412[0]) + (_e1539 * _e1412[1])) + (_e1543 * _e1412[2]))));
-                                        let _e1553 = local.member_2[2u];
-                                        if (_e1553 < 0f) {
-                                            phi_2112_ = -(_e1553);
+                                        let _e1577 = phi_2142_;
+                                        let _e1584 = (_e1565 - (_e1451[1] + (((_e1569 * _e1446[0]) + (_e1573 * _e1446[1])) + (_e1577 * _e1446[2]))));
+                                        let _e1587 = local.member_2[2u];
+                                        if (_e1587 < 0f) {
+                                            phi_2161_ = -(_e1587);
                                         } else {
-                                            phi_2112_ = _e1553;
+                                            phi_2161_ = _e1587;
                                         }
-                                        let _e1557 = phi_2112_;
-                                        if (_e1386 < 0f) {
-                                            phi_2119_ = -(_e1386);
+                                        let _e1591 = phi_2161_;
+                                        if (_e1420 < 0f) {
+                                            phi_2168_ = -(_e1420);
                                         } else {
-                                            phi_2119_ = _e1386;
+                                            phi_2168_ = _e1420;
                                         }
-                                        let _e1561 = phi_2119_;
-                                        if (_e1398 < 0f) {
-                                            phi_2125_ = -(_e1398);
+                                        let _e1595 = phi_2168_;
+                                        if (_e1432 < 0f) {
+                                            phi_2174_ = -(_e1432);
                                         } else {
-                                            phi_2125_ = _e1398;
+                                            phi_2174_ = _e1432;
                                         }
-                                        let _e1565 = phi_2125_;
-                                        if (_e1410 < 0f) {
-                                            phi_2131_ = -(_e1410);
+                                        let _e1599 = phi_2174_;
+                                        if (_e1444 < 0f) {
+                                            phi_2180_ = -(_e1444);
                                         } else {
-                                            phi_2131_ = _e1410;
+                                            phi_2180_ = _e1444;
                                         }
-                                        let _e1569 = phi_2131_;
-                                        let _e1576 = (_e1557 - (_e1417[2] + (((_e1561 * _e1412[0]) + (_e1565 * _e1412[1])) + (_e1569 * _e1412[2]))));
-                                        if (_e1446 > _e1472) {
-                                            phi_2146_ = _e1446;
+                                        let _e1603 = phi_2180_;
+                                        let _e1610 = (_e1591 - (_e1451[2] + (((_e1595 * _e1446[0]) + (_e1599 * _e1446[1])) + (_e1603 * _e1446[2]))));
+                                        if (_e1480 > _e1506) {
+                                            phi_2195_ = _e1480;
                                         } else {
-                                            phi_2146_ = _e1472;
+                                            phi_2195_ = _e1506;
                                         }
-                                        let _e1579 = phi_2146_;
-                                        if (_e1579 > _e1498) {
-                                            phi_2151_ = _e1579;
+                                        let _e1613 = phi_2195_;
+                                        if (_e1613 > _e1532) {
+                                            phi_2200_ = _e1613;
                                         } else {
-                                            phi_2151_ = _e1498;
+                                            phi_2200_ = _e1532;
                                         }
-                                        let _e1582 = phi_2151_;
-                                        if (_e1524 > _e1550) {
-                                            phi_2156_ = _e1524;
+                                        let _e1616 = phi_2200_;
+                                        if (_e1558 > _e1584) {
+                                            phi_2205_ = _e1558;
                                         } else {
-                                            phi_2156_ = _e1550;
+                                            phi_2205_ = _e1584;
                                         }
-                                        let _e1585 = phi_2156_;
-                                        if (_e1585 > _e1576) {
-                                            phi_2161_ = _e1585;
+                                        let _e1619 = phi_2205_;
+                                        if (_e1619 > _e1610) {
+                                            phi_2210_ = _e1619;
                                         } else {
-                                            phi_2161_ = _e1576;
+                                            phi_2210_ = _e1610;
                                         }
-                                        let _e1588 = phi_2161_;
-                                        if (_e1582 > _e1588) {
-                                            phi_2166_ = _e1582;
+                                        let _e1622 = phi_2210_;
+                                        if (_e1616 > _e1622) {
+                                            phi_2215_ = _e1616;
                                         } else {
-                                            phi_2166_ = _e1588;
+                                            phi_2215_ = _e1622;
                                         }
-                                        let _e1591 = phi_2166_;
-                                        let _e1593 = local.member_5;
-                                        if (_e1591 > _e1593) {
-                                            phi_3479_ = true;
+                                        let _e1625 = phi_2215_;
+                                        let _e1627 = local.member_5;
+                                        if (_e1625 > _e1627) {
+                                            phi_3528_ = true;
                                         } else {
-                                            let _e1598 = local.member[1u][0u];
-                                            let _e1601 = local.member_1[2u];
-                                            let _e1606 = local.member[2u][0u];
-                                            let _e1609 = local.member_1[1u];
-                                            let _e1611 = ((_e1598 * _e1601) - (_e1606 * _e1609));
-                                            let _e1615 = local.member[2u][0u];
-                                            if (_e1615 < 0f) {
-                                                phi_2225_ = -(_e1615);
+                                            let _e1632 = local.member[1u][0u];
+                                            let _e1635 = local.member_1[2u];
+                                            let _e1640 = local.member[2u][0u];
+                                            let _e1643 = local.member_1[1u];
+                                            let _e1645 = ((_e1632 * _e1635) - (_e1640 * _e1643));
+                                            let _e1649 = local.member[2u][0u];
+                                            if (_e1649 < 0f) {
+                                                phi_2274_ = -(_e1649);
                                             } else {
-                                                phi_2225_ = _e1615;
+                                                phi_2274_ = _e1649;
                                             }
-                                            let _e1619 = phi_2225_;
-                                            let _e1622 = local.member_3[1u];
-                                            let _e1627 = local.member[1u][0u];
-                                            if (_e1627 < 0f) {
-                                                phi_2248_ = -(_e1627);
+                                            let _e1653 = phi_2274_;
+                                            let _e1656 = local.member_3[1u];
+                                            let _e1661 = local.member[1u][0u];
+                                            if (_e1661 < 0f) {
+                                                phi_2297_ = -(_e1661);
                                             } else {
-                                                phi_2248_ = _e1627;
+                                                phi_2297_ = _e1661;
                                             }
-                                            let _e1631 = phi_2248_;
-                                            let _e1634 = local.member_3[2u];
-                                            let _e1640 = local.member[0u][2u];
-                                            if (_e1640 < 0f) {
-                                                phi_2271_ = -(_e1640);
+                                            let _e1665 = phi_2297_;
+                                            let _e1668 = local.member_3[2u];
+                                            let _e1674 = local.member[0u][2u];
+                                            if (_e1674 < 0f) {
+                                                phi_2320_ = -(_e1674);
                                             } else {
-                                                phi_2271_ = _e1640;
+                                                phi_2320_ = _e1674;
                                             }
-                                            let _e1644 = phi_2271_;
-                                            let _e1647 = local.member_4[1u];
-                                            let _e1652 = local.member[0u][1u];
-                                            if (_e1652 < 0f) {
-                                                phi_2293_ = -(_e1652);
+                                            let _e1678 = phi_2320_;
+                                            let _e1681 = local.member_4[1u];
+                                            let _e1686 = local.member[0u][1u];
+                                            if (_e1686 < 0f) {
+                                                phi_2342_ = -(_e1686);
                                             } else {
-                                                phi_2293_ = _e1652;
+                                                phi_2342_ = _e1686;
                                             }
-                                            let _e1656 = phi_2293_;
-                                            let _e1659 = local.member_4[2u];
-                                            if (_e1611 < 0f) {
-                                                phi_2309_ = -(_e1611);
+                                            let _e1690 = phi_2342_;
+                                            let _e1693 = local.member_4[2u];
+                                            if (_e1645 < 0f) {
+                                                phi_2358_ = -(_e1645);
                                             } else {
-                                                phi_2309_ = _e1611;
+                                                phi_2358_ = _e1645;
                                             }
-                                            let _e1665 = phi_2309_;
-                                            let _e1667 = (_e1665 - (((_e1619 * _e1622) + (_e1631 * _e1634)) + ((_e1644 * _e1647) + (_e1656 * _e1659))));
-                                            let _e1671 = local.member[1u][1u];
-                                            let _e1674 = local.member_1[2u];
-                                            let _e1679 = local.member[2u][1u];
-                                            let _e1682 = local.member_1[1u];
-                                            let _e1684 = ((_e1671 * _e1674) - (_e1679 * _e1682));
-                                            let _e1688 = local.member[2u][1u];
-                                            if (_e1688 < 0f) {
-                                                phi_2364_ = -(_e1688);
+                                            let _e1699 = phi_2358_;
+                                            let _e1701 = (_e1699 - (((_e1653 * _e1656) + (_e1665 * _e1668)) + ((_e1678 * _e1681) + (_e1690 * _e1693))));
+                                            let _e1705 = local.member[1u][1u];
+                                            let _e1708 = local.member_1[2u];
+                                            let _e1713 = local.member[2u][1u];
+                                            let _e1716 = local.member_1[1u];
+                                            let _e1718 = ((_e1705 * _e1708) - (_e1713 * _e1716));
+                                            let _e1722 = local.member[2u][1u];
+                                            if (_e1722 < 0f) {
+                                                phi_2413_ = -(_e1722);
                                             } else {
-                                                phi_2364_ = _e1688;
+                                                phi_2413_ = _e1722;
                                             }
-                                            let _e1692 = phi_2364_;
-                                            let _e1695 = local.member_3[1u];
-                                            let _e1700 = local.member[1u][1u];
-                                            if (_e1700 < 0f) {
-                                                phi_2387_ = -(_e1700);
+                                            let _e1726 = phi_2413_;
+                                            let _e1729 = local.member_3[1u];
+                                            let _e1734 = local.member[1u][1u];
+                                            if (_e1734 < 0f) {
+                                                phi_2436_ = -(_e1734);
                                             } else {
-                                                phi_2387_ = _e1700;
+                                                phi_2436_ = _e1734;
                                             }
-                                            let _e1704 = phi_2387_;
-                                            let _e1707 = local.member_3[2u];
-                                            let _e1713 = local.member[0u][0u];
-                                            if (_e1713 < 0f) {
-                                                phi_2410_ = -(_e1713);
+                                            let _e1738 = phi_2436_;
+                                            let _e1741 = local.member_3[2u];
+                                            let _e1747 = local.member[0u][0u];
+                                            if (_e1747 < 0f) {
+                                                phi_2459_ = -(_e1747);
                                             } else {
-                                                phi_2410_ = _e1713;
+                                                phi_2459_ = _e1747;
                                             }
-                                            let _e1717 = phi_2410_;
-                                            let _e1720 = local.member_4[2u];
-                                            let _e1725 = local.member[0u][2u];
-                                            if (_e1725 < 0f) {
-                                                phi_2432_ = -(_e1725);
+                                            let _e1751 = phi_2459_;
+                                            let _e1754 = local.member_4[2u];
+                                            let _e1759 = local.member[0u][2u];
+                                            if (_e1759 < 0f) {
+                                                phi_2481_ = -(_e1759);
                                             } else {
-                                                phi_2432_ = _e1725;
+                                                phi_2481_ = _e1759;
                                             }
-                                            let _e1729 = phi_2432_;
-                                            let _e1732 = local.member_4[0u];
-                                            if (_e1684 < 0f) {
-                                                phi_2448_ = -(_e1684);
+                                            let _e1763 = phi_2481_;
+                                            let _e1766 = local.member_4[0u];
+                                            if (_e1718 < 0f) {
+                                                phi_2497_ = -(_e1718);
                                             } else {
-                                                phi_2448_ = _e1684;
+                                                phi_2497_ = _e1718;
                                             }
-                                            let _e1738 = phi_2448_;
-                                            let _e1740 = (_e1738 - (((_e1692 * _e1695) + (_e1704 * _e1707)) + ((_e1717 * _e1720) + (_e1729 * _e1732))));
-                                            let _e1744 = local.member[1u][2u];
-                                            let _e1747 = local.member_1[2u];
-                                            let _e1752 = local.member[2u][2u];
-                                            let _e1755 = local.member_1[1u];
-                                            let _e1757 = ((_e1744 * _e1747) - (_e1752 * _e1755));
-                                            let _e1761 = local.member[2u][2u];
-                                            if (_e1761 < 0f) {
-                                                phi_2503_ = -(_e1761);
+                                            let _e1772 = phi_2497_;
+                                            let _e1774 = (_e1772 - (((_e1726 * _e1729) + (_e1738 * _e1741)) + ((_e1751 * _e1754) + (_e1763 * _e1766))));
+                                            let _e1778 = local.member[1u][2u];
+                                            let _e1781 = local.member_1[2u];
+                                            let _e1786 = local.member[2u][2u];
+                                            let _e1789 = local.member_1[1u];
+                                            let _e1791 = ((_e1778 * _e1781) - (_e1786 * _e1789));
+                                            let _e1795 = local.member[2u][2u];
+                                            if (_e1795 < 0f) {
+                                                phi_2552_ = -(_e1795);
                                             } else {
-                                                phi_2503_ = _e1761;
+                                                phi_2552_ = _e1795;
                                             }
-                                            let _e1765 = phi_2503_;
-                                            let _e1768 = local.member_3[1u];
-                                            let _e1773 = local.member[1u][2u];
-                                            if (_e1773 < 0f) {
-                                                phi_2526_ = -(_e1773);
+                                            let _e1799 = phi_2552_;
+                                            let _e1802 = local.member_3[1u];
+                                            let _e1807 = local.member[1u][2u];
+                                            if (_e1807 < 0f) {
+                                                phi_2575_ = -(_e1807);
                                             } else {
-                                                phi_2526_ = _e1773;
+                                                phi_2575_ = _e1807;
                                             }
-                                            let _e1777 = phi_2526_;
-                                            let _e1780 = local.member_3[2u];
-                                            let _e1786 = local.member[0u][1u];
-                                            if (_e1786 < 0f) {
-                                                phi_2549_ = -(_e1786);
+                                            let _e1811 = phi_2575_;
+                                            let _e1814 = local.member_3[2u];
+                                            let _e1820 = local.member[0u][1u];
+                                            if (_e1820 < 0f) {
+                                                phi_2598_ = -(_e1820);
                                             } else {
-                                                phi_2549_ = _e1786;
+                                                phi_2598_ = _e1820;
                                             }
-                                            let _e1790 = phi_2549_;
-                                            let _e1793 = local.member_4[0u];
-                                            let _e1798 = local.member[0u][0u];
-                                            if (_e1798 < 0f) {
-                                                phi_2571_ = -(_e1798);
+                                            let _e1824 = phi_2598_;
+                                            let _e1827 = local.member_4[0u];
+                                            let _e1832 = local.member[0u][0u];
+                                            if (_e1832 < 0f) {
+                                                phi_2620_ = -(_e1832);
                                             } else {
-                                                phi_2571_ = _e1798;
+                                                phi_2620_ = _e1832;
                                             }
-                                            let _e1802 = phi_2571_;
-                                            let _e1805 = local.member_4[1u];
-                                            if (_e1757 < 0f) {
-                                                phi_2587_ = -(_e1757);
+                                            let _e1836 = phi_2620_;
+                                            let _e1839 = local.member_4[1u];
+                                            if (_e1791 < 0f) {
+                                                phi_2636_ = -(_e1791);
                                             } else {
-                                                phi_2587_ = _e1757;
+                                                phi_2636_ = _e1791;
                                             }
-                                            let _e1811 = phi_2587_;
-                                            let _e1813 = (_e1811 - (((_e1765 * _e1768) + (_e1777 * _e1780)) + ((_e1790 * _e1793) + (_e1802 * _e1805))));
-                                            let _e1817 = local.member[2u][0u];
-                                            let _e1820 = local.member_1[0u];
-                                            let _e1825 = local.member[0u][0u];
-                                            let _e1828 = local.member_1[2u];
-                                            let _e1830 = ((_e1817 * _e1820) - (_e1825 * _e1828));
-                                            let _e1834 = local.member[0u][0u];
-                                            if (_e1834 < 0f) {
-                                                phi_2642_ = -(_e1834);
+                                            let _e1845 = phi_2636_;
+                                            let _e1847 = (_e1845 - (((_e1799 * _e1802) + (_e1811 * _e1814)) + ((_e1824 * _e1827) + (_e1836 * _e1839))));
+                                            let _e1851 = local.member[2u][0u];
+                                            let _e1854 = local.member_1[0u];
+                                            let _e1859 = local.member[0u][0u];
+                                            let _e1862 = local.member_1[2u];
+                                            let _e1864 = ((_e1851 * _e1854) - (_e1859 * _e1862));
+                                            let _e1868 = local.member[0u][0u];
+                                            if (_e1868 < 0f) {
+                                                phi_2691_ = -(_e1868);
                                             } else {
-                                                phi_2642_ = _e1834;
+                                                phi_2691_ = _e1868;
                                             }
-                                            let _e1838 = phi_2642_;
-                                            let _e1841 = local.member_3[2u];
-                                            let _e1846 = local.member[2u][0u];
-                                            if (_e1846 < 0f) {
-                                                phi_2665_ = -(_e1846);
+                                            let _e1872 = phi_2691_;
+                                            let _e1875 = local.member_3[2u];
+                                            let _e1880 = local.member[2u][0u];
+                                            if (_e1880 < 0f) {
+                                                phi_2714_ = -(_e1880);
                                             } else {
-                                                phi_2665_ = _e1846;
+                                                phi_2714_ = _e1880;
                                             }
-                                            let _e1850 = phi_2665_;
-                                            let _e1853 = local.member_3[0u];
-                                            let _e1859 = local.member[1u][2u];
-                                            if (_e1859 < 0f) {
-                                                phi_2689_ = -(_e1859);
+                                            let _e1884 = phi_2714_;
+                                            let _e1887 = local.member_3[0u];
+                                            let _e1893 = local.member[1u][2u];
+                                            if (_e1893 < 0f) {
+                                                phi_2738_ = -(_e1893);
                                             } else {
-                                                phi_2689_ = _e1859;
+                                                phi_2738_ = _e1893;
                                             }
-                                            let _e1863 = phi_2689_;
-                                            let _e1866 = local.member_4[1u];
-                                            let _e1871 = local.member[1u][1u];
-                                            if (_e1871 < 0f) {
-                                                phi_2712_ = -(_e1871);
+                                            let _e1897 = phi_2738_;
+                                            let _e1900 = local.member_4[1u];
+                                            let _e1905 = local.member[1u][1u];
+                                            if (_e1905 < 0f) {
+                                                phi_2761_ = -(_e1905);
                                             } else {
-                                                phi_2712_ = _e1871;
+                                                phi_2761_ = _e1905;
                                             }
-                                            let _e1875 = phi_2712_;
-                                            let _e1878 = local.member_4[2u];
-                                            if (_e1830 < 0f) {
-                                                phi_2728_ = -(_e1830);
+                                            let _e1909 = phi_2761_;
+                                            let _e1912 = local.member_4[2u];
+                                            if (_e1864 < 0f) {
+                                                phi_2777_ = -(_e1864);
                                             } else {
-                                                phi_2728_ = _e1830;
+                                                phi_2777_ = _e1864;
                                             }
-                                            let _e1884 = phi_2728_;
-                                            let _e1886 = (_e1884 - (((_e1838 * _e1841) + (_e1850 * _e1853)) + ((_e1863 * _e1866) + (_e1875 * _e1878))));
-                                            let _e1890 = local.member[2u][1u];
-                                            let _e1893 = local.member_1[0u];
-                                            let _e1898 = local.member[0u][1u];
-                                            let _e1901 = local.member_1[2u];
-                                            let _e1903 = ((_e1890 * _e1893) - (_e1898 * _e1901));
-                                            let _e1907 = local.member[0u][1u];
-                                            if (_e1907 < 0f) {
-                                                phi_2783_ = -(_e1907);
+                                            let _e1918 = phi_2777_;
+                                            let _e1920 = (_e1918 - (((_e1872 * _e1875) + (_e1884 * _e1887)) + ((_e1897 * _e1900) + (_e1909 * _e1912))));
+                                            let _e1924 = local.member[2u][1u];
+                                            let _e1927 = local.member_1[0u];
+                                            let _e1932 = local.member[0u][1u];
+                                            let _e1935 = local.member_1[2u];
+                                            let _e1937 = ((_e1924 * _e1927) - (_e1932 * _e1935));
+                                            let _e1941 = local.member[0u][1u];
+                                            if (_e1941 < 0f) {
+                                                phi_2832_ = -(_e1941);
                                             } else {
-                                                phi_2783_ = _e1907;
+                                                phi_2832_ = _e1941;
                                             }
-                                            let _e1911 = phi_2783_;
-                                            let _e1914 = local.member_3[2u];
-                                            let _e1919 = local.member[2u][1u];
-                                            if (_e1919 < 0f) {
-                                                phi_2806_ = -(_e1919);
+                                            let _e1945 = phi_2832_;
+                                            let _e1948 = local.member_3[2u];
+                                            let _e1953 = local.member[2u][1u];
+                                            if (_e1953 < 0f) {
+                                                phi_2855_ = -(_e1953);
                                             } else {
-                                                phi_2806_ = _e1919;
+                                                phi_2855_ = _e1953;
                                             }
-                                            let _e1923 = phi_2806_;
-                                            let _e1926 = local.member_3[0u];
-                                            let _e1932 = local.member[1u][0u];
-                                            if (_e1932 < 0f) {
-                                                phi_2830_ = -(_e1932);
+                                            let _e1957 = phi_2855_;
+                                            let _e1960 = local.member_3[0u];
+                                            let _e1966 = local.member[1u][0u];
+                                            if (_e1966 < 0f) {
+                                                phi_2879_ = -(_e1966);
                                             } else {
-                                                phi_2830_ = _e1932;
+                                                phi_2879_ = _e1966;
                                             }
-                                            let _e1936 = phi_2830_;
-                                            let _e1939 = local.member_4[2u];
-                                            let _e1944 = local.member[1u][2u];
-                                            if (_e1944 < 0f) {
-                                                phi_2853_ = -(_e1944);
+                                            let _e1970 = phi_2879_;
+                                            let _e1973 = local.member_4[2u];
+                                            let _e1978 = local.member[1u][2u];
+                                            if (_e1978 < 0f) {
+                                                phi_2902_ = -(_e1978);
                                             } else {
-                                                phi_2853_ = _e1944;
+                                                phi_2902_ = _e1978;
                                             }
-                                            let _e1948 = phi_2853_;
-                                            let _e1951 = local.member_4[0u];
-                                            if (_e1903 < 0f) {
-                                                phi_2869_ = -(_e1903);
+                                            let _e1982 = phi_2902_;
+                                            let _e1985 = local.member_4[0u];
+                                            if (_e1937 < 0f) {
+                                                phi_2918_ = -(_e1937);
                                             } else {
-                                                phi_2869_ = _e1903;
+                                                phi_2918_ = _e1937;
                                             }
-                                            let _e1957 = phi_2869_;
-                                            let _e1959 = (_e1957 - (((_e1911 * _e1914) + (_e1923 * _e1926)) + ((_e1936 * _e1939) + (_e1948 * _e1951))));
-                                            let _e1963 = local.member[2u][2u];
-                                            let _e1966 = local.member_1[0u];
-                                            let _e1971 = local.member[0u][2u];
-                                            let _e1974 = local.member_1[2u];
-                                            let _e1976 = ((_e1963 * _e1966) - (_e1971 * _e1974));
-                                            let _e1980 = local.member[0u][2u];
-                                            if (_e1980 < 0f) {
-                                                phi_2924_ = -(_e1980);
+                                            let _e1991 = phi_2918_;
+                                            let _e1993 = (_e1991 - (((_e1945 * _e1948) + (_e1957 * _e1960)) + ((_e1970 * _e1973) + (_e1982 * _e1985))));
+                                            let _e1997 = local.member[2u][2u];
+                                            let _e2000 = local.member_1[0u];
+                                            let _e2005 = local.member[0u][2u];
+                                            let _e2008 = local.member_1[2u];
+                                            let _e2010 = ((_e1997 * _e2000) - (_e2005 * _e2008));
+                                            let _e2014 = local.member[0u][2u];
+                                            if (_e2014 < 0f) {
+                                                phi_2973_ = -(_e2014);
                                             } else {
-                                                phi_2924_ = _e1980;
+                                                phi_2973_ = _e2014;
                                             }
-                                            let _e1984 = phi_2924_;
-                                            let _e1987 = local.member_3[2u];
-                                            let _e1992 = local.member[2u][2u];
-                                            if (_e1992 < 0f) {
-                                                phi_2947_ = -(_e1992);
+                                            let _e2018 = phi_2973_;
+                                            let _e2021 = local.member_3[2u];
+                                            let _e2026 = local.member[2u][2u];
+                                            if (_e2026 < 0f) {
+                                                phi_2996_ = -(_e2026);
                                             } else {
-                                                phi_2947_ = _e1992;
+                                                phi_2996_ = _e2026;
                                             }
-                                            let _e1996 = phi_2947_;
-                                            let _e1999 = local.member_3[0u];
-                                            let _e2005 = local.member[1u][1u];
-                                            if (_e2005 < 0f) {
-                                                phi_2971_ = -(_e2005);
+                                            let _e2030 = phi_2996_;
+                                            let _e2033 = local.member_3[0u];
+                                            let _e2039 = local.member[1u][1u];
+                                            if (_e2039 < 0f) {
+                                                phi_3020_ = -(_e2039);
                                             } else {
-                                                phi_2971_ = _e2005;
+                                                phi_3020_ = _e2039;
                                             }
-                                            let _e2009 = phi_2971_;
-                                            let _e2012 = local.member_4[0u];
-                                            let _e2017 = local.member[1u][0u];
-                                            if (_e2017 < 0f) {
-                                                phi_2994_ = -(_e2017);
+                                            let _e2043 = phi_3020_;
+                                            let _e2046 = local.member_4[0u];
+                                            let _e2051 = local.member[1u][0u];
+                                            if (_e2051 < 0f) {
+                                                phi_3043_ = -(_e2051);
                                             } else {
-                                                phi_2994_ = _e2017;
+                                                phi_3043_ = _e2051;
                                             }
-                                            let _e2021 = phi_2994_;
-                                            let _e2024 = local.member_4[1u];
-                                            if (_e1976 < 0f) {
-                                                phi_3010_ = -(_e1976);
+                                            let _e2055 = phi_3043_;
+                                            let _e2058 = local.member_4[1u];
+                                            if (_e2010 < 0f) {
+                                                phi_3059_ = -(_e2010);
                                             } else {
-                                                phi_3010_ = _e1976;
+                                                phi_3059_ = _e2010;
                                             }
-                                            let _e2030 = phi_3010_;
-                                            let _e2032 = (_e2030 - (((_e1984 * _e1987) + (_e1996 * _e1999)) + ((_e2009 * _e2012) + (_e2021 * _e2024))));
-                                            let _e2036 = local.member[0u][0u];
-                                            let _e2039 = local.member_1[1u];
-                                            let _e2044 = local.member[1u][0u];
-                                            let _e2047 = local.member_1[0u];
-                                            let _e2049 = ((_e2036 * _e2039) - (_e2044 * _e2047));
-                                            let _e2053 = local.member[1u][0u];
-                                            if (_e2053 < 0f) {
-                                                phi_3065_ = -(_e2053);
+                                            let _e2064 = phi_3059_;
+                                            let _e2066 = (_e2064 - (((_e2018 * _e2021) + (_e2030 * _e2033)) + ((_e2043 * _e2046) + (_e2055 * _e2058))));
+                                            let _e2070 = local.member[0u][0u];
+                                            let _e2073 = local.member_1[1u];
+                                            let _e2078 = local.member[1u][0u];
+                                            let _e2081 = local.member_1[0u];
+                                            let _e2083 = ((_e2070 * _e2073) - (_e2078 * _e2081));
+                                            let _e2087 = local.member[1u][0u];
+                                            if (_e2087 < 0f) {
+                                                phi_3114_ = -(_e2087);
                                             } else {
-                                                phi_3065_ = _e2053;
+                                                phi_3114_ = _e2087;
                                             }
-                                            let _e2057 = phi_3065_;
-                                            let _e2060 = local.member_3[0u];
-                                            let _e2065 = local.member[0u][0u];
-                                            if (_e2065 < 0f) {
-                                                phi_3088_ = -(_e2065);
+                                            let _e2091 = phi_3114_;
+                                            let _e2094 = local.member_3[0u];
+                                            let _e2099 = local.member[0u][0u];
+                                            if (_e2099 < 0f) {
+                                                phi_3137_ = -(_e2099);
                                             } else {
-                                                phi_3088_ = _e2065;
+                                                phi_3137_ = _e2099;
                                             }
-                                            let _e2069 = phi_3088_;
-                                            let _e2072 = local.member_3[1u];
-                                            let _e2078 = local.member[2u][2u];
-                                            if (_e2078 < 0f) {
-                                                phi_3112_ = -(_e2078);
+                                            let _e2103 = phi_3137_;
+                                            let _e2106 = local.member_3[1u];
+                                            let _e2112 = local.member[2u][2u];
+                                            if (_e2112 < 0f) {
+                                                phi_3161_ = -(_e2112);
                                             } else {
-                                                phi_3112_ = _e2078;
+                                                phi_3161_ = _e2112;
                                             }
-                                            let _e2082 = phi_3112_;
-                                            let _e2085 = local.member_4[1u];
-                                            let _e2090 = local.member[2u][1u];
-                                            if (_e2090 < 0f) {
-                                                phi_3135_ = -(_e2090);
+                                            let _e2116 = phi_3161_;
+                                            let _e2119 = local.member_4[1u];
+                                            let _e2124 = local.member[2u][1u];
+                                            if (_e2124 < 0f) {
+                                                phi_3184_ = -(_e2124);
                                             } else {
-                                                phi_3135_ = _e2090;
+                                                phi_3184_ = _e2124;
                                             }
-                                            let _e2094 = phi_3135_;
-                                            let _e2097 = local.member_4[2u];
-                                            if (_e2049 < 0f) {
-                                                phi_3151_ = -(_e2049);
+                                            let _e2128 = phi_3184_;
+                                            let _e2131 = local.member_4[2u];
+                                            if (_e2083 < 0f) {
+                                                phi_3200_ = -(_e2083);
                                             } else {
-                                                phi_3151_ = _e2049;
+                                                phi_3200_ = _e2083;
                                             }
-                                            let _e2103 = phi_3151_;
-                                            let _e2105 = (_e2103 - (((_e2057 * _e2060) + (_e2069 * _e2072)) + ((_e2082 * _e2085) + (_e2094 * _e2097))));
-                                            let _e2109 = local.member[0u][1u];
-                                            let _e2112 = local.member_1[1u];
-                                            let _e2117 = local.member[1u][1u];
-                                            let _e2120 = local.member_1[0u];
-                                            let _e2122 = ((_e2109 * _e2112) - (_e2117 * _e2120));
-                                            let _e2126 = local.member[1u][1u];
-                                            if (_e2126 < 0f) {
-                                                phi_3206_ = -(_e2126);
+                                            let _e2137 = phi_3200_;
+                                            let _e2139 = (_e2137 - (((_e2091 * _e2094) + (_e2103 * _e2106)) + ((_e2116 * _e2119) + (_e2128 * _e2131))));
+                                            let _e2143 = local.member[0u][1u];
+                                            let _e2146 = local.member_1[1u];
+                                            let _e2151 = local.member[1u][1u];
+                                            let _e2154 = local.member_1[0u];
+                                            let _e2156 = ((_e2143 * _e2146) - (_e2151 * _e2154));
+                                            let _e2160 = local.member[1u][1u];
+                                            if (_e2160 < 0f) {
+                                                phi_3255_ = -(_e2160);
                                             } else {
-                                                phi_3206_ = _e2126;
+                                                phi_3255_ = _e2160;
                                             }
-                                            let _e2130 = phi_3206_;
-                                            let _e2133 = local.member_3[0u];
-                                            let _e2138 = local.member[0u][1u];
-                                            if (_e2138 < 0f) {
-                                                phi_3229_ = -(_e2138);
+                                            let _e2164 = phi_3255_;
+                                            let _e2167 = local.member_3[0u];
+                                            let _e2172 = local.member[0u][1u];
+                                            if (_e2172 < 0f) {
+                                                phi_3278_ = -(_e2172);
                                             } else {
-                                                phi_3229_ = _e2138;
+                                                phi_3278_ = _e2172;
                                             }
-                                            let _e2142 = phi_3229_;
-                                            let _e2145 = local.member_3[1u];
-                                            let _e2151 = local.member[2u][0u];
-                                            if (_e2151 < 0f) {
-                                                phi_3253_ = -(_e2151);
+                                            let _e2176 = phi_3278_;
+                                            let _e2179 = local.member_3[1u];
+                                            let _e2185 = local.member[2u][0u];
+                                            if (_e2185 < 0f) {
+                                                phi_3302_ = -(_e2185);
                                             } else {
-                                                phi_3253_ = _e2151;
+                                                phi_3302_ = _e2185;
                                             }
-                                            let _e2155 = phi_3253_;
-                                            let _e2158 = local.member_4[2u];
-                                            let _e2163 = local.member[2u][2u];
-                                            if (_e2163 < 0f) {
-                                                phi_3276_ = -(_e2163);
+                                            let _e2189 = phi_3302_;
+                                            let _e2192 = local.member_4[2u];
+                                            let _e2197 = local.member[2u][2u];
+                                            if (_e2197 < 0f) {
+                                                phi_3325_ = -(_e2197);
                                             } else {
-                                                phi_3276_ = _e2163;
+                                                phi_3325_ = _e2197;
                                             }
-                                            let _e2167 = phi_3276_;
-                                            let _e2170 = local.member_4[0u];
-                                            if (_e2122 < 0f) {
-                                                phi_3292_ = -(_e2122);
+                                            let _e2201 = phi_3325_;
+                                            let _e2204 = local.member_4[0u];
+                                            if (_e2156 < 0f) {
+                                                phi_3341_ = -(_e2156);
                                             } else {
-                                                phi_3292_ = _e2122;
+                                                phi_3341_ = _e2156;
                                             }
-                                            let _e2176 = phi_3292_;
-                                            let _e2178 = (_e2176 - (((_e2130 * _e2133) + (_e2142 * _e2145)) + ((_e2155 * _e2158) + (_e2167 * _e2170))));
-                                            let _e2182 = local.member[0u][2u];
-                                            let _e2185 = local.member_1[1u];
-                                            let _e2190 = local.member[1u][2u];
-                                            let _e2193 = local.member_1[0u];
-                                            let _e2195 = ((_e2182 * _e2185) - (_e2190 * _e2193));
-                                            let _e2199 = local.member[1u][2u];
-                                            if (_e2199 < 0f) {
-                                                phi_3347_ = -(_e2199);
+                                            let _e2210 = phi_3341_;
+                                            let _e2212 = (_e2210 - (((_e2164 * _e2167) + (_e2176 * _e2179)) + ((_e2189 * _e2192) + (_e2201 * _e2204))));
+                                            let _e2216 = local.member[0u][2u];
+                                            let _e2219 = local.member_1[1u];
+                                            let _e2224 = local.member[1u][2u];
+                                            let _e2227 = local.member_1[0u];
+                                            let _e2229 = ((_e2216 * _e2219) - (_e2224 * _e2227));
+                                            let _e2233 = local.member[1u][2u];
+                                            if (_e2233 < 0f) {
+                                                phi_3396_ = -(_e2233);
                                             } else {
-                                                phi_3347_ = _e2199;
+                                                phi_3396_ = _e2233;
                                             }
-                                            let _e2203 = phi_3347_;
-                                            let _e2206 = local.member_3[0u];
-                                            let _e2211 = local.member[0u][2u];
-                                            if (_e2211 < 0f) {
-                                                phi_3370_ = -(_e2211);
+                                            let _e2237 = phi_3396_;
+                                            let _e2240 = local.member_3[0u];
+                                            let _e2245 = local.member[0u][2u];
+                                            if (_e2245 < 0f) {
+                                                phi_3419_ = -(_e2245);
                                             } else {
-                                                phi_3370_ = _e2211;
+                                                phi_3419_ = _e2245;
                                             }
-                                            let _e2215 = phi_3370_;
-                                            let _e2218 = local.member_3[1u];
-                                            let _e2224 = local.member[2u][1u];
-                                            if (_e2224 < 0f) {
-                                                phi_3394_ = -(_e2224);
+                                            let _e2249 = phi_3419_;
+                                            let _e2252 = local.member_3[1u];
+                                            let _e2258 = local.member[2u][1u];
+                                            if (_e2258 < 0f) {
+                                                phi_3443_ = -(_e2258);
                                             } else {
-                                                phi_3394_ = _e2224;
+                                                phi_3443_ = _e2258;
                                             }
-                                            let _e2228 = phi_3394_;
-                                            let _e2231 = local.member_4[0u];
-                                            let _e2236 = local.member[2u][0u];
-                                            if (_e2236 < 0f) {
-                                                phi_3417_ = -(_e2236);
+                                            let _e2262 = phi_3443_;
+                                            let _e2265 = local.member_4[0u];
+                                            let _e2270 = local.member[2u][0u];
+                                            if (_e2270 < 0f) {
+                                                phi_3466_ = -(_e2270);
                                             } else {
-                                                phi_3417_ = _e2236;
+                                                phi_3466_ = _e2270;
                                             }
-                                            let _e2240 = phi_3417_;
-                                            let _e2243 = local.member_4[1u];
-                                            if (_e2195 < 0f) {
-                                                phi_3433_ = -(_e2195);
+                                            let _e2274 = phi_3466_;
+                                            let _e2277 = local.member_4[1u];
+                                            if (_e2229 < 0f) {
+                                                phi_3482_ = -(_e2229);
                                             } else {
-                                                phi_3433_ = _e2195;
+                                                phi_3482_ = _e2229;
                                             }
-                                            let _e2249 = phi_3433_;
-                                            let _e2251 = (_e2249 - (((_e2203 * _e2206) + (_e2215 * _e2218)) + ((_e2228 * _e2231) + (_e2240 * _e2243))));
-                                            if (_e1667 > _e1740) {
-                                                phi_3440_ = _e1667;
+                                            let _e2283 = phi_3482_;
+                                            let _e2285 = (_e2283 - (((_e2237 * _e2240) + (_e2249 * _e2252)) + ((_e2262 * _e2265) + (_e2274 * _e2277))));
+                                            if (_e1701 > _e1774) {
+                                                phi_3489_ = _e1701;
                                             } else {
-                                                phi_3440_ = _e1740;
+                                                phi_3489_ = _e1774;
                                             }
-                                            let _e2254 = phi_3440_;
-                                            if (_e2254 > _e1813) {
-                                                phi_3445_ = _e2254;
+                                            let _e2288 = phi_3489_;
+                                            if (_e2288 > _e1847) {
+                                                phi_3494_ = _e2288;
                                             } else {
-                                                phi_3445_ = _e1813;
+                                                phi_3494_ = _e1847;
                                             }
-                                            let _e2257 = phi_3445_;
-                                            if (_e1886 > _e1959) {
-                                                phi_3450_ = _e1886;
+                                            let _e2291 = phi_3494_;
+                                            if (_e1920 > _e1993) {
+                                                phi_3499_ = _e1920;
                                             } else {
-                                                phi_3450_ = _e1959;
+                                                phi_3499_ = _e1993;
                                             }
-                                            let _e2260 = phi_3450_;
-                                            if (_e2260 > _e2032) {
-                                                phi_3455_ = _e2260;
+                                            let _e2294 = phi_3499_;
+                                            if (_e2294 > _e2066) {
+                                                phi_3504_ = _e2294;
                                             } else {
-                                                phi_3455_ = _e2032;
+                                                phi_3504_ = _e2066;
                                             }
-                                            let _e2263 = phi_3455_;
-                                            if (_e2257 > _e2263) {
-                                                phi_3460_ = _e2257;
+                                            let _e2297 = phi_3504_;
+                                            if (_e2291 > _e2297) {
+                                                phi_3509_ = _e2291;
                                             } else {
-                                                phi_3460_ = _e2263;
+                                                phi_3509_ = _e2297;
                                             }
-                                            let _e2266 = phi_3460_;
-                                            if (_e2105 > _e2178) {
-                                                phi_3465_ = _e2105;
+                                            let _e2300 = phi_3509_;
+                                            if (_e2139 > _e2212) {
+                                                phi_3514_ = _e2139;
                                             } else {
-                                                phi_3465_ = _e2178;
+                                                phi_3514_ = _e2212;
                                             }
-                                            let _e2269 = phi_3465_;
-                                            if (_e2269 > _e2251) {
-                                                phi_3470_ = _e2269;
+                                            let _e2303 = phi_3514_;
+                                            if (_e2303 > _e2285) {
+                                                phi_3519_ = _e2303;
                                             } else {
-                                                phi_3470_ = _e2251;
+                                                phi_3519_ = _e2285;
                                             }
-                                            let _e2272 = phi_3470_;
-                                            if (_e2266 > _e2272) {
-                                                phi_3475_ = _e2266;
+                                            let _e2306 = phi_3519_;
+                                            if (_e2300 > _e2306) {
+                                                phi_3524_ = _e2300;
                                             } else {
-                                                phi_3475_ = _e2272;
+                                                phi_3524_ = _e2306;
                                             }
-                                            let _e2275 = phi_3475_;
-                                            let _e2277 = local.member_5;
-                                            phi_3479_ = (_e2275 > _e2277);
+                                            let _e2309 = phi_3524_;
+                                            let _e2311 = local.member_5;
+                                            phi_3528_ = (_e2309 > _e2311);
                                         }
-                                        let _e2280 = phi_3479_;
-                                        phi_3481_ = !(_e2280);
-                                        phi_3482_ = false;
+                                        let _e2314 = phi_3528_;
+                                        phi_3530_ = !(_e2314);
+                                        phi_3531_ = false;
                                     } else {
-                                        phi_3481_ = bool();
-                                        phi_3482_ = true;
+                                        phi_3530_ = bool();
+                                        phi_3531_ = true;
                                     }
-                                    let _e2283 = phi_3481_;
-                                    let _e2285 = phi_3482_;
-                                    phi_3483_ = _e2283;
-                                    phi_3484_ = _e2285;
+                                    let _e2317 = phi_3530_;
+                                    let _e2319 = phi_3531_;
+                                    phi_3532_ = _e2317;
+                                    phi_3533_ = _e2319;
                                 }
-                                let _e2287 = phi_3483_;
-                                let _e2289 = phi_3484_;
-                                if _e2289 {
-                                    phi_3488_ = true;
+                                let _e2321 = phi_3532_;
+                                let _e2323 = phi_3533_;
+                                if _e2323 {
+                                    phi_3537_ = true;
                                 } else {
-                                    phi_3488_ = _e2287;
+                                    phi_3537_ = _e2321;
                                 }
-                                let _e2291 = phi_3488_;
-                                if _e2291 {
+                                let _e2325 = phi_3537_;
+                                if _e2325 {
                                 } else {
-                                    local_1[_e850.member_1] = array<u32, 2>(4294967295u, 4294967295u);
+                                    local_1[_e884.member_1] = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                             }
                         }
                         continue;
                         continuing {
-                            phi_1221_ = _e848;
-                            break if !(_e854);
+                            phi_1270_ = _e882;
+                            break if !(_e888);
                         }
                     }
-                    let _e2294 = local_1;
-                    let _e2298 = array<u32, 2>(_e2294[0][0], _e2294[0][1]);
-                    let _e2302 = array<u32, 2>(_e2294[1][0], _e2294[1][1]);
-                    let _e2306 = array<u32, 2>(_e2294[2][0], _e2294[2][1]);
-                    let _e2310 = array<u32, 2>(_e2294[3][0], _e2294[3][1]);
-                    if (_e82.member_4 > 0u) {
-                        let _e2317 = a_nodes.member[_e317[0]];
-                        let _e2319 = b_nodes.member[_e317[1]];
-                        if _e107 {
-                            if (_e317[0] == _e317[1]) {
-                                if (_e2317.member_3 == 4294967295u) {
-                                    phi_3598_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                    let _e2328 = local_1;
+                    let _e2332 = array<u32, 2>(_e2328[0][0], _e2328[0][1]);
+                    let _e2336 = array<u32, 2>(_e2328[1][0], _e2328[1][1]);
+                    let _e2340 = array<u32, 2>(_e2328[2][0], _e2328[2][1]);
+                    let _e2344 = array<u32, 2>(_e2328[3][0], _e2328[3][1]);
+                    let _e2348 = params.member.member_2.member_4;
+                    if (_e2348 > 0u) {
+                        let _e2353 = a_nodes.member[_e285[0]];
+                        let _e2355 = b_nodes.member[_e285[1]];
+                        if _e289 {
+                            if (_e285[0] == _e285[1]) {
+                                if (_e2353.member_3 == 4294967295u) {
+                                    phi_3649_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                 } else {
-                                    let _e2325 = a_nodes.member[_e2317.member_1];
-                                    if !((_e2325.member_3 == 4294967295u)) {
-                                        phi_3574_ = array<u32, 2>(_e2317.member_1, _e2317.member_1);
+                                    let _e2361 = a_nodes.member[_e2353.member_1];
+                                    if !((_e2361.member_3 == 4294967295u)) {
+                                        phi_3625_ = array<u32, 2>(_e2353.member_1, _e2353.member_1);
                                     } else {
-                                        phi_3574_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_3625_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e2331 = phi_3574_;
-                                    let _e2337 = a_nodes.member[_e2317.member_3];
-                                    if !((_e2337.member_3 == 4294967295u)) {
-                                        phi_3596_ = array<u32, 2>(_e2317.member_3, _e2317.member_3);
+                                    let _e2367 = phi_3625_;
+                                    let _e2373 = a_nodes.member[_e2353.member_3];
+                                    if !((_e2373.member_3 == 4294967295u)) {
+                                        phi_3647_ = array<u32, 2>(_e2353.member_3, _e2353.member_3);
                                     } else {
-                                        phi_3596_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_3647_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e2343 = phi_3596_;
-                                    phi_3598_ = array<array<u32, 2>, 4>(_e2331, array<u32, 2>(_e2317.member_1, _e2317.member_3), _e2343, array<u32, 2>(4294967295u, 4294967295u));
+                                    let _e2379 = phi_3647_;
+                                    phi_3649_ = array<array<u32, 2>, 4>(_e2367, array<u32, 2>(_e2353.member_1, _e2353.member_3), _e2379, array<u32, 2>(4294967295u, 4294967295u));
                                 }
-                                let _e2346 = phi_3598_;
-                                phi_3599_ = _e2346;
-                                phi_3600_ = false;
+                                let _e2382 = phi_3649_;
+                                phi_3650_ = _e2382;
+                                phi_3651_ = false;
                             } else {
-                                phi_3599_ = array<array<u32, 2>, 4>();
-                                phi_3600_ = true;
+                                phi_3650_ = array<array<u32, 2>, 4>();
+                                phi_3651_ = true;
                             }
-                            let _e2348 = phi_3599_;
-                            let _e2350 = phi_3600_;
-                            phi_3601_ = _e2348;
-                            phi_3602_ = _e2350;
+                            let _e2384 = phi_3650_;
+                            let _e2386 = phi_3651_;
+                            phi_3652_ = _e2384;
+                            phi_3653_ = _e2386;
                         } else {
-                            phi_3601_ = array<array<u32, 2>, 4>();
-                            phi_3602_ = true;
+                            phi_3652_ = array<array<u32, 2>, 4>();
+                            phi_3653_ = true;
                         }
-                        let _e2352 = phi_3601_;
-                        let _e2354 = phi_3602_;
-                        if _e2354 {
-                            if (_e2317.member_3 == 4294967295u) {
-                                phi_3614_ = false;
+                        let _e2388 = phi_3652_;
+                        let _e2390 = phi_3653_;
+                        if _e2390 {
+                            if (_e2353.member_3 == 4294967295u) {
+                                phi_3665_ = false;
                             } else {
-                                phi_3614_ = !((_e2319.member_3 == 4294967295u));
+                                phi_3665_ = !((_e2355.member_3 == 4294967295u));
                             }
-                            let _e2361 = phi_3614_;
-                            if _e2361 {
-                                if (_e135 == 1u) {
-                                    phi_3622_ = false;
+                            let _e2397 = phi_3665_;
+                            if _e2397 {
+                                if (_e313 == 1u) {
+                                    phi_3673_ = false;
                                 } else {
-                                    phi_3622_ = true;
+                                    phi_3673_ = true;
                                 }
-                                let _e2364 = phi_3622_;
-                                phi_3623_ = _e2364;
+                                let _e2400 = phi_3673_;
+                                phi_3674_ = _e2400;
                             } else {
-                                phi_3623_ = true;
+                                phi_3674_ = true;
                             }
-                            let _e2366 = phi_3623_;
-                            if _e2366 {
-                                if (_e2317.member_3 == 4294967295u) {
-                                    phi_3635_ = false;
+                            let _e2402 = phi_3674_;
+                            if _e2402 {
+                                if (_e2353.member_3 == 4294967295u) {
+                                    phi_3686_ = false;
                                 } else {
-                                    phi_3635_ = !((_e2319.member_3 == 4294967295u));
+                                    phi_3686_ = !((_e2355.member_3 == 4294967295u));
                                 }
-                                let _e2373 = phi_3635_;
-                                if _e2373 {
-                                    phi_3640_ = (_e135 == 1u);
+                                let _e2409 = phi_3686_;
+                                if _e2409 {
+                                    phi_3691_ = (_e313 == 1u);
                                 } else {
-                                    phi_3640_ = false;
+                                    phi_3691_ = false;
                                 }
-                                let _e2376 = phi_3640_;
-                                if _e2376 {
-                                    phi_3683_ = bool();
-                                    phi_3684_ = true;
+                                let _e2412 = phi_3691_;
+                                if _e2412 {
+                                    phi_3734_ = bool();
+                                    phi_3735_ = true;
                                 } else {
-                                    let _e2378 = (_e2317.member_3 == 4294967295u);
-                                    if _e2378 {
-                                        phi_3682_ = bool();
+                                    let _e2414 = (_e2353.member_3 == 4294967295u);
+                                    if _e2414 {
+                                        phi_3733_ = bool();
                                     } else {
-                                        if _e2373 {
-                                            phi_3681_ = ((((_e2319.member_2[0] - _e2319.member[0]) * (_e2319.member_2[1] - _e2319.member[1])) * (_e2319.member_2[2] - _e2319.member[2])) > (((_e2317.member_2[0] - _e2317.member[0]) * (_e2317.member_2[1] - _e2317.member[1])) * (_e2317.member_2[2] - _e2317.member[2])));
+                                        if _e2409 {
+                                            phi_3732_ = ((((_e2355.member_2[0] - _e2355.member[0]) * (_e2355.member_2[1] - _e2355.member[1])) * (_e2355.member_2[2] - _e2355.member[2])) > (((_e2353.member_2[0] - _e2353.member[0]) * (_e2353.member_2[1] - _e2353.member[1])) * (_e2353.member_2[2] - _e2353.member[2])));
                                         } else {
-                                            phi_3681_ = false;
+                                            phi_3732_ = false;
                                         }
-                                        let _e2407 = phi_3681_;
-                                        phi_3682_ = _e2407;
+                                        let _e2443 = phi_3732_;
+                                        phi_3733_ = _e2443;
                                     }
-                                    let _e2409 = phi_3682_;
-                                    phi_3683_ = _e2409;
-                                    phi_3684_ = _e2378;
+                                    let _e2445 = phi_3733_;
+                                    phi_3734_ = _e2445;
+                                    phi_3735_ = _e2414;
                                 }
-                                let _e2411 = phi_3683_;
-                                let _e2413 = phi_3684_;
-                                if _e2413 {
-                                    phi_3688_ = true;
+                                let _e2447 = phi_3734_;
+                                let _e2449 = phi_3735_;
+                                if _e2449 {
+                                    phi_3739_ = true;
                                 } else {
-                                    phi_3688_ = _e2411;
+                                    phi_3739_ = _e2447;
                                 }
-                                let _e2415 = phi_3688_;
-                                phi_3690_ = !(_e2415);
+                                let _e2451 = phi_3739_;
+                                phi_3741_ = !(_e2451);
                             } else {
-                                phi_3690_ = true;
+                                phi_3741_ = true;
                             }
-                            let _e2418 = phi_3690_;
-                            if (_e2317.member_3 == 4294967295u) {
-                                phi_3699_ = false;
+                            let _e2454 = phi_3741_;
+                            if (_e2353.member_3 == 4294967295u) {
+                                phi_3750_ = false;
                             } else {
-                                phi_3699_ = !((_e2319.member_3 == 4294967295u));
+                                phi_3750_ = !((_e2355.member_3 == 4294967295u));
                             }
-                            let _e2425 = phi_3699_;
-                            if _e2425 {
-                                phi_3704_ = (_e135 == 1u);
+                            let _e2461 = phi_3750_;
+                            if _e2461 {
+                                phi_3755_ = (_e313 == 1u);
                             } else {
-                                phi_3704_ = false;
+                                phi_3755_ = false;
                             }
-                            let _e2428 = phi_3704_;
-                            if _e2428 {
-                                phi_3747_ = bool();
-                                phi_3748_ = true;
+                            let _e2464 = phi_3755_;
+                            if _e2464 {
+                                phi_3798_ = bool();
+                                phi_3799_ = true;
                             } else {
-                                let _e2430 = (_e2317.member_3 == 4294967295u);
-                                if _e2430 {
-                                    phi_3746_ = bool();
+                                let _e2466 = (_e2353.member_3 == 4294967295u);
+                                if _e2466 {
+                                    phi_3797_ = bool();
                                 } else {
-                                    if _e2425 {
-                                        phi_3745_ = ((((_e2319.member_2[0] - _e2319.member[0]) * (_e2319.member_2[1] - _e2319.member[1])) * (_e2319.member_2[2] - _e2319.member[2])) > (((_e2317.member_2[0] - _e2317.member[0]) * (_e2317.member_2[1] - _e2317.member[1])) * (_e2317.member_2[2] - _e2317.member[2])));
+                                    if _e2461 {
+                                        phi_3796_ = ((((_e2355.member_2[0] - _e2355.member[0]) * (_e2355.member_2[1] - _e2355.member[1])) * (_e2355.member_2[2] - _e2355.member[2])) > (((_e2353.member_2[0] - _e2353.member[0]) * (_e2353.member_2[1] - _e2353.member[1])) * (_e2353.member_2[2] - _e2353.member[2])));
                                     } else {
-                                        phi_3745_ = false;
+                                        phi_3796_ = false;
                                     }
-                                    let _e2459 = phi_3745_;
-                                    phi_3746_ = _e2459;
+                                    let _e2495 = phi_3796_;
+                                    phi_3797_ = _e2495;
                                 }
-                                let _e2461 = phi_3746_;
-                                phi_3747_ = _e2461;
-                                phi_3748_ = _e2430;
+                                let _e2497 = phi_3797_;
+                                phi_3798_ = _e2497;
+                                phi_3799_ = _e2466;
                             }
-                            let _e2463 = phi_3747_;
-                            let _e2465 = phi_3748_;
-                            if _e2465 {
-                                phi_3752_ = true;
+                            let _e2499 = phi_3798_;
+                            let _e2501 = phi_3799_;
+                            if _e2501 {
+                                phi_3803_ = true;
                             } else {
-                                phi_3752_ = _e2463;
+                                phi_3803_ = _e2499;
                             }
-                            let _e2467 = phi_3752_;
-                            if _e2418 {
-                                if (_e2317.member_3 == 4294967295u) {
-                                    phi_3762_ = false;
+                            let _e2503 = phi_3803_;
+                            if _e2454 {
+                                if (_e2353.member_3 == 4294967295u) {
+                                    phi_3813_ = false;
                                 } else {
-                                    phi_3762_ = true;
+                                    phi_3813_ = true;
                                 }
-                                let _e2471 = phi_3762_;
-                                phi_3763_ = _e2471;
+                                let _e2507 = phi_3813_;
+                                phi_3814_ = _e2507;
                             } else {
-                                phi_3763_ = true;
+                                phi_3814_ = true;
                             }
-                            let _e2473 = phi_3763_;
-                            if _e2473 {
-                                if _e2467 {
-                                    if (_e2319.member_3 == 4294967295u) {
-                                        phi_3775_ = false;
+                            let _e2509 = phi_3814_;
+                            if _e2509 {
+                                if _e2503 {
+                                    if (_e2355.member_3 == 4294967295u) {
+                                        phi_3826_ = false;
                                     } else {
-                                        phi_3775_ = true;
+                                        phi_3826_ = true;
                                     }
-                                    let _e2477 = phi_3775_;
-                                    phi_3776_ = _e2477;
+                                    let _e2513 = phi_3826_;
+                                    phi_3827_ = _e2513;
                                 } else {
-                                    phi_3776_ = true;
+                                    phi_3827_ = true;
                                 }
-                                let _e2479 = phi_3776_;
-                                if _e2479 {
-                                    if _e2418 {
-                                        if _e2467 {
-                                            phi_3799_ = array<array<u32, 2>, 4>(array<u32, 2>(_e2317.member_1, _e2319.member_1), array<u32, 2>(_e2317.member_1, _e2319.member_3), array<u32, 2>(_e2317.member_3, _e2319.member_1), array<u32, 2>(_e2317.member_3, _e2319.member_3));
-                                            phi_3800_ = false;
+                                let _e2515 = phi_3827_;
+                                if _e2515 {
+                                    if _e2454 {
+                                        if _e2503 {
+                                            phi_3850_ = array<array<u32, 2>, 4>(array<u32, 2>(_e2353.member_1, _e2355.member_1), array<u32, 2>(_e2353.member_1, _e2355.member_3), array<u32, 2>(_e2353.member_3, _e2355.member_1), array<u32, 2>(_e2353.member_3, _e2355.member_3));
+                                            phi_3851_ = false;
                                         } else {
-                                            phi_3799_ = array<array<u32, 2>, 4>();
-                                            phi_3800_ = true;
+                                            phi_3850_ = array<array<u32, 2>, 4>();
+                                            phi_3851_ = true;
                                         }
-                                        let _e2494 = phi_3799_;
-                                        let _e2496 = phi_3800_;
-                                        phi_3801_ = _e2494;
-                                        phi_3802_ = _e2496;
+                                        let _e2530 = phi_3850_;
+                                        let _e2532 = phi_3851_;
+                                        phi_3852_ = _e2530;
+                                        phi_3853_ = _e2532;
                                     } else {
-                                        phi_3801_ = array<array<u32, 2>, 4>();
-                                        phi_3802_ = true;
+                                        phi_3852_ = array<array<u32, 2>, 4>();
+                                        phi_3853_ = true;
                                     }
-                                    let _e2498 = phi_3801_;
-                                    let _e2500 = phi_3802_;
-                                    if _e2500 {
-                                        if _e2418 {
-                                            phi_3819_ = array<array<u32, 2>, 4>(array<u32, 2>(_e2317.member_1, _e317[1]), array<u32, 2>(_e2317.member_3, _e317[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                    let _e2534 = phi_3852_;
+                                    let _e2536 = phi_3853_;
+                                    if _e2536 {
+                                        if _e2454 {
+                                            phi_3870_ = array<array<u32, 2>, 4>(array<u32, 2>(_e2353.member_1, _e285[1]), array<u32, 2>(_e2353.member_3, _e285[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                         } else {
-                                            phi_3819_ = array<array<u32, 2>, 4>(array<u32, 2>(_e317[0], _e2319.member_1), array<u32, 2>(_e317[0], _e2319.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                            phi_3870_ = array<array<u32, 2>, 4>(array<u32, 2>(_e285[0], _e2355.member_1), array<u32, 2>(_e285[0], _e2355.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
                                         }
-                                        let _e2512 = phi_3819_;
-                                        phi_3820_ = _e2512;
+                                        let _e2548 = phi_3870_;
+                                        phi_3871_ = _e2548;
                                     } else {
-                                        phi_3820_ = _e2498;
+                                        phi_3871_ = _e2534;
                                     }
-                                    let _e2514 = phi_3820_;
-                                    phi_3821_ = _e2514;
-                                    phi_3822_ = false;
+                                    let _e2550 = phi_3871_;
+                                    phi_3872_ = _e2550;
+                                    phi_3873_ = false;
                                 } else {
-                                    phi_3821_ = array<array<u32, 2>, 4>();
-                                    phi_3822_ = true;
+                                    phi_3872_ = array<array<u32, 2>, 4>();
+                                    phi_3873_ = true;
                                 }
-                                let _e2516 = phi_3821_;
-                                let _e2518 = phi_3822_;
-                                phi_3823_ = _e2516;
-                                phi_3824_ = _e2518;
+                                let _e2552 = phi_3872_;
+                                let _e2554 = phi_3873_;
+                                phi_3874_ = _e2552;
+                                phi_3875_ = _e2554;
                             } else {
-                                phi_3823_ = array<array<u32, 2>, 4>();
-                                phi_3824_ = true;
+                                phi_3874_ = array<array<u32, 2>, 4>();
+                                phi_3875_ = true;
                             }
-                            let _e2520 = phi_3823_;
-                            let _e2522 = phi_3824_;
-                            phi_3828_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
-                            phi_3829_ = _e2520;
-                            phi_3830_ = _e2522;
+                            let _e2556 = phi_3874_;
+                            let _e2558 = phi_3875_;
+                            phi_3879_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                            phi_3880_ = _e2556;
+                            phi_3881_ = _e2558;
                         } else {
-                            phi_3828_ = _e2352;
-                            phi_3829_ = array<array<u32, 2>, 4>();
-                            phi_3830_ = true;
+                            phi_3879_ = _e2388;
+                            phi_3880_ = array<array<u32, 2>, 4>();
+                            phi_3881_ = true;
                         }
-                        let _e2524 = phi_3828_;
-                        let _e2526 = phi_3829_;
-                        let _e2528 = phi_3830_;
-                        if _e2528 {
-                            phi_3834_ = _e2524;
+                        let _e2560 = phi_3879_;
+                        let _e2562 = phi_3880_;
+                        let _e2564 = phi_3881_;
+                        if _e2564 {
+                            phi_3885_ = _e2560;
                         } else {
-                            phi_3834_ = _e2526;
+                            phi_3885_ = _e2562;
                         }
-                        let _e2530 = phi_3834_;
-                        phi_3835_ = _e2530;
+                        let _e2566 = phi_3885_;
+                        phi_3886_ = _e2566;
                     } else {
-                        phi_3835_ = array<array<u32, 2>, 4>(_e2298, _e2302, _e2306, _e2310);
+                        phi_3886_ = array<array<u32, 2>, 4>(_e2332, _e2336, _e2340, _e2344);
                     }
-                    let _e2532 = phi_3835_;
-                    if (_e2294[0][0] == 4294967295u) {
-                        phi_3859_ = 0u;
+                    let _e2568 = phi_3886_;
+                    if (_e2328[0][0] == 4294967295u) {
+                        phi_3910_ = 0u;
                     } else {
-                        if (_e2294[0][0] >= _e118) {
-                            if (_e2294[0][1] >= _e123) {
-                                phi_3853_ = false;
+                        if (_e2328[0][0] >= _e302) {
+                            if (_e2328[0][1] >= _e307) {
+                                phi_3904_ = false;
                             } else {
-                                phi_3853_ = true;
+                                phi_3904_ = true;
                             }
-                            let _e2538 = phi_3853_;
-                            phi_3854_ = _e2538;
+                            let _e2574 = phi_3904_;
+                            phi_3905_ = _e2574;
                         } else {
-                            phi_3854_ = true;
+                            phi_3905_ = true;
                         }
-                        let _e2540 = phi_3854_;
-                        if _e2540 {
-                            phi_3858_ = 1u;
+                        let _e2576 = phi_3905_;
+                        if _e2576 {
+                            phi_3909_ = 1u;
                         } else {
-                            phi_3858_ = 2u;
+                            phi_3909_ = 2u;
                         }
-                        let _e2542 = phi_3858_;
-                        phi_3859_ = _e2542;
+                        let _e2578 = phi_3909_;
+                        phi_3910_ = _e2578;
                     }
-                    let _e2544 = phi_3859_;
-                    let _e2545 = type_24(_e2298, _e2544);
-                    if (_e2544 == 0u) {
-                        if (_e2532[0][0] != 4294967295u) {
-                            phi_3871_ = type_24(_e2532[0], 3u);
+                    let _e2580 = phi_3910_;
+                    let _e2581 = type_24(_e2332, _e2580);
+                    if (_e2580 == 0u) {
+                        if (_e2568[0][0] != 4294967295u) {
+                            phi_3922_ = type_24(_e2568[0], 3u);
                         } else {
-                            phi_3871_ = _e2545;
+                            phi_3922_ = _e2581;
                         }
-                        let _e2551 = phi_3871_;
-                        phi_3872_ = _e2551;
+                        let _e2587 = phi_3922_;
+                        phi_3923_ = _e2587;
                     } else {
-                        phi_3872_ = _e2545;
+                        phi_3923_ = _e2581;
                     }
-                    let _e2553 = phi_3872_;
-                    if (_e2294[1][0] == 4294967295u) {
-                        phi_3896_ = 0u;
+                    let _e2589 = phi_3923_;
+                    if (_e2328[1][0] == 4294967295u) {
+                        phi_3947_ = 0u;
                     } else {
-                        if (_e2294[1][0] >= _e118) {
-                            if (_e2294[1][1] >= _e123) {
-                                phi_3890_ = false;
+                        if (_e2328[1][0] >= _e302) {
+                            if (_e2328[1][1] >= _e307) {
+                                phi_3941_ = false;
                             } else {
-                                phi_3890_ = true;
+                                phi_3941_ = true;
                             }
-                            let _e2559 = phi_3890_;
-                            phi_3891_ = _e2559;
+                            let _e2595 = phi_3941_;
+                            phi_3942_ = _e2595;
                         } else {
-                            phi_3891_ = true;
+                            phi_3942_ = true;
                         }
-                        let _e2561 = phi_3891_;
-                        if _e2561 {
-                            phi_3895_ = 1u;
+                        let _e2597 = phi_3942_;
+                        if _e2597 {
+                            phi_3946_ = 1u;
                         } else {
-                            phi_3895_ = 2u;
+                            phi_3946_ = 2u;
                         }
-                        let _e2563 = phi_3895_;
-                        phi_3896_ = _e2563;
+                        let _e2599 = phi_3946_;
+                        phi_3947_ = _e2599;
                     }
-                    let _e2565 = phi_3896_;
-                    let _e2566 = type_24(_e2302, _e2565);
-                    if (_e2565 == 0u) {
-                        if (_e2532[1][0] != 4294967295u) {
-                            phi_3908_ = type_24(_e2532[1], 3u);
+                    let _e2601 = phi_3947_;
+                    let _e2602 = type_24(_e2336, _e2601);
+                    if (_e2601 == 0u) {
+                        if (_e2568[1][0] != 4294967295u) {
+                            phi_3959_ = type_24(_e2568[1], 3u);
                         } else {
-                            phi_3908_ = _e2566;
+                            phi_3959_ = _e2602;
                         }
-                        let _e2572 = phi_3908_;
-                        phi_3909_ = _e2572;
+                        let _e2608 = phi_3959_;
+                        phi_3960_ = _e2608;
                     } else {
-                        phi_3909_ = _e2566;
+                        phi_3960_ = _e2602;
                     }
-                    let _e2574 = phi_3909_;
-                    if (_e2294[2][0] == 4294967295u) {
-                        phi_3933_ = 0u;
+                    let _e2610 = phi_3960_;
+                    if (_e2328[2][0] == 4294967295u) {
+                        phi_3984_ = 0u;
                     } else {
-                        if (_e2294[2][0] >= _e118) {
-                            if (_e2294[2][1] >= _e123) {
-                                phi_3927_ = false;
+                        if (_e2328[2][0] >= _e302) {
+                            if (_e2328[2][1] >= _e307) {
+                                phi_3978_ = false;
                             } else {
-                                phi_3927_ = true;
+                                phi_3978_ = true;
                             }
-                            let _e2580 = phi_3927_;
-                            phi_3928_ = _e2580;
+                            let _e2616 = phi_3978_;
+                            phi_3979_ = _e2616;
                         } else {
-                            phi_3928_ = true;
+                            phi_3979_ = true;
                         }
-                        let _e2582 = phi_3928_;
-                        if _e2582 {
-                            phi_3932_ = 1u;
+                        let _e2618 = phi_3979_;
+                        if _e2618 {
+                            phi_3983_ = 1u;
                         } else {
-                            phi_3932_ = 2u;
+                            phi_3983_ = 2u;
                         }
-                        let _e2584 = phi_3932_;
-                        phi_3933_ = _e2584;
+                        let _e2620 = phi_3983_;
+                        phi_3984_ = _e2620;
                     }
-                    let _e2586 = phi_3933_;
-                    let _e2587 = type_24(_e2306, _e2586);
-                    if (_e2586 == 0u) {
-                        if (_e2532[2][0] != 4294967295u) {
-                            phi_3945_ = type_24(_e2532[2], 3u);
+                    let _e2622 = phi_3984_;
+                    let _e2623 = type_24(_e2340, _e2622);
+                    if (_e2622 == 0u) {
+                        if (_e2568[2][0] != 4294967295u) {
+                            phi_3996_ = type_24(_e2568[2], 3u);
                         } else {
-                            phi_3945_ = _e2587;
+                            phi_3996_ = _e2623;
                         }
-                        let _e2593 = phi_3945_;
-                        phi_3946_ = _e2593;
+                        let _e2629 = phi_3996_;
+                        phi_3997_ = _e2629;
                     } else {
-                        phi_3946_ = _e2587;
+                        phi_3997_ = _e2623;
                     }
-                    let _e2595 = phi_3946_;
-                    if (_e2294[3][0] == 4294967295u) {
-                        phi_3970_ = 0u;
+                    let _e2631 = phi_3997_;
+                    if (_e2328[3][0] == 4294967295u) {
+                        phi_4021_ = 0u;
                     } else {
-                        if (_e2294[3][0] >= _e118) {
-                            if (_e2294[3][1] >= _e123) {
-                                phi_3964_ = false;
+                        if (_e2328[3][0] >= _e302) {
+                            if (_e2328[3][1] >= _e307) {
+                                phi_4015_ = false;
                             } else {
-                                phi_3964_ = true;
+                                phi_4015_ = true;
                             }
-                            let _e2601 = phi_3964_;
-                            phi_3965_ = _e2601;
+                            let _e2637 = phi_4015_;
+                            phi_4016_ = _e2637;
                         } else {
-                            phi_3965_ = true;
+                            phi_4016_ = true;
                         }
-                        let _e2603 = phi_3965_;
-                        if _e2603 {
-                            phi_3969_ = 1u;
+                        let _e2639 = phi_4016_;
+                        if _e2639 {
+                            phi_4020_ = 1u;
                         } else {
-                            phi_3969_ = 2u;
+                            phi_4020_ = 2u;
                         }
-                        let _e2605 = phi_3969_;
-                        phi_3970_ = _e2605;
+                        let _e2641 = phi_4020_;
+                        phi_4021_ = _e2641;
                     }
-                    let _e2607 = phi_3970_;
-                    let _e2608 = type_24(_e2310, _e2607);
-                    if (_e2607 == 0u) {
-                        if (_e2532[3][0] != 4294967295u) {
-                            phi_3982_ = type_24(_e2532[3], 3u);
+                    let _e2643 = phi_4021_;
+                    let _e2644 = type_24(_e2344, _e2643);
+                    if (_e2643 == 0u) {
+                        if (_e2568[3][0] != 4294967295u) {
+                            phi_4033_ = type_24(_e2568[3], 3u);
                         } else {
-                            phi_3982_ = _e2608;
+                            phi_4033_ = _e2644;
                         }
-                        let _e2614 = phi_3982_;
-                        phi_3983_ = _e2614;
+                        let _e2650 = phi_4033_;
+                        phi_4034_ = _e2650;
                     } else {
-                        phi_3983_ = _e2608;
+                        phi_4034_ = _e2644;
                     }
-                    let _e2616 = phi_3983_;
-                    if (_e317[0] == 4294967295u) {
-                        phi_4005_ = 0u;
+                    let _e2652 = phi_4034_;
+                    if (_e285[0] == 4294967295u) {
+                        phi_4056_ = 0u;
                     } else {
-                        if (_e317[0] >= _e118) {
-                            if (_e317[1] >= _e123) {
-                                phi_3999_ = false;
+                        if (_e285[0] >= _e302) {
+                            if (_e285[1] >= _e307) {
+                                phi_4050_ = false;
                             } else {
-                                phi_3999_ = true;
+                                phi_4050_ = true;
                             }
-                            let _e2624 = phi_3999_;
-                            phi_4000_ = _e2624;
+                            let _e2660 = phi_4050_;
+                            phi_4051_ = _e2660;
                         } else {
-                            phi_4000_ = true;
+                            phi_4051_ = true;
                         }
-                        let _e2626 = phi_4000_;
-                        if _e2626 {
-                            phi_4004_ = 1u;
+                        let _e2662 = phi_4051_;
+                        if _e2662 {
+                            phi_4055_ = 1u;
                         } else {
-                            phi_4004_ = 2u;
+                            phi_4055_ = 2u;
                         }
-                        let _e2628 = phi_4004_;
-                        phi_4005_ = _e2628;
+                        let _e2664 = phi_4055_;
+                        phi_4056_ = _e2664;
                     }
-                    let _e2630 = phi_4005_;
-                    if (_e2630 == 2u) {
-                        phi_4011_ = type_24(_e317, 2u);
+                    let _e2666 = phi_4056_;
+                    if (_e2666 == 2u) {
+                        phi_4062_ = type_24(_e285, 2u);
                     } else {
-                        phi_4011_ = _e2553;
+                        phi_4062_ = _e2589;
                     }
-                    let _e2634 = phi_4011_;
-                    phi_4012_ = _e2634;
-                    phi_4013_ = _e2616;
-                    phi_4014_ = _e2595;
-                    phi_4015_ = _e2574;
+                    let _e2670 = phi_4062_;
+                    phi_4063_ = _e2670;
+                    phi_4064_ = _e2652;
+                    phi_4065_ = _e2631;
+                    phi_4066_ = _e2610;
                 } else {
-                    phi_4012_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_4013_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_4014_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_4015_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_4063_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_4064_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_4065_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_4066_ = type_24(array<u32, 2>(4294967295u, 4294967295u), 0u);
                 }
-                let _e2636 = phi_4012_;
-                let _e2638 = phi_4013_;
-                let _e2640 = phi_4014_;
-                let _e2642 = phi_4015_;
-                if (_e2636.member_1 == 1u) {
-                    let _e2653 = atomicAdd((&shared_[6u]), 1u);
-                    phi_4034_ = array<u32, 2>(_e2653, 0u);
+                let _e2672 = phi_4063_;
+                let _e2674 = phi_4064_;
+                let _e2676 = phi_4065_;
+                let _e2678 = phi_4066_;
+                if (_e2672.member_1 == 1u) {
+                    let _e2689 = atomicAdd((&shared_[6u]), 1u);
+                    phi_4086_ = array<u32, 2>(_e2689, 0u);
                 } else {
-                    if (_e2636.member_1 == 2u) {
-                        let _e2648 = atomicAdd((&shared_[7u]), 1u);
-                        phi_4033_ = array<u32, 2>(_e2648, 0u);
+                    if (_e2672.member_1 == 2u) {
+                        let _e2684 = atomicAdd((&shared_[7u]), 1u);
+                        phi_4085_ = array<u32, 2>(_e2684, 0u);
                     } else {
-                        phi_4033_ = array<u32, 2>(0u, 0u);
+                        phi_4085_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e2651 = phi_4033_;
-                    phi_4034_ = _e2651;
+                    let _e2687 = phi_4085_;
+                    phi_4086_ = _e2687;
                 }
-                let _e2656 = phi_4034_;
-                if (_e2636.member_1 >= 2u) {
-                    if (_e82.member_4 > 0u) {
-                        let _e2660 = atomicAdd((&shared_[8u]), 1u);
-                        phi_4046_ = array<u32, 2>(_e2656[0], _e2660);
+                let _e2692 = phi_4086_;
+                if (_e2672.member_1 >= 2u) {
+                    if (_e87.member_4 > 0u) {
+                        let _e2696 = atomicAdd((&shared_[8u]), 1u);
+                        phi_4098_ = array<u32, 2>(_e2692[0], _e2696);
                     } else {
-                        phi_4046_ = _e2656;
+                        phi_4098_ = _e2692;
                     }
-                    let _e2664 = phi_4046_;
-                    phi_4047_ = _e2664;
+                    let _e2700 = phi_4098_;
+                    phi_4099_ = _e2700;
                 } else {
-                    phi_4047_ = _e2656;
+                    phi_4099_ = _e2692;
                 }
-                let _e2666 = phi_4047_;
-                if (_e2642.member_1 == 1u) {
-                    let _e2676 = atomicAdd((&shared_[6u]), 1u);
-                    phi_4065_ = array<u32, 2>(_e2676, 0u);
+                let _e2702 = phi_4099_;
+                if (_e2678.member_1 == 1u) {
+                    let _e2712 = atomicAdd((&shared_[6u]), 1u);
+                    phi_4117_ = array<u32, 2>(_e2712, 0u);
                 } else {
-                    if (_e2642.member_1 == 2u) {
-                        let _e2671 = atomicAdd((&shared_[7u]), 1u);
-                        phi_4064_ = array<u32, 2>(_e2671, 0u);
+                    if (_e2678.member_1 == 2u) {
+                        let _e2707 = atomicAdd((&shared_[7u]), 1u);
+                        phi_4116_ = array<u32, 2>(_e2707, 0u);
                     } else {
-                        phi_4064_ = array<u32, 2>(0u, 0u);
+                        phi_4116_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e2674 = phi_4064_;
-                    phi_4065_ = _e2674;
+                    let _e2710 = phi_4116_;
+                    phi_4117_ = _e2710;
                 }
-                let _e2679 = phi_4065_;
-                if (_e2642.member_1 >= 2u) {
-                    if (_e82.member_4 > 0u) {
-                        let _e2683 = atomicAdd((&shared_[8u]), 1u);
-                        phi_4077_ = array<u32, 2>(_e2679[0], _e2683);
+                let _e2715 = phi_4117_;
+                if (_e2678.member_1 >= 2u) {
+                    if (_e87.member_4 > 0u) {
+                        let _e2719 = atomicAdd((&shared_[8u]), 1u);
+                        phi_4129_ = array<u32, 2>(_e2715[0], _e2719);
                     } else {
-                        phi_4077_ = _e2679;
+                        phi_4129_ = _e2715;
                     }
-                    let _e2687 = phi_4077_;
-                    phi_4078_ = _e2687;
+                    let _e2723 = phi_4129_;
+                    phi_4130_ = _e2723;
                 } else {
-                    phi_4078_ = _e2679;
+                    phi_4130_ = _e2715;
                 }
-                let _e2689 = phi_4078_;
-                if (_e2640.member_1 == 1u) {
-                    let _e2699 = atomicAdd((&shared_[6u]), 1u);
-                    phi_4096_ = array<u32, 2>(_e2699, 0u);
+                let _e2725 = phi_4130_;
+                if (_e2676.member_1 == 1u) {
+                    let _e2735 = atomicAdd((&shared_[6u]), 1u);
+                    phi_4148_ = array<u32, 2>(_e2735, 0u);
                 } else {
-                    if (_e2640.member_1 == 2u) {
-                        let _e2694 = atomicAdd((&shared_[7u]), 1u);
-                        phi_4095_ = array<u32, 2>(_e2694, 0u);
+                    if (_e2676.member_1 == 2u) {
+                        let _e2730 = atomicAdd((&shared_[7u]), 1u);
+                        phi_4147_ = array<u32, 2>(_e2730, 0u);
                     } else {
-                        phi_4095_ = array<u32, 2>(0u, 0u);
+                        phi_4147_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e2697 = phi_4095_;
-                    phi_4096_ = _e2697;
+                    let _e2733 = phi_4147_;
+                    phi_4148_ = _e2733;
                 }
-                let _e2702 = phi_4096_;
-                if (_e2640.member_1 >= 2u) {
-                    if (_e82.member_4 > 0u) {
-                        let _e2706 = atomicAdd((&shared_[8u]), 1u);
-                        phi_4108_ = array<u32, 2>(_e2702[0], _e2706);
+                let _e2738 = phi_4148_;
+                if (_e2676.member_1 >= 2u) {
+                    if (_e87.member_4 > 0u) {
+                        let _e2742 = atomicAdd((&shared_[8u]), 1u);
+                        phi_4160_ = array<u32, 2>(_e2738[0], _e2742);
                     } else {
-                        phi_4108_ = _e2702;
+                        phi_4160_ = _e2738;
                     }
-                    let _e2710 = phi_4108_;
-                    phi_4109_ = _e2710;
+                    let _e2746 = phi_4160_;
+                    phi_4161_ = _e2746;
                 } else {
-                    phi_4109_ = _e2702;
+                    phi_4161_ = _e2738;
                 }
-                let _e2712 = phi_4109_;
-                if (_e2638.member_1 == 1u) {
-                    let _e2722 = atomicAdd((&shared_[6u]), 1u);
-                    phi_4127_ = array<u32, 2>(_e2722, 0u);
+                let _e2748 = phi_4161_;
+                if (_e2674.member_1 == 1u) {
+                    let _e2758 = atomicAdd((&shared_[6u]), 1u);
+                    phi_4179_ = array<u32, 2>(_e2758, 0u);
                 } else {
-                    if (_e2638.member_1 == 2u) {
-                        let _e2717 = atomicAdd((&shared_[7u]), 1u);
-                        phi_4126_ = array<u32, 2>(_e2717, 0u);
+                    if (_e2674.member_1 == 2u) {
+                        let _e2753 = atomicAdd((&shared_[7u]), 1u);
+                        phi_4178_ = array<u32, 2>(_e2753, 0u);
                     } else {
-                        phi_4126_ = array<u32, 2>(0u, 0u);
+                        phi_4178_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e2720 = phi_4126_;
-                    phi_4127_ = _e2720;
+                    let _e2756 = phi_4178_;
+                    phi_4179_ = _e2756;
                 }
-                let _e2725 = phi_4127_;
-                if (_e2638.member_1 >= 2u) {
-                    if (_e82.member_4 > 0u) {
-                        let _e2729 = atomicAdd((&shared_[8u]), 1u);
-                        phi_4139_ = array<u32, 2>(_e2725[0], _e2729);
+                let _e2761 = phi_4179_;
+                if (_e2674.member_1 >= 2u) {
+                    if (_e87.member_4 > 0u) {
+                        let _e2765 = atomicAdd((&shared_[8u]), 1u);
+                        phi_4191_ = array<u32, 2>(_e2761[0], _e2765);
                     } else {
-                        phi_4139_ = _e2725;
+                        phi_4191_ = _e2761;
                     }
-                    let _e2733 = phi_4139_;
-                    phi_4140_ = _e2733;
+                    let _e2769 = phi_4191_;
+                    phi_4192_ = _e2769;
                 } else {
-                    phi_4140_ = _e2725;
+                    phi_4192_ = _e2761;
                 }
-                let _e2735 = phi_4140_;
+                let _e2771 = phi_4192_;
                 workgroupBarrier();
                 if (_e72 == 0u) {
-                    let _e2738 = atomicLoad((&shared_[6u]));
-                    let _e2740 = atomicLoad((&shared_[7u]));
-                    let _e2742 = atomicLoad((&shared_[8u]));
-                    let _e2744 = atomicLoad((&shared_[1u]));
-                    let _e2746 = atomicLoad((&shared_[2u]));
-                    let _e2748 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e2748 + 1u));
-                    let _e2752 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e2752 + _e2744) + _e2746));
-                    let _e2757 = atomicLoad((&shared_[0u]));
-                    let _e2758 = (_e2757 - _e2744);
-                    let _e2760 = (_e82.member_10 - _e2758);
-                    if (_e2760 < _e2738) {
-                        phi_4173_ = _e2760;
+                    let _e2774 = atomicLoad((&shared_[6u]));
+                    let _e2776 = atomicLoad((&shared_[7u]));
+                    let _e2778 = atomicLoad((&shared_[8u]));
+                    let _e2780 = atomicLoad((&shared_[1u]));
+                    let _e2782 = atomicLoad((&shared_[2u]));
+                    let _e2784 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e2784 + 1u));
+                    let _e2788 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e2788 + _e2780) + _e2782));
+                    let _e2793 = atomicLoad((&shared_[0u]));
+                    let _e2794 = (_e2793 - _e2780);
+                    let _e2796 = (_e87.member_10 - _e2794);
+                    if (_e2796 < _e2774) {
+                        phi_4225_ = _e2796;
                     } else {
-                        phi_4173_ = _e2738;
+                        phi_4225_ = _e2774;
                     }
-                    let _e2763 = phi_4173_;
-                    atomicStore((&shared_[9u]), _e2758);
-                    atomicStore((&shared_[10u]), _e2763);
-                    atomicStore((&shared_[0u]), (_e2758 + _e2763));
-                    if (_e2738 > _e2763) {
-                        let _e2769 = (_e2738 - _e2763);
-                        if (_e82.member_12 == 0u) {
+                    let _e2799 = phi_4225_;
+                    atomicStore((&shared_[9u]), _e2794);
+                    atomicStore((&shared_[10u]), _e2799);
+                    atomicStore((&shared_[0u]), (_e2794 + _e2799));
+                    if (_e2774 > _e2799) {
+                        let _e2805 = (_e2774 - _e2799);
+                        if (_e87.member_12 == 0u) {
                         } else {
-                            let _e2773 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e2809 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e2776 = atomicAdd((&control.member[(_e90 + 1u)]), _e2769);
-                        let _e2779 = atomicMax((&nodes.member[0u]), (_e2776 + _e2769));
-                        if ((_e2776 + _e2769) < _e2776) {
-                            let _e2783 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e2812 = atomicAdd((&control.member[(_e90 + 1u)]), _e2805);
+                        let _e2815 = atomicMax((&nodes.member[0u]), (_e2812 + _e2805));
+                        if ((_e2812 + _e2805) < _e2812) {
+                            let _e2819 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[11u]), _e2776);
+                        atomicStore((&shared_[11u]), _e2812);
                     }
-                    if (_e2740 > 0u) {
-                        let _e2787 = atomicAdd((&pairs.member[0u]), _e2740);
-                        if ((_e2787 + _e2740) < _e2787) {
-                            let _e2791 = atomicAdd((&pairs.member[2u]), 1u);
+                    if (_e2776 > 0u) {
+                        let _e2823 = atomicAdd((&pairs.member[0u]), _e2776);
+                        if ((_e2823 + _e2776) < _e2823) {
+                            let _e2827 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[12u]), _e2787);
+                        atomicStore((&shared_[12u]), _e2823);
                     }
-                    if (_e2742 > 0u) {
-                        let _e2795 = atomicAdd((&control.member[1537u]), _e2742);
-                        if ((_e2795 + _e2742) < _e2795) {
-                            let _e2799 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e2778 > 0u) {
+                        let _e2831 = atomicAdd((&control.member[1537u]), _e2778);
+                        if ((_e2831 + _e2778) < _e2831) {
+                            let _e2835 = atomicAdd((&control.member[1538u]), 1u);
                         }
-                        atomicStore((&shared_[13u]), _e2795);
+                        atomicStore((&shared_[13u]), _e2831);
                     }
                 }
                 workgroupBarrier();
-                if (_e2636.member_1 == 1u) {
-                    let _e2866 = atomicLoad((&shared_[10u]));
-                    if (_e2666[0] < _e2866) {
-                        let _e2888 = atomicLoad((&shared_[9u]));
-                        let _e2891 = (2u * (_e2888 + _e2666[0]));
-                        stack[_e2891] = _e2636.member[0];
-                        stack[(_e2891 + 1u)] = _e2636.member[1];
+                if (_e2672.member_1 == 1u) {
+                    let _e2893 = atomicLoad((&shared_[10u]));
+                    if (_e2702[0] < _e2893) {
+                        let _e2913 = atomicLoad((&shared_[9u]));
+                        let _e2916 = (2u * (_e2913 + _e2702[0]));
+                        stack[_e2916] = _e2672.member[0];
+                        stack[(_e2916 + 1u)] = _e2672.member[1];
                     } else {
-                        let _e2870 = atomicLoad((&shared_[11u]));
-                        let _e2873 = ((_e2870 + _e2666[0]) - _e2866);
-                        let _e2876 = params.member.member_2.member_3;
-                        if (_e2873 < _e2876) {
-                            let _e2878 = (_e105 + _e2873);
-                            if (_e2878 < 4294967295u) {
-                                let _e2882 = (2u * _e2878);
-                                atomicStore((&nodes.member[(4u + _e2882)]), _e2636.member[0]);
-                                atomicStore((&nodes.member[(_e2882 + 5u)]), _e2636.member[1]);
+                        let _e2897 = atomicLoad((&shared_[11u]));
+                        let _e2900 = ((_e2897 + _e2702[0]) - _e2893);
+                        if (_e2900 < _e87.member_3) {
+                            let _e2903 = (_e101 + _e2900);
+                            if (_e2903 < 4294967295u) {
+                                let _e2907 = (2u * _e2903);
+                                atomicStore((&nodes.member[(4u + _e2907)]), _e2672.member[0]);
+                                atomicStore((&nodes.member[(_e2907 + 5u)]), _e2672.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2636.member_1 == 0u) {
+                    if (_e2672.member_1 == 0u) {
                     } else {
-                        if (_e2636.member_1 == 2u) {
-                            let _e2808 = a_nodes.member[_e2636.member[0]];
-                            let _e2812 = b_nodes.member[_e2636.member[1]];
-                            let _e2816 = params.member.member_2.member;
-                            if (_e2816 == 1u) {
-                                if (_e2808.member_1 < _e2812.member_1) {
-                                    phi_4335_ = type_12(_e2808.member_1, _e2812.member_1);
+                        if (_e2672.member_1 == 2u) {
+                            let _e2846 = a_nodes.member[_e2672.member[0]];
+                            let _e2850 = b_nodes.member[_e2672.member[1]];
+                            if (_e87.member == 1u) {
+                                if (_e2846.member_1 < _e2850.member_1) {
+                                    phi_4385_ = type_12(_e2846.member_1, _e2850.member_1);
                                 } else {
-                                    phi_4335_ = type_12(_e2812.member_1, _e2808.member_1);
+                                    phi_4385_ = type_12(_e2850.member_1, _e2846.member_1);
                                 }
-                                let _e2823 = phi_4335_;
-                                phi_4340_ = _e2823;
+                                let _e2859 = phi_4385_;
+                                phi_4390_ = _e2859;
                             } else {
-                                phi_4340_ = type_12(_e2808.member_1, _e2812.member_1);
+                                phi_4390_ = type_12(_e2846.member_1, _e2850.member_1);
                             }
-                            let _e2825 = phi_4340_;
-                            let _e2828 = params.member.member_1.member_3;
-                            let _e2830 = atomicLoad((&shared_[12u]));
-                            let _e2832 = (_e2830 + _e2666[0]);
-                            if (_e2832 < _e2828) {
-                                let _e2836 = (2u * _e2832);
-                                atomicStore((&pairs.member[(4u + _e2836)]), _e2825.member);
-                                atomicStore((&pairs.member[(_e2836 + 5u)]), _e2825.member_1);
+                            let _e2861 = phi_4390_;
+                            let _e2865 = atomicLoad((&shared_[12u]));
+                            let _e2867 = (_e2865 + _e2702[0]);
+                            if (_e2867 < _e103) {
+                                let _e2869 = (2u * _e2867);
+                                atomicStore((&pairs.member[(4u + _e2869)]), _e2861.member);
+                                atomicStore((&pairs.member[(_e2869 + 5u)]), _e2861.member_1);
                             }
                         }
-                        let _e2843 = params.member.member_2.member_4;
-                        if (_e2843 > 0u) {
-                            let _e2847 = atomicLoad((&shared_[13u]));
-                            let _e2849 = (_e2847 + _e2666[1]);
-                            let _e2851 = params.member.member_2.member_4;
-                            if (_e2849 < _e2851) {
-                                let _e2854 = params.member.member_2.member_5;
-                                let _e2856 = params.member.member_2.member_4;
-                                let _e2859 = (2u * ((_e2854 * _e2856) + _e2849));
-                                front.member[_e2859] = _e2636.member[0];
-                                front.member[(_e2859 + 1u)] = _e2636.member[1];
+                        if (_e87.member_4 > 0u) {
+                            let _e2877 = atomicLoad((&shared_[13u]));
+                            let _e2879 = (_e2877 + _e2702[1]);
+                            if (_e2879 < _e87.member_4) {
+                                let _e2886 = (2u * ((_e87.member_5 * _e87.member_4) + _e2879));
+                                front.member[_e2886] = _e2672.member[0];
+                                front.member[(_e2886 + 1u)] = _e2672.member[1];
                             }
                         }
                     }
                 }
-                if (_e2642.member_1 == 1u) {
-                    let _e2962 = atomicLoad((&shared_[10u]));
-                    if (_e2689[0] < _e2962) {
-                        let _e2984 = atomicLoad((&shared_[9u]));
-                        let _e2987 = (2u * (_e2984 + _e2689[0]));
-                        stack[_e2987] = _e2642.member[0];
-                        stack[(_e2987 + 1u)] = _e2642.member[1];
+                if (_e2678.member_1 == 1u) {
+                    let _e2978 = atomicLoad((&shared_[10u]));
+                    if (_e2725[0] < _e2978) {
+                        let _e2998 = atomicLoad((&shared_[9u]));
+                        let _e3001 = (2u * (_e2998 + _e2725[0]));
+                        stack[_e3001] = _e2678.member[0];
+                        stack[(_e3001 + 1u)] = _e2678.member[1];
                     } else {
-                        let _e2966 = atomicLoad((&shared_[11u]));
-                        let _e2969 = ((_e2966 + _e2689[0]) - _e2962);
-                        let _e2972 = params.member.member_2.member_3;
-                        if (_e2969 < _e2972) {
-                            let _e2974 = (_e105 + _e2969);
-                            if (_e2974 < 4294967295u) {
-                                let _e2978 = (2u * _e2974);
-                                atomicStore((&nodes.member[(4u + _e2978)]), _e2642.member[0]);
-                                atomicStore((&nodes.member[(_e2978 + 5u)]), _e2642.member[1]);
+                        let _e2982 = atomicLoad((&shared_[11u]));
+                        let _e2985 = ((_e2982 + _e2725[0]) - _e2978);
+                        if (_e2985 < _e87.member_3) {
+                            let _e2988 = (_e101 + _e2985);
+                            if (_e2988 < 4294967295u) {
+                                let _e2992 = (2u * _e2988);
+                                atomicStore((&nodes.member[(4u + _e2992)]), _e2678.member[0]);
+                                atomicStore((&nodes.member[(_e2992 + 5u)]), _e2678.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2642.member_1 == 0u) {
+                    if (_e2678.member_1 == 0u) {
                     } else {
-                        if (_e2642.member_1 == 2u) {
-                            let _e2904 = a_nodes.member[_e2642.member[0]];
-                            let _e2908 = b_nodes.member[_e2642.member[1]];
-                            let _e2912 = params.member.member_2.member;
-                            if (_e2912 == 1u) {
-                                if (_e2904.member_1 < _e2908.member_1) {
-                                    phi_4487_ = type_12(_e2904.member_1, _e2908.member_1);
+                        if (_e2678.member_1 == 2u) {
+                            let _e2931 = a_nodes.member[_e2678.member[0]];
+                            let _e2935 = b_nodes.member[_e2678.member[1]];
+                            if (_e87.member == 1u) {
+                                if (_e2931.member_1 < _e2935.member_1) {
+                                    phi_4526_ = type_12(_e2931.member_1, _e2935.member_1);
                                 } else {
-                                    phi_4487_ = type_12(_e2908.member_1, _e2904.member_1);
+                                    phi_4526_ = type_12(_e2935.member_1, _e2931.member_1);
                                 }
-                                let _e2919 = phi_4487_;
-                                phi_4492_ = _e2919;
+                                let _e2944 = phi_4526_;
+                                phi_4531_ = _e2944;
                             } else {
-                                phi_4492_ = type_12(_e2904.member_1, _e2908.member_1);
+                                phi_4531_ = type_12(_e2931.member_1, _e2935.member_1);
                             }
-                            let _e2921 = phi_4492_;
-                            let _e2924 = params.member.member_1.member_3;
-                            let _e2926 = atomicLoad((&shared_[12u]));
-                            let _e2928 = (_e2926 + _e2689[0]);
-                            if (_e2928 < _e2924) {
-                                let _e2932 = (2u * _e2928);
-                                atomicStore((&pairs.member[(4u + _e2932)]), _e2921.member);
-                                atomicStore((&pairs.member[(_e2932 + 5u)]), _e2921.member_1);
+                            let _e2946 = phi_4531_;
+                            let _e2950 = atomicLoad((&shared_[12u]));
+                            let _e2952 = (_e2950 + _e2725[0]);
+                            if (_e2952 < _e103) {
+                                let _e2954 = (2u * _e2952);
+                                atomicStore((&pairs.member[(4u + _e2954)]), _e2946.member);
+                                atomicStore((&pairs.member[(_e2954 + 5u)]), _e2946.member_1);
                             }
                         }
-                        let _e2939 = params.member.member_2.member_4;
-                        if (_e2939 > 0u) {
-                            let _e2943 = atomicLoad((&shared_[13u]));
-                            let _e2945 = (_e2943 + _e2689[1]);
-                            let _e2947 = params.member.member_2.member_4;
-                            if (_e2945 < _e2947) {
-                                let _e2950 = params.member.member_2.member_5;
-                                let _e2952 = params.member.member_2.member_4;
-                                let _e2955 = (2u * ((_e2950 * _e2952) + _e2945));
-                                front.member[_e2955] = _e2642.member[0];
-                                front.member[(_e2955 + 1u)] = _e2642.member[1];
+                        if (_e87.member_4 > 0u) {
+                            let _e2962 = atomicLoad((&shared_[13u]));
+                            let _e2964 = (_e2962 + _e2725[1]);
+                            if (_e2964 < _e87.member_4) {
+                                let _e2971 = (2u * ((_e87.member_5 * _e87.member_4) + _e2964));
+                                front.member[_e2971] = _e2678.member[0];
+                                front.member[(_e2971 + 1u)] = _e2678.member[1];
                             }
                         }
                     }
                 }
-                if (_e2640.member_1 == 1u) {
-                    let _e3058 = atomicLoad((&shared_[10u]));
-                    if (_e2712[0] < _e3058) {
-                        let _e3080 = atomicLoad((&shared_[9u]));
-                        let _e3083 = (2u * (_e3080 + _e2712[0]));
-                        stack[_e3083] = _e2640.member[0];
-                        stack[(_e3083 + 1u)] = _e2640.member[1];
+                if (_e2676.member_1 == 1u) {
+                    let _e3063 = atomicLoad((&shared_[10u]));
+                    if (_e2748[0] < _e3063) {
+                        let _e3083 = atomicLoad((&shared_[9u]));
+                        let _e3086 = (2u * (_e3083 + _e2748[0]));
+                        stack[_e3086] = _e2676.member[0];
+                        stack[(_e3086 + 1u)] = _e2676.member[1];
                     } else {
-                        let _e3062 = atomicLoad((&shared_[11u]));
-                        let _e3065 = ((_e3062 + _e2712[0]) - _e3058);
-                        let _e3068 = params.member.member_2.member_3;
-                        if (_e3065 < _e3068) {
-                            let _e3070 = (_e105 + _e3065);
-                            if (_e3070 < 4294967295u) {
-                                let _e3074 = (2u * _e3070);
-                                atomicStore((&nodes.member[(4u + _e3074)]), _e2640.member[0]);
-                                atomicStore((&nodes.member[(_e3074 + 5u)]), _e2640.member[1]);
+                        let _e3067 = atomicLoad((&shared_[11u]));
+                        let _e3070 = ((_e3067 + _e2748[0]) - _e3063);
+                        if (_e3070 < _e87.member_3) {
+                            let _e3073 = (_e101 + _e3070);
+                            if (_e3073 < 4294967295u) {
+                                let _e3077 = (2u * _e3073);
+                                atomicStore((&nodes.member[(4u + _e3077)]), _e2676.member[0]);
+                                atomicStore((&nodes.member[(_e3077 + 5u)]), _e2676.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2640.member_1 == 0u) {
+                    if (_e2676.member_1 == 0u) {
                     } else {
-                        if (_e2640.member_1 == 2u) {
-                            let _e3000 = a_nodes.member[_e2640.member[0]];
-                            let _e3004 = b_nodes.member[_e2640.member[1]];
-                            let _e3008 = params.member.member_2.member;
-                            if (_e3008 == 1u) {
-                                if (_e3000.member_1 < _e3004.member_1) {
-                                    phi_4639_ = type_12(_e3000.member_1, _e3004.member_1);
+                        if (_e2676.member_1 == 2u) {
+                            let _e3016 = a_nodes.member[_e2676.member[0]];
+                            let _e3020 = b_nodes.member[_e2676.member[1]];
+                            if (_e87.member == 1u) {
+                                if (_e3016.member_1 < _e3020.member_1) {
+                                    phi_4667_ = type_12(_e3016.member_1, _e3020.member_1);
                                 } else {
-                                    phi_4639_ = type_12(_e3004.member_1, _e3000.member_1);
+                                    phi_4667_ = type_12(_e3020.member_1, _e3016.member_1);
                                 }
-                                let _e3015 = phi_4639_;
-                                phi_4644_ = _e3015;
+                                let _e3029 = phi_4667_;
+                                phi_4672_ = _e3029;
                             } else {
-                                phi_4644_ = type_12(_e3000.member_1, _e3004.member_1);
+                                phi_4672_ = type_12(_e3016.member_1, _e3020.member_1);
                             }
-                            let _e3017 = phi_4644_;
-                            let _e3020 = params.member.member_1.member_3;
-                            let _e3022 = atomicLoad((&shared_[12u]));
-                            let _e3024 = (_e3022 + _e2712[0]);
-                            if (_e3024 < _e3020) {
-                                let _e3028 = (2u * _e3024);
-                                atomicStore((&pairs.member[(4u + _e3028)]), _e3017.member);
-                                atomicStore((&pairs.member[(_e3028 + 5u)]), _e3017.member_1);
+                            let _e3031 = phi_4672_;
+                            let _e3035 = atomicLoad((&shared_[12u]));
+                            let _e3037 = (_e3035 + _e2748[0]);
+                            if (_e3037 < _e103) {
+                                let _e3039 = (2u * _e3037);
+                                atomicStore((&pairs.member[(4u + _e3039)]), _e3031.member);
+                                atomicStore((&pairs.member[(_e3039 + 5u)]), _e3031.member_1);
                             }
                         }
-                        let _e3035 = params.member.member_2.member_4;
-                        if (_e3035 > 0u) {
-                            let _e3039 = atomicLoad((&shared_[13u]));
-                            let _e3041 = (_e3039 + _e2712[1]);
-                            let _e3043 = params.member.member_2.member_4;
-                            if (_e3041 < _e3043) {
-                                let _e3046 = params.member.member_2.member_5;
-                                let _e3048 = params.member.member_2.member_4;
-                                let _e3051 = (2u * ((_e3046 * _e3048) + _e3041));
-                                front.member[_e3051] = _e2640.member[0];
-                                front.member[(_e3051 + 1u)] = _e2640.member[1];
+                        if (_e87.member_4 > 0u) {
+                            let _e3047 = atomicLoad((&shared_[13u]));
+                            let _e3049 = (_e3047 + _e2748[1]);
+                            if (_e3049 < _e87.member_4) {
+                                let _e3056 = (2u * ((_e87.member_5 * _e87.member_4) + _e3049));
+                                front.member[_e3056] = _e2676.member[0];
+                                front.member[(_e3056 + 1u)] = _e2676.member[1];
                             }
                         }
                     }
                 }
-                if (_e2638.member_1 == 1u) {
-                    let _e3154 = atomicLoad((&shared_[10u]));
-                    if (_e2735[0] < _e3154) {
-                        let _e3176 = atomicLoad((&shared_[9u]));
-                        let _e3179 = (2u * (_e3176 + _e2735[0]));
-                        stack[_e3179] = _e2638.member[0];
-                        stack[(_e3179 + 1u)] = _e2638.member[1];
+                if (_e2674.member_1 == 1u) {
+                    let _e3148 = atomicLoad((&shared_[10u]));
+                    if (_e2771[0] < _e3148) {
+                        let _e3168 = atomicLoad((&shared_[9u]));
+                        let _e3171 = (2u * (_e3168 + _e2771[0]));
+                        stack[_e3171] = _e2674.member[0];
+                        stack[(_e3171 + 1u)] = _e2674.member[1];
                     } else {
-                        let _e3158 = atomicLoad((&shared_[11u]));
-                        let _e3161 = ((_e3158 + _e2735[0]) - _e3154);
-                        let _e3164 = params.member.member_2.member_3;
-                        if (_e3161 < _e3164) {
-                            let _e3166 = (_e105 + _e3161);
-                            if (_e3166 < 4294967295u) {
-                                let _e3170 = (2u * _e3166);
-                                atomicStore((&nodes.member[(4u + _e3170)]), _e2638.member[0]);
-                                atomicStore((&nodes.member[(_e3170 + 5u)]), _e2638.member[1]);
+                        let _e3152 = atomicLoad((&shared_[11u]));
+                        let _e3155 = ((_e3152 + _e2771[0]) - _e3148);
+                        if (_e3155 < _e87.member_3) {
+                            let _e3158 = (_e101 + _e3155);
+                            if (_e3158 < 4294967295u) {
+                                let _e3162 = (2u * _e3158);
+                                atomicStore((&nodes.member[(4u + _e3162)]), _e2674.member[0]);
+                                atomicStore((&nodes.member[(_e3162 + 5u)]), _e2674.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2638.member_1 == 0u) {
+                    if (_e2674.member_1 == 0u) {
                     } else {
-                        if (_e2638.member_1 == 2u) {
-                            let _e3096 = a_nodes.member[_e2638.member[0]];
-                            let _e3100 = b_nodes.member[_e2638.member[1]];
-                            let _e3104 = params.member.member_2.member;
-                            if (_e3104 == 1u) {
-                                if (_e3096.member_1 < _e3100.member_1) {
-                                    phi_4791_ = type_12(_e3096.member_1, _e3100.member_1);
+                        if (_e2674.member_1 == 2u) {
+                            let _e3101 = a_nodes.member[_e2674.member[0]];
+                            let _e3105 = b_nodes.member[_e2674.member[1]];
+                            if (_e87.member == 1u) {
+                                if (_e3101.member_1 < _e3105.member_1) {
+                                    phi_4808_ = type_12(_e3101.member_1, _e3105.member_1);
                                 } else {
-                                    phi_4791_ = type_12(_e3100.member_1, _e3096.member_1);
+                                    phi_4808_ = type_12(_e3105.member_1, _e3101.member_1);
                                 }
-                                let _e3111 = phi_4791_;
-                                phi_4796_ = _e3111;
+                                let _e3114 = phi_4808_;
+                                phi_4813_ = _e3114;
                             } else {
-                                phi_4796_ = type_12(_e3096.member_1, _e3100.member_1);
+                                phi_4813_ = type_12(_e3101.member_1, _e3105.member_1);
                             }
-                            let _e3113 = phi_4796_;
-                            let _e3116 = params.member.member_1.member_3;
-                            let _e3118 = atomicLoad((&shared_[12u]));
-                            let _e3120 = (_e3118 + _e2735[0]);
-                            if (_e3120 < _e3116) {
-                                let _e3124 = (2u * _e3120);
-                                atomicStore((&pairs.member[(4u + _e3124)]), _e3113.member);
-                                atomicStore((&pairs.member[(_e3124 + 5u)]), _e3113.member_1);
+                            let _e3116 = phi_4813_;
+                            let _e3120 = atomicLoad((&shared_[12u]));
+                            let _e3122 = (_e3120 + _e2771[0]);
+                            if (_e3122 < _e103) {
+                                let _e3124 = (2u * _e3122);
+                                atomicStore((&pairs.member[(4u + _e3124)]), _e3116.member);
+                                atomicStore((&pairs.member[(_e3124 + 5u)]), _e3116.member_1);
                             }
                         }
-                        let _e3131 = params.member.member_2.member_4;
-                        if (_e3131 > 0u) {
-                            let _e3135 = atomicLoad((&shared_[13u]));
-                            let _e3137 = (_e3135 + _e2735[1]);
-                            let _e3139 = params.member.member_2.member_4;
-                            if (_e3137 < _e3139) {
-                                let _e3142 = params.member.member_2.member_5;
-                                let _e3144 = params.member.member_2.member_4;
-                                let _e3147 = (2u * ((_e3142 * _e3144) + _e3137));
-                                front.member[_e3147] = _e2638.member[0];
-                                front.member[(_e3147 + 1u)] = _e2638.member[1];
+                        if (_e87.member_4 > 0u) {
+                            let _e3132 = atomicLoad((&shared_[13u]));
+                            let _e3134 = (_e3132 + _e2771[1]);
+                            if (_e3134 < _e87.member_4) {
+                                let _e3141 = (2u * ((_e87.member_5 * _e87.member_4) + _e3134));
+                                front.member[_e3141] = _e2674.member[0];
+                                front.member[(_e3141 + 1u)] = _e2674.member[1];
                             }
                         }
                     }
                 }
-                phi_4849_ = true;
+                phi_4857_ = true;
             }
-            let _e3186 = phi_4849_;
-            phi_4850_ = _e3186;
+            let _e3178 = phi_4857_;
+            phi_4858_ = _e3178;
         } else {
-            phi_4850_ = false;
+            phi_4858_ = false;
         }
-        let _e3188 = phi_4850_;
+        let _e3180 = phi_4858_;
         continue;
         continuing {
-            phi_249_ = _e156;
-            break if !(_e3188);
+            phi_198_ = _e124;
+            break if !(_e3180);
         }
     }
     if (_e72 == 0u) {
-        if (_e82.member_6 == 0u) {
-            if (_e87 < _e102) {
-                phi_4869_ = ((((_e102 - 1u) - _e87) >> bitcast<u32>((_e97 & 31u))) + 1u);
+        if (_e87.member_6 == 0u) {
+            if (_e85 < _e98) {
+                phi_4877_ = ((((_e98 - 1u) - _e85) >> bitcast<u32>((_e87.member_7 & 31u))) + 1u);
             } else {
-                phi_4869_ = 0u;
+                phi_4877_ = 0u;
             }
-            let _e3201 = phi_4869_;
-            let _e3203 = atomicLoad((&shared_[5u]));
-            phi_4873_ = (_e3201 - _e3203);
+            let _e3193 = phi_4877_;
+            let _e3195 = atomicLoad((&shared_[5u]));
+            phi_4881_ = (_e3193 - _e3195);
         } else {
-            phi_4873_ = 0u;
+            phi_4881_ = 0u;
         }
-        let _e3206 = phi_4873_;
-        atomicStore((&shared_[14u]), _e3206);
-        let _e3209 = atomicLoad((&shared_[0u]));
-        let _e3210 = (_e3209 + _e3206);
-        if (_e3210 > 0u) {
-            if (_e82.member_12 == 0u) {
+        let _e3198 = phi_4881_;
+        atomicStore((&shared_[14u]), _e3198);
+        let _e3201 = atomicLoad((&shared_[0u]));
+        let _e3202 = (_e3201 + _e3198);
+        if (_e3202 > 0u) {
+            if (_e87.member_12 == 0u) {
             } else {
-                let _e3215 = atomicMax((&control.member[1536u]), 4294967295u);
+                let _e3207 = atomicMax((&control.member[1536u]), 4294967295u);
             }
-            let _e3218 = atomicAdd((&control.member[(_e90 + 1u)]), _e3210);
-            let _e3221 = atomicMax((&nodes.member[0u]), (_e3218 + _e3210));
-            if ((_e3218 + _e3210) < _e3218) {
-                let _e3225 = atomicAdd((&nodes.member[2u]), 1u);
+            let _e3210 = atomicAdd((&control.member[(_e90 + 1u)]), _e3202);
+            let _e3213 = atomicMax((&nodes.member[0u]), (_e3210 + _e3202));
+            if ((_e3210 + _e3202) < _e3210) {
+                let _e3217 = atomicAdd((&nodes.member[2u]), 1u);
             }
-            atomicStore((&shared_[17u]), _e3218);
+            atomicStore((&shared_[17u]), _e3210);
         }
-        let _e3230 = atomicLoad((&shared_[15u]));
-        let _e3232 = atomicAdd((&control.member[(1540u + (2u * _e87))]), _e3230);
-        let _e3236 = atomicLoad((&shared_[16u]));
-        let _e3238 = atomicAdd((&control.member[((2u * _e87) + 1541u)]), _e3236);
+        let _e3222 = atomicLoad((&shared_[15u]));
+        let _e3224 = atomicAdd((&control.member[(1540u + (2u * _e85))]), _e3222);
+        let _e3228 = atomicLoad((&shared_[16u]));
+        let _e3230 = atomicAdd((&control.member[((2u * _e85) + 1541u)]), _e3228);
     }
     workgroupBarrier();
-    let _e3240 = atomicLoad((&shared_[0u]));
-    let _e3242 = atomicLoad((&shared_[17u]));
-    let _e3244 = atomicLoad((&shared_[14u]));
-    phi_4930_ = type_12(0u, 8u);
+    let _e3232 = atomicLoad((&shared_[0u]));
+    let _e3234 = atomicLoad((&shared_[17u]));
+    let _e3236 = atomicLoad((&shared_[14u]));
+    phi_4938_ = type_12(0u, 8u);
     loop {
-        let _e3246 = phi_4930_;
-        if (_e3246.member < _e3246.member_1) {
-            phi_4931_ = type_12((_e3246.member + 1u), _e3246.member_1);
-            phi_4954_ = type_12(1u, _e3246.member);
+        let _e3238 = phi_4938_;
+        if (_e3238.member < _e3238.member_1) {
+            phi_4939_ = type_12((_e3238.member + 1u), _e3238.member_1);
+            phi_4962_ = type_12(1u, _e3238.member);
         } else {
-            phi_4931_ = _e3246;
-            phi_4954_ = type_12(0u, type_12().member_1);
+            phi_4939_ = _e3238;
+            phi_4962_ = type_12(0u, type_12().member_1);
         }
-        let _e3258 = phi_4931_;
-        let _e3260 = phi_4954_;
-        let _e3264 = (bitcast<i32>(_e3260.member) != 0i);
-        if _e3264 {
-            let _e3266 = ((_e3260.member_1 * 128u) + _e72);
-            if (_e3266 < _e3240) {
-                let _e3270 = stack[(2u * _e3266)];
-                let _e3274 = stack[((2u * _e3266) + 1u)];
-                let _e3275 = (_e3242 + _e3266);
-                if (_e3275 < _e82.member_3) {
-                    let _e3278 = (_e105 + _e3275);
-                    if (_e3278 < 4294967295u) {
-                        let _e3280 = (2u * _e3278);
-                        atomicStore((&nodes.member[(4u + _e3280)]), _e3270);
-                        atomicStore((&nodes.member[(_e3280 + 5u)]), _e3274);
+        let _e3250 = phi_4939_;
+        let _e3252 = phi_4962_;
+        let _e3256 = (bitcast<i32>(_e3252.member) != 0i);
+        if _e3256 {
+            let _e3258 = ((_e3252.member_1 * 128u) + _e72);
+            if (_e3258 < _e3232) {
+                let _e3262 = stack[(2u * _e3258)];
+                let _e3266 = stack[((2u * _e3258) + 1u)];
+                let _e3267 = (_e3234 + _e3258);
+                if (_e3267 < _e87.member_3) {
+                    let _e3270 = (_e101 + _e3267);
+                    if (_e3270 < 4294967295u) {
+                        let _e3272 = (2u * _e3270);
+                        atomicStore((&nodes.member[(4u + _e3272)]), _e3262);
+                        atomicStore((&nodes.member[(_e3272 + 5u)]), _e3266);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_4930_ = _e3258;
-            break if !(_e3264);
+            phi_4938_ = _e3250;
+            break if !(_e3256);
         }
     }
-    let _e3287 = atomicLoad((&shared_[5u]));
-    let _e3288 = (_e3244 / 128u);
-    if ((_e3244 % 128u) > 0u) {
-        phi_5010_ = (_e3288 + 1u);
+    let _e3279 = atomicLoad((&shared_[5u]));
+    let _e3280 = (_e3236 / 128u);
+    if ((_e3236 % 128u) > 0u) {
+        phi_5018_ = (_e3280 + 1u);
     } else {
-        phi_5010_ = _e3288;
+        phi_5018_ = _e3280;
     }
-    let _e3293 = phi_5010_;
-    phi_5013_ = type_12(0u, _e3293);
+    let _e3285 = phi_5018_;
+    phi_5021_ = type_12(0u, _e3285);
     loop {
-        let _e3296 = phi_5013_;
-        if (_e3296.member < _e3296.member_1) {
-            phi_5014_ = type_12((_e3296.member + 1u), _e3296.member_1);
-            phi_5037_ = type_12(1u, _e3296.member);
+        let _e3288 = phi_5021_;
+        if (_e3288.member < _e3288.member_1) {
+            phi_5022_ = type_12((_e3288.member + 1u), _e3288.member_1);
+            phi_5045_ = type_12(1u, _e3288.member);
         } else {
-            phi_5014_ = _e3296;
-            phi_5037_ = type_12(0u, type_12().member_1);
+            phi_5022_ = _e3288;
+            phi_5045_ = type_12(0u, type_12().member_1);
         }
-        let _e3308 = phi_5014_;
-        let _e3310 = phi_5037_;
-        let _e3314 = (bitcast<i32>(_e3310.member) != 0i);
-        if _e3314 {
-            let _e3316 = ((_e3310.member_1 * 128u) + _e72);
-            if (_e3316 < _e3244) {
-                let _e3324 = (2u * ((_e103 + _e87) + ((_e3287 + _e3316) << bitcast<u32>((_e97 & 31u)))));
-                let _e3327 = atomicLoad((&nodes.member[(4u + _e3324)]));
-                let _e3330 = atomicLoad((&nodes.member[(_e3324 + 5u)]));
-                let _e3332 = ((_e3242 + _e3240) + _e3316);
-                if (_e3332 < _e82.member_3) {
-                    let _e3335 = (_e105 + _e3332);
-                    if (_e3335 < 4294967295u) {
-                        let _e3337 = (2u * _e3335);
-                        atomicStore((&nodes.member[(4u + _e3337)]), _e3327);
-                        atomicStore((&nodes.member[(_e3337 + 5u)]), _e3330);
+        let _e3300 = phi_5022_;
+        let _e3302 = phi_5045_;
+        let _e3306 = (bitcast<i32>(_e3302.member) != 0i);
+        if _e3306 {
+            let _e3308 = ((_e3302.member_1 * 128u) + _e72);
+            if (_e3308 < _e3236) {
+                let _e3316 = (2u * ((_e99 + _e85) + ((_e3279 + _e3308) << bitcast<u32>((_e87.member_7 & 31u)))));
+                let _e3319 = atomicLoad((&nodes.member[(4u + _e3316)]));
+                let _e3322 = atomicLoad((&nodes.member[(_e3316 + 5u)]));
+                let _e3324 = ((_e3234 + _e3232) + _e3308);
+                if (_e3324 < _e87.member_3) {
+                    let _e3327 = (_e101 + _e3324);
+                    if (_e3327 < 4294967295u) {
+                        let _e3329 = (2u * _e3327);
+                        atomicStore((&nodes.member[(4u + _e3329)]), _e3319);
+                        atomicStore((&nodes.member[(_e3329 + 5u)]), _e3322);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_5013_ = _e3308;
-            break if !(_e3314);
+            phi_5021_ = _e3300;
+            break if !(_e3306);
         }
     }
-    if (_e82.member_6 == 1u) {
-        if (_e3287 == 0u) {
-            phi_5109_ = type_12(0u, _e102);
+    if (_e87.member_6 == 1u) {
+        if (_e3279 == 0u) {
+            phi_5117_ = type_12(0u, _e98);
             loop {
-                let _e3348 = phi_5109_;
-                if (_e3348.member < _e3348.member_1) {
-                    phi_5110_ = type_12((_e3348.member + 1u), _e3348.member_1);
-                    phi_5133_ = type_12(1u, _e3348.member);
+                let _e3340 = phi_5117_;
+                if (_e3340.member < _e3340.member_1) {
+                    phi_5118_ = type_12((_e3340.member + 1u), _e3340.member_1);
+                    phi_5141_ = type_12(1u, _e3340.member);
                 } else {
-                    phi_5110_ = _e3348;
-                    phi_5133_ = type_12(0u, type_12().member_1);
+                    phi_5118_ = _e3340;
+                    phi_5141_ = type_12(0u, type_12().member_1);
                 }
-                let _e3360 = phi_5110_;
-                let _e3362 = phi_5133_;
-                if (bitcast<i32>(_e3362.member) != 0i) {
-                    let _e3368 = atomicAdd((&control.member[(512u + _e90)]), 1u);
-                    if (_e3368 >= _e102) {
-                        phi_5213_ = false;
+                let _e3352 = phi_5118_;
+                let _e3354 = phi_5141_;
+                if (bitcast<i32>(_e3354.member) != 0i) {
+                    let _e3360 = atomicAdd((&control.member[(512u + _e90)]), 1u);
+                    if (_e3360 >= _e98) {
+                        phi_5221_ = false;
                     } else {
-                        let _e3371 = (2u * (_e103 + _e3368));
-                        let _e3374 = atomicLoad((&nodes.member[(4u + _e3371)]));
-                        let _e3377 = atomicLoad((&nodes.member[(_e3371 + 5u)]));
-                        if (_e82.member_12 == 0u) {
+                        let _e3363 = (2u * (_e99 + _e3360));
+                        let _e3366 = atomicLoad((&nodes.member[(4u + _e3363)]));
+                        let _e3369 = atomicLoad((&nodes.member[(_e3363 + 5u)]));
+                        if (_e87.member_12 == 0u) {
                         } else {
-                            let _e3381 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e3373 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e3384 = atomicAdd((&control.member[(_e90 + 1u)]), 1u);
-                        let _e3387 = atomicMax((&nodes.member[0u]), (_e3384 + 1u));
-                        if ((_e3384 + 1u) < _e3384) {
-                            let _e3391 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e3376 = atomicAdd((&control.member[(_e90 + 1u)]), 1u);
+                        let _e3379 = atomicMax((&nodes.member[0u]), (_e3376 + 1u));
+                        if ((_e3376 + 1u) < _e3376) {
+                            let _e3383 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e3384 < _e82.member_3) {
-                            let _e3394 = (_e105 + _e3384);
-                            if (_e3394 < 4294967295u) {
-                                let _e3396 = (2u * _e3394);
-                                atomicStore((&nodes.member[(4u + _e3396)]), _e3374);
-                                atomicStore((&nodes.member[(_e3396 + 5u)]), _e3377);
+                        if (_e3376 < _e87.member_3) {
+                            let _e3386 = (_e101 + _e3376);
+                            if (_e3386 < 4294967295u) {
+                                let _e3388 = (2u * _e3386);
+                                atomicStore((&nodes.member[(4u + _e3388)]), _e3366);
+                                atomicStore((&nodes.member[(_e3388 + 5u)]), _e3369);
                             }
                         }
-                        phi_5213_ = true;
+                        phi_5221_ = true;
                     }
-                    let _e3402 = phi_5213_;
-                    phi_5214_ = _e3402;
+                    let _e3394 = phi_5221_;
+                    phi_5222_ = _e3394;
                 } else {
-                    phi_5214_ = false;
+                    phi_5222_ = false;
                 }
-                let _e3404 = phi_5214_;
+                let _e3396 = phi_5222_;
                 continue;
                 continuing {
-                    phi_5109_ = _e3360;
-                    break if !(_e3404);
+                    phi_5117_ = _e3352;
+                    break if !(_e3396);
                 }
             }
         }

@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -61,19 +67,19 @@ struct type_27 {
     member: type_26,
 }
 
-struct type_29 {
-    member: array<f64, 3>,
-    member_1: array<f64, 3>,
+struct type_30 {
+    member: array<array<f64, 3>>,
 }
 
 struct type_31 {
-    member: array<array<f64, 3>>,
+    member: array<f64, 3>,
+    member_1: array<f64, 3>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_27;
 @group(0) @binding(1) 
-var<storage> positions: type_31;
+var<storage> positions: type_30;
 @group(0) @binding(2) 
 var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
@@ -87,8 +93,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
     var local_4: type_15;
-    var local_5: type_29;
-    var local_6: type_29;
+    var local_5: type_31;
+    var local_6: type_31;
     var phi_172_: f64;
     var phi_179_: f64;
     var phi_186_: f64;
@@ -264,7 +270,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e99 = params.member.member.member_9;
         let _e106 = bitcast<f64>(((u64(_e99[1]) * 4294967296lu) + u64(_e99[0])));
         if (_e106 > f64(0f)) {
-            local_5 = type_29(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
+            local_5 = type_31(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
             phi_238_ = type_10(0u, 3u);
             loop {
                 let _e116 = phi_238_;
@@ -343,7 +349,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
         } else {
-            local_5 = type_29(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
+            local_5 = type_31(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
         }
         let _e186 = local_5;
         local_6 = _e186;

@@ -11,6 +11,12 @@ struct type_6 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_7 {
@@ -71,6 +77,7 @@ struct type_23 {
     member_2: u32,
     member_3: u32,
     member_4: array<u32, 2>,
+    member_5: u32,
 }
 
 struct type_25 {
@@ -97,250 +104,287 @@ var<storage, read_write> words: type_9;
 fn function_(lane_1: u32) {
     var local: type_13;
     var local_1: type_14;
-    var phi_128_: type_10;
-    var phi_129_: type_10;
-    var phi_152_: type_10;
-    var phi_175_: type_10;
-    var phi_176_: type_10;
-    var phi_199_: type_10;
-    var phi_250_: type_10;
-    var phi_251_: type_10;
-    var phi_274_: type_10;
-    var phi_346_: type_10;
-    var phi_347_: type_10;
-    var phi_370_: type_10;
-    var phi_380_: type_10;
-    var phi_381_: type_10;
-    var phi_404_: type_10;
-    var phi_511_: type_10;
-    var phi_512_: type_10;
-    var phi_535_: type_10;
-    var phi_570_: type_10;
-    var phi_571_: type_10;
-    var phi_594_: type_10;
+    var phi_135_: type_10;
+    var phi_136_: type_10;
+    var phi_159_: type_10;
+    var phi_182_: type_10;
+    var phi_183_: type_10;
+    var phi_206_: type_10;
+    var phi_257_: type_10;
+    var phi_258_: type_10;
+    var phi_281_: type_10;
+    var phi_352_: type_10;
+    var phi_353_: type_10;
+    var phi_376_: type_10;
+    var phi_435_: type_10;
+    var phi_436_: type_10;
+    var phi_459_: type_10;
+    var phi_469_: type_10;
+    var phi_470_: type_10;
+    var phi_493_: type_10;
+    var phi_600_: type_10;
+    var phi_601_: type_10;
+    var phi_624_: type_10;
+    var phi_659_: type_10;
+    var phi_660_: type_10;
+    var phi_683_: type_10;
     var lane_2: u32;
 
     lane_2 = lane_1;
-    let _e52 = lane_2;
-    if (_e52 == 0u) {
-        phi_128_ = type_10(0u, 3u);
+    let _e60 = lane_2;
+    if (_e60 == 0u) {
+        phi_135_ = type_10(0u, 3u);
         loop {
-            let _e63 = phi_128_;
-            if (_e63.member < _e63.member_1) {
-                phi_129_ = type_10((_e63.member + 1u), _e63.member_1);
-                phi_152_ = type_10(1u, _e63.member);
+            let _e71 = phi_135_;
+            if (_e71.member < _e71.member_1) {
+                phi_136_ = type_10((_e71.member + 1u), _e71.member_1);
+                phi_159_ = type_10(1u, _e71.member);
             } else {
-                phi_129_ = _e63;
-                phi_152_ = type_10(0u, type_10().member_1);
+                phi_136_ = _e71;
+                phi_159_ = type_10(0u, type_10().member_1);
             }
-            let _e75 = phi_129_;
-            let _e77 = phi_152_;
-            let _e81 = (bitcast<i32>(_e77.member) != 0i);
-            if _e81 {
-                let _e85 = params.member.member.member[_e77.member_1];
-                words.member[_e77.member_1] = _e85;
+            let _e83 = phi_136_;
+            let _e85 = phi_159_;
+            let _e89 = (bitcast<i32>(_e85.member) != 0i);
+            if _e89 {
+                let _e93 = params.member.member.member[_e85.member_1];
+                words.member[_e85.member_1] = _e93;
             }
             continue;
             continuing {
-                phi_128_ = _e75;
-                break if !(_e81);
+                phi_135_ = _e83;
+                break if !(_e89);
             }
         }
-        let _e90 = params.member.member.member_1;
-        words.member[3u] = _e90;
-        phi_175_ = type_10(0u, 4u);
+        let _e98 = params.member.member.member_1;
+        words.member[3u] = _e98;
+        phi_182_ = type_10(0u, 4u);
         loop {
-            let _e93 = phi_175_;
-            if (_e93.member < _e93.member_1) {
-                phi_176_ = type_10((_e93.member + 1u), _e93.member_1);
-                phi_199_ = type_10(1u, _e93.member);
+            let _e101 = phi_182_;
+            if (_e101.member < _e101.member_1) {
+                phi_183_ = type_10((_e101.member + 1u), _e101.member_1);
+                phi_206_ = type_10(1u, _e101.member);
             } else {
-                phi_176_ = _e93;
-                phi_199_ = type_10(0u, type_10().member_1);
+                phi_183_ = _e101;
+                phi_206_ = type_10(0u, type_10().member_1);
             }
-            let _e105 = phi_176_;
-            let _e107 = phi_199_;
-            let _e111 = (bitcast<i32>(_e107.member) != 0i);
-            if _e111 {
-                let _e116 = params.member.member.member_2[_e107.member_1];
-                words.member[(4u + _e107.member_1)] = _e116;
+            let _e113 = phi_183_;
+            let _e115 = phi_206_;
+            let _e119 = (bitcast<i32>(_e115.member) != 0i);
+            if _e119 {
+                let _e124 = params.member.member.member_2[_e115.member_1];
+                words.member[(4u + _e115.member_1)] = _e124;
             }
             continue;
             continuing {
-                phi_175_ = _e105;
-                break if !(_e111);
+                phi_182_ = _e113;
+                break if !(_e119);
             }
         }
-        let _e121 = params.member.member.member_3;
-        words.member[8u] = bitcast<u32>(_e121);
-        let _e126 = params.member.member.member_4;
-        words.member[9u] = bitcast<u32>(_e126);
-        let _e131 = params.member.member.member_5;
-        words.member[10u] = bitcast<u32>(_e131);
-        let _e136 = params.member.member.member_6;
-        words.member[11u] = bitcast<u32>(_e136);
-        let _e142 = params.member.member.member_7[0u];
-        words.member[12u] = _e142;
-        let _e147 = params.member.member.member_7[1u];
-        words.member[13u] = _e147;
-        phi_250_ = type_10(0u, 3u);
+        let _e129 = params.member.member.member_3;
+        words.member[8u] = bitcast<u32>(_e129);
+        let _e134 = params.member.member.member_4;
+        words.member[9u] = bitcast<u32>(_e134);
+        let _e139 = params.member.member.member_5;
+        words.member[10u] = bitcast<u32>(_e139);
+        let _e144 = params.member.member.member_6;
+        words.member[11u] = bitcast<u32>(_e144);
+        let _e150 = params.member.member.member_7[0u];
+        words.member[12u] = _e150;
+        let _e155 = params.member.member.member_7[1u];
+        words.member[13u] = _e155;
+        phi_257_ = type_10(0u, 3u);
         loop {
-            let _e150 = phi_250_;
-            if (_e150.member < _e150.member_1) {
-                phi_251_ = type_10((_e150.member + 1u), _e150.member_1);
-                phi_274_ = type_10(1u, _e150.member);
+            let _e158 = phi_257_;
+            if (_e158.member < _e158.member_1) {
+                phi_258_ = type_10((_e158.member + 1u), _e158.member_1);
+                phi_281_ = type_10(1u, _e158.member);
             } else {
-                phi_251_ = _e150;
-                phi_274_ = type_10(0u, type_10().member_1);
+                phi_258_ = _e158;
+                phi_281_ = type_10(0u, type_10().member_1);
             }
-            let _e162 = phi_251_;
-            let _e164 = phi_274_;
-            let _e168 = (bitcast<i32>(_e164.member) != 0i);
-            if _e168 {
-                let _e175 = params.member.member.member_8[_e164.member_1][0u];
-                words.member[(14u + (2u * _e164.member_1))] = _e175;
-                let _e183 = params.member.member.member_8[_e164.member_1][1u];
-                words.member[(15u + (2u * _e164.member_1))] = _e183;
+            let _e170 = phi_258_;
+            let _e172 = phi_281_;
+            let _e176 = (bitcast<i32>(_e172.member) != 0i);
+            if _e176 {
+                let _e183 = params.member.member.member_8[_e172.member_1][0u];
+                words.member[(14u + (2u * _e172.member_1))] = _e183;
+                let _e191 = params.member.member.member_8[_e172.member_1][1u];
+                words.member[(15u + (2u * _e172.member_1))] = _e191;
             }
             continue;
             continuing {
-                phi_250_ = _e162;
-                break if !(_e168);
+                phi_257_ = _e170;
+                break if !(_e176);
             }
         }
-        let _e189 = params.member.member.member_9[0u];
-        words.member[20u] = _e189;
-        let _e194 = params.member.member.member_9[1u];
-        words.member[21u] = _e194;
-        let _e199 = params.member.member.member_10[0u];
-        words.member[22u] = _e199;
-        let _e204 = params.member.member.member_10[1u];
-        words.member[23u] = _e204;
-        let _e207 = params.member.member_1.member;
-        words.member[24u] = _e207;
-        let _e210 = params.member.member_1.member_1;
-        words.member[25u] = _e210;
-        let _e213 = params.member.member_1.member_2;
-        words.member[26u] = _e213;
-        let _e216 = params.member.member_1.member_3;
-        words.member[27u] = _e216;
-        phi_346_ = type_10(0u, 8u);
+        let _e197 = params.member.member.member_9[0u];
+        words.member[20u] = _e197;
+        let _e202 = params.member.member.member_9[1u];
+        words.member[21u] = _e202;
+        let _e207 = params.member.member.member_10[0u];
+        words.member[22u] = _e207;
+        let _e212 = params.member.member.member_10[1u];
+        words.member[23u] = _e212;
+        let _e216 = params.member.member.member_11;
+        words.member[24u] = bitcast<u32>(_e216);
+        let _e221 = params.member.member.member_12;
+        words.member[25u] = bitcast<u32>(_e221);
+        let _e226 = params.member.member.member_13;
+        words.member[26u] = bitcast<u32>(_e226);
+        phi_352_ = type_10(0u, 2u);
         loop {
-            let _e219 = phi_346_;
-            if (_e219.member < _e219.member_1) {
-                phi_347_ = type_10((_e219.member + 1u), _e219.member_1);
-                phi_370_ = type_10(1u, _e219.member);
+            let _e230 = phi_352_;
+            if (_e230.member < _e230.member_1) {
+                phi_353_ = type_10((_e230.member + 1u), _e230.member_1);
+                phi_376_ = type_10(1u, _e230.member);
             } else {
-                phi_347_ = _e219;
-                phi_370_ = type_10(0u, type_10().member_1);
+                phi_353_ = _e230;
+                phi_376_ = type_10(0u, type_10().member_1);
             }
-            let _e231 = phi_347_;
-            let _e233 = phi_370_;
-            let _e237 = (bitcast<i32>(_e233.member) != 0i);
-            if _e237 {
-                phi_380_ = type_10(0u, 4u);
+            let _e242 = phi_353_;
+            let _e244 = phi_376_;
+            let _e248 = (bitcast<i32>(_e244.member) != 0i);
+            if _e248 {
+                let _e253 = params.member.member.member_14[_e244.member_1];
+                words.member[(27u + _e244.member_1)] = _e253;
+                let _e259 = params.member.member.member_15[_e244.member_1];
+                words.member[(29u + _e244.member_1)] = _e259;
+                let _e265 = params.member.member.member_16[_e244.member_1];
+                words.member[(31u + _e244.member_1)] = _e265;
+            }
+            continue;
+            continuing {
+                phi_352_ = _e242;
+                break if !(_e248);
+            }
+        }
+        let _e269 = params.member.member_1.member;
+        words.member[33u] = _e269;
+        let _e272 = params.member.member_1.member_1;
+        words.member[34u] = _e272;
+        let _e275 = params.member.member_1.member_2;
+        words.member[35u] = _e275;
+        let _e278 = params.member.member_1.member_3;
+        words.member[36u] = _e278;
+        phi_435_ = type_10(0u, 8u);
+        loop {
+            let _e281 = phi_435_;
+            if (_e281.member < _e281.member_1) {
+                phi_436_ = type_10((_e281.member + 1u), _e281.member_1);
+                phi_459_ = type_10(1u, _e281.member);
+            } else {
+                phi_436_ = _e281;
+                phi_459_ = type_10(0u, type_10().member_1);
+            }
+            let _e293 = phi_436_;
+            let _e295 = phi_459_;
+            let _e299 = (bitcast<i32>(_e295.member) != 0i);
+            if _e299 {
+                phi_469_ = type_10(0u, 4u);
                 loop {
-                    let _e239 = phi_380_;
-                    if (_e239.member < _e239.member_1) {
-                        phi_381_ = type_10((_e239.member + 1u), _e239.member_1);
-                        phi_404_ = type_10(1u, _e239.member);
+                    let _e301 = phi_469_;
+                    if (_e301.member < _e301.member_1) {
+                        phi_470_ = type_10((_e301.member + 1u), _e301.member_1);
+                        phi_493_ = type_10(1u, _e301.member);
                     } else {
-                        phi_381_ = _e239;
-                        phi_404_ = type_10(0u, type_10().member_1);
+                        phi_470_ = _e301;
+                        phi_493_ = type_10(0u, type_10().member_1);
                     }
-                    let _e251 = phi_381_;
-                    let _e253 = phi_404_;
-                    let _e257 = (bitcast<i32>(_e253.member) != 0i);
-                    if _e257 {
-                        let _e264 = params.member.member_2.member[_e233.member_1][_e253.member_1];
-                        words.member[((28u + (4u * _e233.member_1)) + _e253.member_1)] = _e264;
+                    let _e313 = phi_470_;
+                    let _e315 = phi_493_;
+                    let _e319 = (bitcast<i32>(_e315.member) != 0i);
+                    if _e319 {
+                        let _e326 = params.member.member_2.member[_e295.member_1][_e315.member_1];
+                        words.member[((37u + (4u * _e295.member_1)) + _e315.member_1)] = _e326;
                     }
                     continue;
                     continuing {
-                        phi_380_ = _e251;
-                        break if !(_e257);
+                        phi_469_ = _e313;
+                        break if !(_e319);
                     }
                 }
             }
             continue;
             continuing {
-                phi_346_ = _e231;
-                break if !(_e237);
+                phi_435_ = _e293;
+                break if !(_e299);
             }
         }
-        let _e269 = params.member.member_2.member_1;
-        words.member[60u] = _e269;
-        let _e272 = params.member.member_2.member_2;
-        words.member[61u] = _e272;
-        let _e275 = params.member.member_2.member_3;
-        words.member[62u] = _e275;
-        let _e278 = params.member.member_2.member_4;
-        words.member[63u] = _e278;
-        let _e281 = paths.member[1u];
-        local = type_13(array<f32, 4>(_e281.member[0], _e281.member[1], _e281.member[2], _e281.member[3]), array<f32, 4>(_e281.member_1[0], _e281.member_1[1], _e281.member_1[2], _e281.member_1[3]));
-        let _e296 = leaves.member[1u];
-        local_1 = type_14(array<u32, 3>(_e296.member[0], _e296.member[1], _e296.member[2]), _e296.member_1);
-        let _e305 = touches.member[1u];
-        let _e308 = pairs.member[1u].member;
-        let _e310 = pairs.member[1u].member_1;
-        phi_511_ = type_10(0u, 4u);
+        let _e331 = params.member.member_2.member_1;
+        words.member[69u] = _e331;
+        let _e334 = params.member.member_2.member_2;
+        words.member[70u] = _e334;
+        let _e337 = params.member.member_2.member_3;
+        words.member[71u] = _e337;
+        let _e340 = params.member.member_2.member_4;
+        words.member[72u] = _e340;
+        let _e343 = paths.member[1u];
+        local = type_13(array<f32, 4>(_e343.member[0], _e343.member[1], _e343.member[2], _e343.member[3]), array<f32, 4>(_e343.member_1[0], _e343.member_1[1], _e343.member_1[2], _e343.member_1[3]));
+        let _e358 = leaves.member[1u];
+        local_1 = type_14(array<u32, 3>(_e358.member[0], _e358.member[1], _e358.member[2]), _e358.member_1);
+        let _e367 = touches.member[1u];
+        let _e370 = pairs.member[1u].member;
+        let _e372 = pairs.member[1u].member_1;
+        phi_600_ = type_10(0u, 4u);
         loop {
-            let _e312 = phi_511_;
-            if (_e312.member < _e312.member_1) {
-                phi_512_ = type_10((_e312.member + 1u), _e312.member_1);
-                phi_535_ = type_10(1u, _e312.member);
+            let _e374 = phi_600_;
+            if (_e374.member < _e374.member_1) {
+                phi_601_ = type_10((_e374.member + 1u), _e374.member_1);
+                phi_624_ = type_10(1u, _e374.member);
             } else {
-                phi_512_ = _e312;
-                phi_535_ = type_10(0u, type_10().member_1);
+                phi_601_ = _e374;
+                phi_624_ = type_10(0u, type_10().member_1);
             }
-            let _e324 = phi_512_;
-            let _e326 = phi_535_;
-            let _e330 = (bitcast<i32>(_e326.member) != 0i);
-            if _e330 {
-                let _e334 = local.member[_e326.member_1];
-                words.member[(64u + _e326.member_1)] = bitcast<u32>(_e334);
-                let _e340 = local.member_1[_e326.member_1];
-                words.member[(68u + _e326.member_1)] = bitcast<u32>(_e340);
+            let _e386 = phi_601_;
+            let _e388 = phi_624_;
+            let _e392 = (bitcast<i32>(_e388.member) != 0i);
+            if _e392 {
+                let _e396 = local.member[_e388.member_1];
+                words.member[(73u + _e388.member_1)] = bitcast<u32>(_e396);
+                let _e402 = local.member_1[_e388.member_1];
+                words.member[(77u + _e388.member_1)] = bitcast<u32>(_e402);
             }
             continue;
             continuing {
-                phi_511_ = _e324;
-                break if !(_e330);
+                phi_600_ = _e386;
+                break if !(_e392);
             }
         }
-        phi_570_ = type_10(0u, 3u);
+        phi_659_ = type_10(0u, 3u);
         loop {
-            let _e345 = phi_570_;
-            if (_e345.member < _e345.member_1) {
-                phi_571_ = type_10((_e345.member + 1u), _e345.member_1);
-                phi_594_ = type_10(1u, _e345.member);
+            let _e407 = phi_659_;
+            if (_e407.member < _e407.member_1) {
+                phi_660_ = type_10((_e407.member + 1u), _e407.member_1);
+                phi_683_ = type_10(1u, _e407.member);
             } else {
-                phi_571_ = _e345;
-                phi_594_ = type_10(0u, type_10().member_1);
+                phi_660_ = _e407;
+                phi_683_ = type_10(0u, type_10().member_1);
             }
-            let _e357 = phi_571_;
-            let _e359 = phi_594_;
-            let _e363 = (bitcast<i32>(_e359.member) != 0i);
-            if _e363 {
-                let _e367 = local_1.member[_e359.member_1];
-                words.member[(72u + _e359.member_1)] = _e367;
+            let _e419 = phi_660_;
+            let _e421 = phi_683_;
+            let _e425 = (bitcast<i32>(_e421.member) != 0i);
+            if _e425 {
+                let _e429 = local_1.member[_e421.member_1];
+                words.member[(81u + _e421.member_1)] = _e429;
             }
             continue;
             continuing {
-                phi_570_ = _e357;
-                break if !(_e363);
+                phi_659_ = _e419;
+                break if !(_e425);
             }
         }
-        let _e371 = local_1.member_1;
-        words.member[75u] = _e371;
-        words.member[76u] = _e305.member;
-        words.member[77u] = _e305.member_1;
-        words.member[78u] = _e305.member_2;
-        words.member[79u] = _e305.member_3;
-        words.member[80u] = _e305.member_4[0];
-        words.member[81u] = _e305.member_4[1];
-        words.member[82u] = _e308;
-        words.member[83u] = _e310;
+        let _e433 = local_1.member_1;
+        words.member[84u] = _e433;
+        words.member[85u] = _e367.member;
+        words.member[86u] = _e367.member_1;
+        words.member[87u] = _e367.member_2;
+        words.member[88u] = _e367.member_3;
+        words.member[89u] = _e367.member_4[0];
+        words.member[90u] = _e367.member_4[1];
+        words.member[91u] = _e367.member_5;
+        words.member[92u] = _e370;
+        words.member[93u] = _e372;
     }
     return;
 }

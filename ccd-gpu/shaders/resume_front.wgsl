@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -89,23 +95,23 @@ var<storage, read_write> control: type_22;
 var<storage, read_write> nodes: type_22;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_22;
-var<workgroup> shared_: array<atomic<u32>, 18>;
+var<workgroup> shared_: array<atomic<u32>, 22>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_102_: array<u32, 2>;
-    var phi_227_: bool;
-    var phi_228_: bool;
-    var phi_232_: u32;
-    var phi_233_: u32;
-    var phi_234_: u32;
-    var phi_235_: u32;
-    var phi_236_: array<u32, 2>;
-    var phi_253_: array<u32, 2>;
-    var phi_254_: array<u32, 2>;
-    var phi_266_: array<u32, 2>;
-    var phi_267_: array<u32, 2>;
-    var phi_405_: type_12;
-    var phi_410_: type_12;
+    var phi_130_: array<u32, 2>;
+    var phi_211_: array<u32, 2>;
+    var phi_245_: bool;
+    var phi_246_: bool;
+    var phi_250_: u32;
+    var phi_251_: u32;
+    var phi_253_: u32;
+    var phi_254_: u32;
+    var phi_271_: array<u32, 2>;
+    var phi_272_: array<u32, 2>;
+    var phi_284_: array<u32, 2>;
+    var phi_285_: array<u32, 2>;
+    var phi_424_: type_12;
+    var phi_429_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -118,171 +124,171 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e35 = lane_2;
     let _e49 = ((((_e33.y * _e34.x) + _e33.x) * 128u) + _e35);
     let _e51 = params.member.member_2;
-    if (_e51.member == 0u) {
-        phi_102_ = array<u32, 2>(0u, 2u);
+    let _e54 = params.member.member_1.member;
+    if (_e49 < _e54) {
+        let _e61 = (2u * (((1u - _e51.member_5) * _e51.member_4) + _e49));
+        let _e63 = front.member[_e61];
+        let _e66 = front.member[(_e61 + 1u)];
+        phi_130_ = array<u32, 2>(_e63, _e66);
     } else {
-        phi_102_ = array<u32, 2>(1u, 1u);
+        phi_130_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e55 = phi_102_;
-    let _e61 = params.member.member.member[_e55[0]];
-    let _e66 = params.member.member.member[_e55[1]];
+    let _e69 = phi_130_;
+    let _e71 = params.member.member_2;
     if (_e35 == 0u) {
         atomicStore((&shared_[6u]), 0u);
         atomicStore((&shared_[7u]), 0u);
         atomicStore((&shared_[8u]), 0u);
     }
     workgroupBarrier();
-    let _e74 = params.member.member_1.member;
-    if (_e49 < _e74) {
-        let _e81 = (2u * (((1u - _e51.member_5) * _e51.member_4) + _e49));
-        let _e83 = front.member[_e81];
-        let _e86 = front.member[(_e81 + 1u)];
-        let _e89 = a_nodes.member[_e83];
-        let _e91 = b_nodes.member[_e86];
-        if ((((((_e89.member[0] <= _e91.member_2[0]) && (_e91.member[0] <= _e89.member_2[0])) && (_e89.member[1] <= _e91.member_2[1])) && (_e91.member[1] <= _e89.member_2[1])) && (_e89.member[2] <= _e91.member_2[2])) && (_e91.member[2] <= _e89.member_2[2])) {
-            if (_e83 == 4294967295u) {
-                phi_233_ = 0u;
+    if (_e69[0] != 4294967295u) {
+        let _e80 = a_nodes.member[_e69[0]];
+        let _e83 = b_nodes.member[_e69[1]];
+        if ((((((_e80.member[0] <= _e83.member_2[0]) && (_e83.member[0] <= _e80.member_2[0])) && (_e80.member[1] <= _e83.member_2[1])) && (_e83.member[1] <= _e80.member_2[1])) && (_e80.member[2] <= _e83.member_2[2])) && (_e83.member[2] <= _e80.member_2[2])) {
+            let _e113 = params.member.member_2.member;
+            if (_e113 == 0u) {
+                phi_211_ = array<u32, 2>(0u, 2u);
             } else {
-                if (_e83 >= (_e61 - 1u)) {
-                    if (_e86 >= (_e66 - 1u)) {
-                        phi_227_ = false;
-                    } else {
-                        phi_227_ = true;
-                    }
-                    let _e123 = phi_227_;
-                    phi_228_ = _e123;
-                } else {
-                    phi_228_ = true;
-                }
-                let _e125 = phi_228_;
-                if _e125 {
-                    phi_232_ = 1u;
-                } else {
-                    phi_232_ = 2u;
-                }
-                let _e127 = phi_232_;
-                phi_233_ = _e127;
+                phi_211_ = array<u32, 2>(1u, 1u);
             }
-            let _e129 = phi_233_;
-            phi_234_ = _e129;
+            let _e116 = phi_211_;
+            let _e122 = params.member.member.member[_e116[0]];
+            let _e127 = params.member.member.member[_e116[1]];
+            if (_e69[0] == 4294967295u) {
+                phi_251_ = 0u;
+            } else {
+                if (_e69[0] >= (_e122 - 1u)) {
+                    if (_e69[1] >= (_e127 - 1u)) {
+                        phi_245_ = false;
+                    } else {
+                        phi_245_ = true;
+                    }
+                    let _e136 = phi_245_;
+                    phi_246_ = _e136;
+                } else {
+                    phi_246_ = true;
+                }
+                let _e138 = phi_246_;
+                if _e138 {
+                    phi_250_ = 1u;
+                } else {
+                    phi_250_ = 2u;
+                }
+                let _e140 = phi_250_;
+                phi_251_ = _e140;
+            }
+            let _e142 = phi_251_;
+            phi_253_ = _e142;
         } else {
-            phi_234_ = 3u;
+            phi_253_ = 3u;
         }
-        let _e131 = phi_234_;
-        phi_235_ = _e131;
-        phi_236_ = array<u32, 2>(_e83, _e86);
+        let _e144 = phi_253_;
+        phi_254_ = _e144;
     } else {
-        phi_235_ = 0u;
-        phi_236_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_254_ = 0u;
     }
-    let _e133 = phi_235_;
-    let _e135 = phi_236_;
-    if (_e133 == 1u) {
-        let _e145 = atomicAdd((&shared_[6u]), 1u);
-        phi_254_ = array<u32, 2>(_e145, 0u);
+    let _e146 = phi_254_;
+    if (_e146 == 1u) {
+        let _e156 = atomicAdd((&shared_[6u]), 1u);
+        phi_272_ = array<u32, 2>(_e156, 0u);
     } else {
-        if (_e133 == 2u) {
-            let _e140 = atomicAdd((&shared_[7u]), 1u);
-            phi_253_ = array<u32, 2>(_e140, 0u);
+        if (_e146 == 2u) {
+            let _e151 = atomicAdd((&shared_[7u]), 1u);
+            phi_271_ = array<u32, 2>(_e151, 0u);
         } else {
-            phi_253_ = array<u32, 2>(0u, 0u);
+            phi_271_ = array<u32, 2>(0u, 0u);
         }
-        let _e143 = phi_253_;
-        phi_254_ = _e143;
+        let _e154 = phi_271_;
+        phi_272_ = _e154;
     }
-    let _e148 = phi_254_;
-    if (_e133 >= 2u) {
-        if (_e51.member_4 > 0u) {
-            let _e152 = atomicAdd((&shared_[8u]), 1u);
-            phi_266_ = array<u32, 2>(_e148[0], _e152);
+    let _e159 = phi_272_;
+    if (_e146 >= 2u) {
+        if (_e71.member_4 > 0u) {
+            let _e163 = atomicAdd((&shared_[8u]), 1u);
+            phi_284_ = array<u32, 2>(_e159[0], _e163);
         } else {
-            phi_266_ = _e148;
+            phi_284_ = _e159;
         }
-        let _e156 = phi_266_;
-        phi_267_ = _e156;
+        let _e167 = phi_284_;
+        phi_285_ = _e167;
     } else {
-        phi_267_ = _e148;
+        phi_285_ = _e159;
     }
-    let _e158 = phi_267_;
+    let _e169 = phi_285_;
     workgroupBarrier();
     if (_e35 == 0u) {
-        let _e161 = atomicLoad((&shared_[6u]));
-        let _e163 = atomicLoad((&shared_[7u]));
-        if (_e161 > 0u) {
-            let _e166 = atomicAdd((&control.member[0u]), _e161);
-            let _e169 = atomicMax((&nodes.member[0u]), (_e166 + _e161));
-            if ((_e166 + _e161) < _e166) {
-                let _e173 = atomicAdd((&nodes.member[2u]), 1u);
+        let _e172 = atomicLoad((&shared_[6u]));
+        let _e174 = atomicLoad((&shared_[7u]));
+        if (_e172 > 0u) {
+            let _e177 = atomicAdd((&control.member[0u]), _e172);
+            let _e180 = atomicMax((&nodes.member[0u]), (_e177 + _e172));
+            if ((_e177 + _e172) < _e177) {
+                let _e184 = atomicAdd((&nodes.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e166);
+            atomicStore((&shared_[11u]), _e177);
         }
-        if (_e163 > 0u) {
-            let _e177 = atomicAdd((&pairs.member[0u]), _e163);
-            if ((_e177 + _e163) < _e177) {
-                let _e181 = atomicAdd((&pairs.member[2u]), 1u);
+        if (_e174 > 0u) {
+            let _e188 = atomicAdd((&pairs.member[0u]), _e174);
+            if ((_e188 + _e174) < _e188) {
+                let _e192 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e177);
+            atomicStore((&shared_[12u]), _e188);
         }
-        let _e184 = atomicLoad((&shared_[8u]));
-        if (_e184 > 0u) {
-            let _e187 = atomicLoad((&shared_[8u]));
-            let _e189 = atomicAdd((&control.member[1537u]), _e187);
-            if ((_e189 + _e187) < _e189) {
-                let _e193 = atomicAdd((&control.member[1538u]), 1u);
+        let _e195 = atomicLoad((&shared_[8u]));
+        if (_e195 > 0u) {
+            let _e198 = atomicLoad((&shared_[8u]));
+            let _e200 = atomicAdd((&control.member[1537u]), _e198);
+            if ((_e200 + _e198) < _e200) {
+                let _e204 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[13u]), _e189);
+            atomicStore((&shared_[13u]), _e200);
         }
     }
     workgroupBarrier();
-    if (_e133 == 1u) {
-        let _e258 = atomicLoad((&shared_[11u]));
-        let _e260 = (_e258 + _e158[0]);
-        if (_e260 < _e51.member_3) {
-            if (_e260 < 4294967295u) {
-                let _e266 = (2u * _e260);
-                atomicStore((&nodes.member[(4u + _e266)]), _e135[0]);
-                atomicStore((&nodes.member[(_e266 + 5u)]), _e135[1]);
+    if (_e146 == 1u) {
+        let _e261 = atomicLoad((&shared_[11u]));
+        let _e263 = (_e261 + _e169[0]);
+        if (_e263 < _e71.member_3) {
+            if (_e263 < 4294967295u) {
+                let _e269 = (2u * _e263);
+                atomicStore((&nodes.member[(4u + _e269)]), _e69[0]);
+                atomicStore((&nodes.member[(_e269 + 5u)]), _e69[1]);
             }
         }
     } else {
-        if (_e133 == 0u) {
+        if (_e146 == 0u) {
         } else {
-            if (_e133 == 2u) {
-                let _e200 = a_nodes.member[_e135[0]];
-                let _e204 = b_nodes.member[_e135[1]];
-                let _e208 = params.member.member_2.member;
-                if (_e208 == 1u) {
-                    if (_e200.member_1 < _e204.member_1) {
-                        phi_405_ = type_12(_e200.member_1, _e204.member_1);
+            let _e210 = params.member.member_1.member_3;
+            if (_e146 == 2u) {
+                let _e214 = a_nodes.member[_e69[0]];
+                let _e218 = b_nodes.member[_e69[1]];
+                if (_e71.member == 1u) {
+                    if (_e214.member_1 < _e218.member_1) {
+                        phi_424_ = type_12(_e214.member_1, _e218.member_1);
                     } else {
-                        phi_405_ = type_12(_e204.member_1, _e200.member_1);
+                        phi_424_ = type_12(_e218.member_1, _e214.member_1);
                     }
-                    let _e215 = phi_405_;
-                    phi_410_ = _e215;
+                    let _e227 = phi_424_;
+                    phi_429_ = _e227;
                 } else {
-                    phi_410_ = type_12(_e200.member_1, _e204.member_1);
+                    phi_429_ = type_12(_e214.member_1, _e218.member_1);
                 }
-                let _e217 = phi_410_;
-                let _e220 = params.member.member_1.member_3;
-                let _e222 = atomicLoad((&shared_[12u]));
-                let _e224 = (_e222 + _e158[0]);
-                if (_e224 < _e220) {
-                    let _e228 = (2u * _e224);
-                    atomicStore((&pairs.member[(4u + _e228)]), _e217.member);
-                    atomicStore((&pairs.member[(_e228 + 5u)]), _e217.member_1);
+                let _e229 = phi_429_;
+                let _e233 = atomicLoad((&shared_[12u]));
+                let _e235 = (_e233 + _e169[0]);
+                if (_e235 < _e210) {
+                    let _e237 = (2u * _e235);
+                    atomicStore((&pairs.member[(4u + _e237)]), _e229.member);
+                    atomicStore((&pairs.member[(_e237 + 5u)]), _e229.member_1);
                 }
             }
-            let _e235 = params.member.member_2.member_4;
-            if (_e235 > 0u) {
-                let _e239 = atomicLoad((&shared_[13u]));
-                let _e241 = (_e239 + _e158[1]);
-                let _e243 = params.member.member_2.member_4;
-                if (_e241 < _e243) {
-                    let _e246 = params.member.member_2.member_5;
-                    let _e248 = params.member.member_2.member_4;
-                    let _e251 = (2u * ((_e246 * _e248) + _e241));
-                    front.member[_e251] = _e135[0];
-                    front.member[(_e251 + 1u)] = _e135[1];
+            if (_e71.member_4 > 0u) {
+                let _e245 = atomicLoad((&shared_[13u]));
+                let _e247 = (_e245 + _e169[1]);
+                if (_e247 < _e71.member_4) {
+                    let _e254 = (2u * ((_e71.member_5 * _e71.member_4) + _e247));
+                    front.member[_e254] = _e69[0];
+                    front.member[(_e254 + 1u)] = _e69[1];
                 }
             }
         }

@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -111,7 +117,7 @@ var<storage> b_nodes: type_16;
 var<storage, read_write> pairs: type_29;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_29;
-var<workgroup> shared_: array<atomic<u32>, 18>;
+var<workgroup> shared_: array<atomic<u32>, 22>;
 @group(0) @binding(3) 
 var<storage> oriented: type_25;
 @group(0) @binding(5) 
@@ -121,141 +127,143 @@ var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_21;
-    var phi_136_: array<u32, 2>;
-    var phi_271_: bool;
-    var phi_283_: bool;
-    var phi_284_: bool;
-    var phi_357_: f32;
-    var phi_363_: f32;
-    var phi_369_: f32;
-    var phi_375_: f32;
-    var phi_381_: f32;
-    var phi_387_: f32;
-    var phi_405_: f32;
-    var phi_410_: f32;
+    var phi_164_: array<u32, 2>;
+    var phi_242_: array<u32, 2>;
+    var phi_274_: array<u32, 2>;
+    var phi_299_: bool;
+    var phi_311_: bool;
+    var phi_312_: bool;
+    var phi_385_: f32;
+    var phi_391_: f32;
+    var phi_397_: f32;
+    var phi_403_: f32;
+    var phi_409_: f32;
     var phi_415_: f32;
-    var phi_431_: type_26;
-    var phi_501_: f32;
-    var phi_507_: f32;
-    var phi_513_: f32;
-    var phi_519_: f32;
-    var phi_525_: f32;
-    var phi_531_: f32;
-    var phi_549_: f32;
-    var phi_554_: f32;
+    var phi_433_: f32;
+    var phi_438_: f32;
+    var phi_443_: f32;
+    var phi_459_: type_26;
+    var phi_529_: f32;
+    var phi_535_: f32;
+    var phi_541_: f32;
+    var phi_547_: f32;
+    var phi_553_: f32;
     var phi_559_: f32;
-    var phi_575_: type_26;
-    var phi_765_: f32;
-    var phi_771_: f32;
-    var phi_778_: f32;
-    var phi_787_: f32;
-    var phi_794_: f32;
-    var phi_802_: f32;
-    var phi_811_: f32;
-    var phi_818_: f32;
-    var phi_826_: f32;
-    var phi_919_: f32;
-    var phi_926_: f32;
-    var phi_932_: f32;
-    var phi_938_: f32;
-    var phi_957_: f32;
-    var phi_964_: f32;
-    var phi_970_: f32;
-    var phi_976_: f32;
-    var phi_995_: f32;
-    var phi_1002_: f32;
-    var phi_1008_: f32;
-    var phi_1014_: f32;
-    var phi_1033_: f32;
-    var phi_1040_: f32;
-    var phi_1046_: f32;
-    var phi_1052_: f32;
-    var phi_1071_: f32;
-    var phi_1078_: f32;
-    var phi_1084_: f32;
-    var phi_1090_: f32;
-    var phi_1109_: f32;
-    var phi_1116_: f32;
-    var phi_1122_: f32;
-    var phi_1128_: f32;
-    var phi_1143_: f32;
-    var phi_1148_: f32;
-    var phi_1153_: f32;
-    var phi_1158_: f32;
-    var phi_1163_: f32;
-    var phi_1222_: f32;
-    var phi_1245_: f32;
-    var phi_1268_: f32;
-    var phi_1290_: f32;
-    var phi_1306_: f32;
-    var phi_1361_: f32;
-    var phi_1384_: f32;
-    var phi_1407_: f32;
-    var phi_1429_: f32;
-    var phi_1445_: f32;
-    var phi_1500_: f32;
-    var phi_1523_: f32;
-    var phi_1546_: f32;
-    var phi_1568_: f32;
-    var phi_1584_: f32;
-    var phi_1639_: f32;
-    var phi_1662_: f32;
-    var phi_1686_: f32;
-    var phi_1709_: f32;
-    var phi_1725_: f32;
-    var phi_1780_: f32;
-    var phi_1803_: f32;
-    var phi_1827_: f32;
-    var phi_1850_: f32;
-    var phi_1866_: f32;
-    var phi_1921_: f32;
-    var phi_1944_: f32;
-    var phi_1968_: f32;
-    var phi_1991_: f32;
-    var phi_2007_: f32;
-    var phi_2062_: f32;
-    var phi_2085_: f32;
-    var phi_2109_: f32;
-    var phi_2132_: f32;
-    var phi_2148_: f32;
-    var phi_2203_: f32;
-    var phi_2226_: f32;
-    var phi_2250_: f32;
-    var phi_2273_: f32;
-    var phi_2289_: f32;
-    var phi_2344_: f32;
-    var phi_2367_: f32;
-    var phi_2391_: f32;
-    var phi_2414_: f32;
-    var phi_2430_: f32;
-    var phi_2437_: f32;
+    var phi_577_: f32;
+    var phi_582_: f32;
+    var phi_587_: f32;
+    var phi_603_: type_26;
+    var phi_793_: f32;
+    var phi_799_: f32;
+    var phi_806_: f32;
+    var phi_815_: f32;
+    var phi_822_: f32;
+    var phi_830_: f32;
+    var phi_839_: f32;
+    var phi_846_: f32;
+    var phi_854_: f32;
+    var phi_947_: f32;
+    var phi_954_: f32;
+    var phi_960_: f32;
+    var phi_966_: f32;
+    var phi_985_: f32;
+    var phi_992_: f32;
+    var phi_998_: f32;
+    var phi_1004_: f32;
+    var phi_1023_: f32;
+    var phi_1030_: f32;
+    var phi_1036_: f32;
+    var phi_1042_: f32;
+    var phi_1061_: f32;
+    var phi_1068_: f32;
+    var phi_1074_: f32;
+    var phi_1080_: f32;
+    var phi_1099_: f32;
+    var phi_1106_: f32;
+    var phi_1112_: f32;
+    var phi_1118_: f32;
+    var phi_1137_: f32;
+    var phi_1144_: f32;
+    var phi_1150_: f32;
+    var phi_1156_: f32;
+    var phi_1171_: f32;
+    var phi_1176_: f32;
+    var phi_1181_: f32;
+    var phi_1186_: f32;
+    var phi_1191_: f32;
+    var phi_1250_: f32;
+    var phi_1273_: f32;
+    var phi_1296_: f32;
+    var phi_1318_: f32;
+    var phi_1334_: f32;
+    var phi_1389_: f32;
+    var phi_1412_: f32;
+    var phi_1435_: f32;
+    var phi_1457_: f32;
+    var phi_1473_: f32;
+    var phi_1528_: f32;
+    var phi_1551_: f32;
+    var phi_1574_: f32;
+    var phi_1596_: f32;
+    var phi_1612_: f32;
+    var phi_1667_: f32;
+    var phi_1690_: f32;
+    var phi_1714_: f32;
+    var phi_1737_: f32;
+    var phi_1753_: f32;
+    var phi_1808_: f32;
+    var phi_1831_: f32;
+    var phi_1855_: f32;
+    var phi_1878_: f32;
+    var phi_1894_: f32;
+    var phi_1949_: f32;
+    var phi_1972_: f32;
+    var phi_1996_: f32;
+    var phi_2019_: f32;
+    var phi_2035_: f32;
+    var phi_2090_: f32;
+    var phi_2113_: f32;
+    var phi_2137_: f32;
+    var phi_2160_: f32;
+    var phi_2176_: f32;
+    var phi_2231_: f32;
+    var phi_2254_: f32;
+    var phi_2278_: f32;
+    var phi_2301_: f32;
+    var phi_2317_: f32;
+    var phi_2372_: f32;
+    var phi_2395_: f32;
+    var phi_2419_: f32;
     var phi_2442_: f32;
-    var phi_2447_: f32;
-    var phi_2452_: f32;
-    var phi_2457_: f32;
-    var phi_2462_: f32;
-    var phi_2467_: f32;
-    var phi_2472_: f32;
-    var phi_2476_: bool;
-    var phi_2478_: bool;
-    var phi_2479_: bool;
-    var phi_2480_: bool;
-    var phi_2481_: bool;
-    var phi_2485_: bool;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
-    var phi_2506_: u32;
-    var phi_2507_: u32;
-    var phi_2508_: u32;
-    var phi_2509_: u32;
-    var phi_2510_: u32;
-    var phi_2511_: array<u32, 2>;
-    var phi_2528_: array<u32, 2>;
-    var phi_2529_: array<u32, 2>;
-    var phi_2541_: array<u32, 2>;
-    var phi_2542_: array<u32, 2>;
-    var phi_2680_: type_12;
-    var phi_2685_: type_12;
+    var phi_2458_: f32;
+    var phi_2465_: f32;
+    var phi_2470_: f32;
+    var phi_2475_: f32;
+    var phi_2480_: f32;
+    var phi_2485_: f32;
+    var phi_2490_: f32;
+    var phi_2495_: f32;
+    var phi_2500_: f32;
+    var phi_2504_: bool;
+    var phi_2506_: bool;
+    var phi_2507_: bool;
+    var phi_2508_: bool;
+    var phi_2509_: bool;
+    var phi_2513_: bool;
+    var phi_2526_: array<u32, 2>;
+    var phi_2560_: bool;
+    var phi_2561_: bool;
+    var phi_2565_: u32;
+    var phi_2566_: u32;
+    var phi_2567_: u32;
+    var phi_2568_: u32;
+    var phi_2569_: u32;
+    var phi_2586_: array<u32, 2>;
+    var phi_2587_: array<u32, 2>;
+    var phi_2599_: array<u32, 2>;
+    var phi_2600_: array<u32, 2>;
+    var phi_2739_: type_12;
+    var phi_2744_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -268,1076 +276,1093 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e48 = lane_2;
     let _e63 = ((((_e46.y * _e47.x) + _e46.x) * 128u) + _e48);
     let _e65 = params.member.member_2;
-    if (_e65.member == 0u) {
-        phi_136_ = array<u32, 2>(0u, 2u);
+    let _e68 = params.member.member_1.member;
+    if (_e63 < _e68) {
+        let _e75 = (2u * (((1u - _e65.member_5) * _e65.member_4) + _e63));
+        let _e77 = front.member[_e75];
+        let _e80 = front.member[(_e75 + 1u)];
+        phi_164_ = array<u32, 2>(_e77, _e80);
     } else {
-        phi_136_ = array<u32, 2>(1u, 1u);
+        phi_164_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e69 = phi_136_;
-    let _e75 = params.member.member.member[_e69[0]];
-    let _e76 = (_e75 - 1u);
-    let _e80 = params.member.member.member[_e69[1]];
-    let _e81 = (_e80 - 1u);
-    let _e87 = params.member.member.member_2[_e69[0]];
-    let _e91 = params.member.member.member_2[_e69[1]];
+    let _e83 = phi_164_;
+    let _e85 = params.member.member_2;
     if (_e48 == 0u) {
         atomicStore((&shared_[6u]), 0u);
         atomicStore((&shared_[7u]), 0u);
         atomicStore((&shared_[8u]), 0u);
     }
     workgroupBarrier();
-    let _e98 = params.member.member_1.member;
-    if (_e63 < _e98) {
-        let _e105 = (2u * (((1u - _e65.member_5) * _e65.member_4) + _e63));
-        let _e107 = front.member[_e105];
-        let _e110 = front.member[(_e105 + 1u)];
-        let _e113 = a_nodes.member[_e107];
-        let _e115 = b_nodes.member[_e110];
-        if ((((((_e113.member[0] <= _e115.member_2[0]) && (_e115.member[0] <= _e113.member_2[0])) && (_e113.member[1] <= _e115.member_2[1])) && (_e115.member[1] <= _e113.member_2[1])) && (_e113.member[2] <= _e115.member_2[2])) && (_e115.member[2] <= _e113.member_2[2])) {
-            if (_e65.member == 1u) {
-                phi_271_ = (_e107 == _e110);
+    if (_e83[0] != 4294967295u) {
+        let _e94 = a_nodes.member[_e83[0]];
+        let _e97 = b_nodes.member[_e83[1]];
+        if ((((((_e94.member[0] <= _e97.member_2[0]) && (_e97.member[0] <= _e94.member_2[0])) && (_e94.member[1] <= _e97.member_2[1])) && (_e97.member[1] <= _e94.member_2[1])) && (_e94.member[2] <= _e97.member_2[2])) && (_e97.member[2] <= _e94.member_2[2])) {
+            let _e127 = params.member.member_2.member;
+            if (_e127 == 0u) {
+                phi_242_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_271_ = false;
+                phi_242_ = array<u32, 2>(1u, 1u);
             }
-            let _e145 = phi_271_;
-            if _e145 {
-                phi_2480_ = bool();
-                phi_2481_ = true;
+            let _e130 = phi_242_;
+            let _e136 = params.member.member.member_2[_e130[0]];
+            let _e140 = params.member.member.member_2[_e130[1]];
+            let _e143 = params.member.member_2.member;
+            let _e147 = params.member.member_2.member;
+            if (_e147 == 0u) {
+                phi_274_ = array<u32, 2>(0u, 2u);
             } else {
-                if (_e107 >= _e76) {
-                    if (_e110 >= _e81) {
-                        phi_283_ = false;
+                phi_274_ = array<u32, 2>(1u, 1u);
+            }
+            let _e150 = phi_274_;
+            let _e156 = params.member.member.member[_e150[0]];
+            let _e157 = (_e156 - 1u);
+            let _e161 = params.member.member.member[_e150[1]];
+            let _e162 = (_e161 - 1u);
+            if (_e143 == 1u) {
+                phi_299_ = (_e83[0] == _e83[1]);
+            } else {
+                phi_299_ = false;
+            }
+            let _e167 = phi_299_;
+            if _e167 {
+                phi_2508_ = bool();
+                phi_2509_ = true;
+            } else {
+                if (_e83[0] >= _e157) {
+                    if (_e83[1] >= _e162) {
+                        phi_311_ = false;
                     } else {
-                        phi_283_ = true;
+                        phi_311_ = true;
                     }
-                    let _e149 = phi_283_;
-                    phi_284_ = _e149;
+                    let _e171 = phi_311_;
+                    phi_312_ = _e171;
                 } else {
-                    phi_284_ = true;
+                    phi_312_ = true;
                 }
-                let _e151 = phi_284_;
-                if _e151 {
-                    if (_e107 < _e76) {
-                        let _e231 = oriented.member[(_e87 + _e107)];
-                        phi_431_ = type_26(array<f32, 3>(_e231.member.x, _e231.member.y, _e231.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e231.member.w, _e231.member_1.x, _e231.member_1.y), array<f32, 3>(_e231.member_1.z, _e231.member_1.w, _e231.member_2.x), array<f32, 3>(_e231.member_2.y, _e231.member_2.z, _e231.member_2.w)), array<f32, 3>(_e231.member_3.x, _e231.member_3.y, _e231.member_3.z));
+                let _e173 = phi_312_;
+                if _e173 {
+                    if (_e83[0] < _e157) {
+                        let _e253 = oriented.member[(_e136 + _e83[0])];
+                        phi_459_ = type_26(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e253.member.w, _e253.member_1.x, _e253.member_1.y), array<f32, 3>(_e253.member_1.z, _e253.member_1.w, _e253.member_2.x), array<f32, 3>(_e253.member_2.y, _e253.member_2.z, _e253.member_2.w)), array<f32, 3>(_e253.member_3.x, _e253.member_3.y, _e253.member_3.z));
                     } else {
-                        let _e154 = a_nodes.member[_e107];
-                        let _e169 = ((_e154.member[0] * 0.5f) + (_e154.member_2[0] * 0.5f));
-                        let _e170 = ((_e154.member[1] * 0.5f) + (_e154.member_2[1] * 0.5f));
-                        let _e171 = ((_e154.member[2] * 0.5f) + (_e154.member_2[2] * 0.5f));
-                        if (_e169 < _e154.member_2[0]) {
-                            phi_357_ = _e169;
+                        let _e176 = a_nodes.member[_e83[0]];
+                        let _e191 = ((_e176.member[0] * 0.5f) + (_e176.member_2[0] * 0.5f));
+                        let _e192 = ((_e176.member[1] * 0.5f) + (_e176.member_2[1] * 0.5f));
+                        let _e193 = ((_e176.member[2] * 0.5f) + (_e176.member_2[2] * 0.5f));
+                        if (_e191 < _e176.member_2[0]) {
+                            phi_385_ = _e191;
                         } else {
-                            phi_357_ = _e154.member_2[0];
+                            phi_385_ = _e176.member_2[0];
                         }
-                        let _e175 = phi_357_;
-                        if (_e170 < _e154.member_2[1]) {
-                            phi_363_ = _e170;
+                        let _e197 = phi_385_;
+                        if (_e192 < _e176.member_2[1]) {
+                            phi_391_ = _e192;
                         } else {
-                            phi_363_ = _e154.member_2[1];
+                            phi_391_ = _e176.member_2[1];
                         }
-                        let _e179 = phi_363_;
-                        if (_e171 < _e154.member_2[2]) {
-                            phi_369_ = _e171;
+                        let _e201 = phi_391_;
+                        if (_e193 < _e176.member_2[2]) {
+                            phi_397_ = _e193;
                         } else {
-                            phi_369_ = _e154.member_2[2];
+                            phi_397_ = _e176.member_2[2];
                         }
-                        let _e183 = phi_369_;
-                        if (_e175 > _e154.member[0]) {
-                            phi_375_ = _e175;
+                        let _e205 = phi_397_;
+                        if (_e197 > _e176.member[0]) {
+                            phi_403_ = _e197;
                         } else {
-                            phi_375_ = _e154.member[0];
+                            phi_403_ = _e176.member[0];
                         }
-                        let _e187 = phi_375_;
-                        if (_e179 > _e154.member[1]) {
-                            phi_381_ = _e179;
+                        let _e209 = phi_403_;
+                        if (_e201 > _e176.member[1]) {
+                            phi_409_ = _e201;
                         } else {
-                            phi_381_ = _e154.member[1];
+                            phi_409_ = _e176.member[1];
                         }
-                        let _e191 = phi_381_;
-                        if (_e183 > _e154.member[2]) {
-                            phi_387_ = _e183;
+                        let _e213 = phi_409_;
+                        if (_e205 > _e176.member[2]) {
+                            phi_415_ = _e205;
                         } else {
-                            phi_387_ = _e154.member[2];
-                        }
-                        let _e195 = phi_387_;
-                        let _e198 = (_e154.member_2[0] - _e187);
-                        let _e200 = (_e154.member_2[1] - _e191);
-                        let _e202 = (_e154.member_2[2] - _e195);
-                        let _e204 = (_e187 - _e154.member[0]);
-                        let _e206 = (_e191 - _e154.member[1]);
-                        let _e208 = (_e195 - _e154.member[2]);
-                        if (_e198 > _e204) {
-                            phi_405_ = _e198;
-                        } else {
-                            phi_405_ = _e204;
-                        }
-                        let _e211 = phi_405_;
-                        if (_e200 > _e206) {
-                            phi_410_ = _e200;
-                        } else {
-                            phi_410_ = _e206;
-                        }
-                        let _e214 = phi_410_;
-                        if (_e202 > _e208) {
-                            phi_415_ = _e202;
-                        } else {
-                            phi_415_ = _e208;
+                            phi_415_ = _e176.member[2];
                         }
                         let _e217 = phi_415_;
-                        let _e219 = (1f + (0.000000059604645f * 4f));
-                        let _e223 = (0.000000000000000000000000000000000000011754944f * 8f);
-                        phi_431_ = type_26(array<f32, 3>(_e187, _e191, _e195), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e211 * _e219) + _e223), ((_e214 * _e219) + _e223), ((_e217 * _e219) + _e223)));
+                        let _e220 = (_e176.member_2[0] - _e209);
+                        let _e222 = (_e176.member_2[1] - _e213);
+                        let _e224 = (_e176.member_2[2] - _e217);
+                        let _e226 = (_e209 - _e176.member[0]);
+                        let _e228 = (_e213 - _e176.member[1]);
+                        let _e230 = (_e217 - _e176.member[2]);
+                        if (_e220 > _e226) {
+                            phi_433_ = _e220;
+                        } else {
+                            phi_433_ = _e226;
+                        }
+                        let _e233 = phi_433_;
+                        if (_e222 > _e228) {
+                            phi_438_ = _e222;
+                        } else {
+                            phi_438_ = _e228;
+                        }
+                        let _e236 = phi_438_;
+                        if (_e224 > _e230) {
+                            phi_443_ = _e224;
+                        } else {
+                            phi_443_ = _e230;
+                        }
+                        let _e239 = phi_443_;
+                        let _e241 = (1f + (0.000000059604645f * 4f));
+                        let _e245 = (0.000000000000000000000000000000000000011754944f * 8f);
+                        phi_459_ = type_26(array<f32, 3>(_e209, _e213, _e217), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e233 * _e241) + _e245), ((_e236 * _e241) + _e245), ((_e239 * _e241) + _e245)));
                     }
-                    let _e270 = phi_431_;
-                    if (_e110 < _e81) {
-                        let _e350 = oriented.member[(_e91 + _e110)];
-                        phi_575_ = type_26(array<f32, 3>(_e350.member.x, _e350.member.y, _e350.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e350.member.w, _e350.member_1.x, _e350.member_1.y), array<f32, 3>(_e350.member_1.z, _e350.member_1.w, _e350.member_2.x), array<f32, 3>(_e350.member_2.y, _e350.member_2.z, _e350.member_2.w)), array<f32, 3>(_e350.member_3.x, _e350.member_3.y, _e350.member_3.z));
+                    let _e292 = phi_459_;
+                    if (_e83[1] < _e162) {
+                        let _e372 = oriented.member[(_e140 + _e83[1])];
+                        phi_603_ = type_26(array<f32, 3>(_e372.member.x, _e372.member.y, _e372.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e372.member.w, _e372.member_1.x, _e372.member_1.y), array<f32, 3>(_e372.member_1.z, _e372.member_1.w, _e372.member_2.x), array<f32, 3>(_e372.member_2.y, _e372.member_2.z, _e372.member_2.w)), array<f32, 3>(_e372.member_3.x, _e372.member_3.y, _e372.member_3.z));
                     } else {
-                        let _e273 = b_nodes.member[_e110];
-                        let _e288 = ((_e273.member[0] * 0.5f) + (_e273.member_2[0] * 0.5f));
-                        let _e289 = ((_e273.member[1] * 0.5f) + (_e273.member_2[1] * 0.5f));
-                        let _e290 = ((_e273.member[2] * 0.5f) + (_e273.member_2[2] * 0.5f));
-                        if (_e288 < _e273.member_2[0]) {
-                            phi_501_ = _e288;
+                        let _e295 = b_nodes.member[_e83[1]];
+                        let _e310 = ((_e295.member[0] * 0.5f) + (_e295.member_2[0] * 0.5f));
+                        let _e311 = ((_e295.member[1] * 0.5f) + (_e295.member_2[1] * 0.5f));
+                        let _e312 = ((_e295.member[2] * 0.5f) + (_e295.member_2[2] * 0.5f));
+                        if (_e310 < _e295.member_2[0]) {
+                            phi_529_ = _e310;
                         } else {
-                            phi_501_ = _e273.member_2[0];
+                            phi_529_ = _e295.member_2[0];
                         }
-                        let _e294 = phi_501_;
-                        if (_e289 < _e273.member_2[1]) {
-                            phi_507_ = _e289;
+                        let _e316 = phi_529_;
+                        if (_e311 < _e295.member_2[1]) {
+                            phi_535_ = _e311;
                         } else {
-                            phi_507_ = _e273.member_2[1];
+                            phi_535_ = _e295.member_2[1];
                         }
-                        let _e298 = phi_507_;
-                        if (_e290 < _e273.member_2[2]) {
-                            phi_513_ = _e290;
+                        let _e320 = phi_535_;
+                        if (_e312 < _e295.member_2[2]) {
+                            phi_541_ = _e312;
                         } else {
-                            phi_513_ = _e273.member_2[2];
+                            phi_541_ = _e295.member_2[2];
                         }
-                        let _e302 = phi_513_;
-                        if (_e294 > _e273.member[0]) {
-                            phi_519_ = _e294;
+                        let _e324 = phi_541_;
+                        if (_e316 > _e295.member[0]) {
+                            phi_547_ = _e316;
                         } else {
-                            phi_519_ = _e273.member[0];
+                            phi_547_ = _e295.member[0];
                         }
-                        let _e306 = phi_519_;
-                        if (_e298 > _e273.member[1]) {
-                            phi_525_ = _e298;
+                        let _e328 = phi_547_;
+                        if (_e320 > _e295.member[1]) {
+                            phi_553_ = _e320;
                         } else {
-                            phi_525_ = _e273.member[1];
+                            phi_553_ = _e295.member[1];
                         }
-                        let _e310 = phi_525_;
-                        if (_e302 > _e273.member[2]) {
-                            phi_531_ = _e302;
+                        let _e332 = phi_553_;
+                        if (_e324 > _e295.member[2]) {
+                            phi_559_ = _e324;
                         } else {
-                            phi_531_ = _e273.member[2];
-                        }
-                        let _e314 = phi_531_;
-                        let _e317 = (_e273.member_2[0] - _e306);
-                        let _e319 = (_e273.member_2[1] - _e310);
-                        let _e321 = (_e273.member_2[2] - _e314);
-                        let _e323 = (_e306 - _e273.member[0]);
-                        let _e325 = (_e310 - _e273.member[1]);
-                        let _e327 = (_e314 - _e273.member[2]);
-                        if (_e317 > _e323) {
-                            phi_549_ = _e317;
-                        } else {
-                            phi_549_ = _e323;
-                        }
-                        let _e330 = phi_549_;
-                        if (_e319 > _e325) {
-                            phi_554_ = _e319;
-                        } else {
-                            phi_554_ = _e325;
-                        }
-                        let _e333 = phi_554_;
-                        if (_e321 > _e327) {
-                            phi_559_ = _e321;
-                        } else {
-                            phi_559_ = _e327;
+                            phi_559_ = _e295.member[2];
                         }
                         let _e336 = phi_559_;
-                        let _e338 = (1f + (0.000000059604645f * 4f));
-                        let _e342 = (0.000000000000000000000000000000000000011754944f * 8f);
-                        phi_575_ = type_26(array<f32, 3>(_e306, _e310, _e314), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e330 * _e338) + _e342), ((_e333 * _e338) + _e342), ((_e336 * _e338) + _e342)));
+                        let _e339 = (_e295.member_2[0] - _e328);
+                        let _e341 = (_e295.member_2[1] - _e332);
+                        let _e343 = (_e295.member_2[2] - _e336);
+                        let _e345 = (_e328 - _e295.member[0]);
+                        let _e347 = (_e332 - _e295.member[1]);
+                        let _e349 = (_e336 - _e295.member[2]);
+                        if (_e339 > _e345) {
+                            phi_577_ = _e339;
+                        } else {
+                            phi_577_ = _e345;
+                        }
+                        let _e352 = phi_577_;
+                        if (_e341 > _e347) {
+                            phi_582_ = _e341;
+                        } else {
+                            phi_582_ = _e347;
+                        }
+                        let _e355 = phi_582_;
+                        if (_e343 > _e349) {
+                            phi_587_ = _e343;
+                        } else {
+                            phi_587_ = _e349;
+                        }
+                        let _e358 = phi_587_;
+                        let _e360 = (1f + (0.000000059604645f * 4f));
+                        let _e364 = (0.000000000000000000000000000000000000011754944f * 8f);
+                        phi_603_ = type_26(array<f32, 3>(_e328, _e332, _e336), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e352 * _e360) + _e364), ((_e355 * _e360) + _e364), ((_e358 * _e360) + _e364)));
                     }
-                    let _e389 = phi_575_;
-                    let _e394 = (_e389.member[0] - _e270.member[0]);
-                    let _e397 = (_e389.member[1] - _e270.member[1]);
-                    let _e400 = (_e389.member[2] - _e270.member[2]);
-                    if (_e394 < 0f) {
-                        phi_765_ = -(_e394);
+                    let _e411 = phi_603_;
+                    let _e416 = (_e411.member[0] - _e292.member[0]);
+                    let _e419 = (_e411.member[1] - _e292.member[1]);
+                    let _e422 = (_e411.member[2] - _e292.member[2]);
+                    if (_e416 < 0f) {
+                        phi_793_ = -(_e416);
                     } else {
-                        phi_765_ = _e394;
+                        phi_793_ = _e416;
                     }
-                    let _e589 = phi_765_;
-                    if (_e397 < 0f) {
-                        phi_771_ = -(_e397);
+                    let _e611 = phi_793_;
+                    if (_e419 < 0f) {
+                        phi_799_ = -(_e419);
                     } else {
-                        phi_771_ = _e397;
+                        phi_799_ = _e419;
                     }
-                    let _e593 = phi_771_;
-                    if (_e400 < 0f) {
-                        phi_778_ = -(_e400);
+                    let _e615 = phi_799_;
+                    if (_e422 < 0f) {
+                        phi_806_ = -(_e422);
                     } else {
-                        phi_778_ = _e400;
+                        phi_806_ = _e422;
                     }
-                    let _e598 = phi_778_;
-                    if (_e270.member_2[0] < 0f) {
-                        phi_787_ = -(_e270.member_2[0]);
+                    let _e620 = phi_806_;
+                    if (_e292.member_2[0] < 0f) {
+                        phi_815_ = -(_e292.member_2[0]);
                     } else {
-                        phi_787_ = _e270.member_2[0];
+                        phi_815_ = _e292.member_2[0];
                     }
-                    let _e605 = phi_787_;
-                    if (_e270.member_2[1] < 0f) {
-                        phi_794_ = -(_e270.member_2[1]);
+                    let _e627 = phi_815_;
+                    if (_e292.member_2[1] < 0f) {
+                        phi_822_ = -(_e292.member_2[1]);
                     } else {
-                        phi_794_ = _e270.member_2[1];
+                        phi_822_ = _e292.member_2[1];
                     }
-                    let _e610 = phi_794_;
-                    if (_e270.member_2[2] < 0f) {
-                        phi_802_ = -(_e270.member_2[2]);
+                    let _e632 = phi_822_;
+                    if (_e292.member_2[2] < 0f) {
+                        phi_830_ = -(_e292.member_2[2]);
                     } else {
-                        phi_802_ = _e270.member_2[2];
+                        phi_830_ = _e292.member_2[2];
                     }
-                    let _e616 = phi_802_;
-                    if (_e389.member_2[0] < 0f) {
-                        phi_811_ = -(_e389.member_2[0]);
+                    let _e638 = phi_830_;
+                    if (_e411.member_2[0] < 0f) {
+                        phi_839_ = -(_e411.member_2[0]);
                     } else {
-                        phi_811_ = _e389.member_2[0];
+                        phi_839_ = _e411.member_2[0];
                     }
-                    let _e623 = phi_811_;
-                    if (_e389.member_2[1] < 0f) {
-                        phi_818_ = -(_e389.member_2[1]);
+                    let _e645 = phi_839_;
+                    if (_e411.member_2[1] < 0f) {
+                        phi_846_ = -(_e411.member_2[1]);
                     } else {
-                        phi_818_ = _e389.member_2[1];
+                        phi_846_ = _e411.member_2[1];
                     }
-                    let _e628 = phi_818_;
-                    if (_e389.member_2[2] < 0f) {
-                        phi_826_ = -(_e389.member_2[2]);
+                    let _e650 = phi_846_;
+                    if (_e411.member_2[2] < 0f) {
+                        phi_854_ = -(_e411.member_2[2]);
                     } else {
-                        phi_826_ = _e389.member_2[2];
+                        phi_854_ = _e411.member_2[2];
                     }
-                    let _e634 = phi_826_;
-                    local = type_21(array<array<f32, 3>, 3>(array<f32, 3>((((_e389.member_1[0][0] * _e270.member_1[0][0]) + (_e389.member_1[0][1] * _e270.member_1[0][1])) + (_e389.member_1[0][2] * _e270.member_1[0][2])), (((_e389.member_1[1][0] * _e270.member_1[0][0]) + (_e389.member_1[1][1] * _e270.member_1[0][1])) + (_e389.member_1[1][2] * _e270.member_1[0][2])), (((_e389.member_1[2][0] * _e270.member_1[0][0]) + (_e389.member_1[2][1] * _e270.member_1[0][1])) + (_e389.member_1[2][2] * _e270.member_1[0][2]))), array<f32, 3>((((_e389.member_1[0][0] * _e270.member_1[1][0]) + (_e389.member_1[0][1] * _e270.member_1[1][1])) + (_e389.member_1[0][2] * _e270.member_1[1][2])), (((_e389.member_1[1][0] * _e270.member_1[1][0]) + (_e389.member_1[1][1] * _e270.member_1[1][1])) + (_e389.member_1[1][2] * _e270.member_1[1][2])), (((_e389.member_1[2][0] * _e270.member_1[1][0]) + (_e389.member_1[2][1] * _e270.member_1[1][1])) + (_e389.member_1[2][2] * _e270.member_1[1][2]))), array<f32, 3>((((_e389.member_1[0][0] * _e270.member_1[2][0]) + (_e389.member_1[0][1] * _e270.member_1[2][1])) + (_e389.member_1[0][2] * _e270.member_1[2][2])), (((_e389.member_1[1][0] * _e270.member_1[2][0]) + (_e389.member_1[1][1] * _e270.member_1[2][1])) + (_e389.member_1[1][2] * _e270.member_1[2][2])), (((_e389.member_1[2][0] * _e270.member_1[2][0]) + (_e389.member_1[2][1] * _e270.member_1[2][1])) + (_e389.member_1[2][2] * _e270.member_1[2][2])))), array<f32, 3>((((_e270.member_1[0][0] * _e394) + (_e270.member_1[0][1] * _e397)) + (_e270.member_1[0][2] * _e400)), (((_e270.member_1[1][0] * _e394) + (_e270.member_1[1][1] * _e397)) + (_e270.member_1[1][2] * _e400)), (((_e270.member_1[2][0] * _e394) + (_e270.member_1[2][1] * _e397)) + (_e270.member_1[2][2] * _e400))), array<f32, 3>((((_e389.member_1[0][0] * _e394) + (_e389.member_1[0][1] * _e397)) + (_e389.member_1[0][2] * _e400)), (((_e389.member_1[1][0] * _e394) + (_e389.member_1[1][1] * _e397)) + (_e389.member_1[1][2] * _e400)), (((_e389.member_1[2][0] * _e394) + (_e389.member_1[2][1] * _e397)) + (_e389.member_1[2][2] * _e400))), array<f32, 3>(_e270.member_2[0], _e270.member_2[1], _e270.member_2[2]), array<f32, 3>(_e389.member_2[0], _e389.member_2[1], _e389.member_2[2]), ((((((_e589 + _e593) + _e598) + (((_e605 + _e610) + _e616) + ((_e623 + _e628) + _e634))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                    let _e661 = local.member[0u][0u];
-                    let _e665 = local.member[0u][1u];
-                    let _e669 = local.member[0u][2u];
-                    let _e673 = local.member[1u][0u];
-                    let _e677 = local.member[1u][1u];
-                    let _e681 = local.member[1u][2u];
-                    let _e685 = local.member[2u][0u];
-                    let _e689 = local.member[2u][1u];
-                    let _e693 = local.member[2u][2u];
-                    let _e695 = local.member_3;
-                    let _e700 = local.member_4;
-                    let _e706 = local.member_1[0u];
-                    if (_e706 < 0f) {
-                        phi_919_ = -(_e706);
+                    let _e656 = phi_854_;
+                    local = type_21(array<array<f32, 3>, 3>(array<f32, 3>((((_e411.member_1[0][0] * _e292.member_1[0][0]) + (_e411.member_1[0][1] * _e292.member_1[0][1])) + (_e411.member_1[0][2] * _e292.member_1[0][2])), (((_e411.member_1[1][0] * _e292.member_1[0][0]) + (_e411.member_1[1][1] * _e292.member_1[0][1])) + (_e411.member_1[1][2] * _e292.member_1[0][2])), (((_e411.member_1[2][0] * _e292.member_1[0][0]) + (_e411.member_1[2][1] * _e292.member_1[0][1])) + (_e411.member_1[2][2] * _e292.member_1[0][2]))), array<f32, 3>((((_e411.member_1[0][0] * _e292.member_1[1][0]) + (_e411.member_1[0][1] * _e292.member_1[1][1])) + (_e411.member_1[0][2] * _e292.member_1[1][2])), (((_e411.member_1[1][0] * _e292.member_1[1][0]) + (_e411.member_1[1][1] * _e292.member_1[1][1])) + (_e411.member_1[1][2] * _e292.member_1[1][2])), (((_e411.member_1[2][0] * _e292.member_1[1][0]) + (_e411.member_1[2][1] * _e292.member_1[1][1])) + (_e411.member_1[2][2] * _e292.member_1[1][2]))), array<f32, 3>((((_e411.member_1[0][0] * _e292.member_1[2][0]) + (_e411.member_1[0][1] * _e292.member_1[2][1])) + (_e411.member_1[0][2] * _e292.member_1[2][2])), (((_e411.member_1[1][0] * _e292.member_1[2][0]) + (_e411.member_1[1][1] * _e292.member_1[2][1])) + (_e411.member_1[1][2] * _e292.member_1[2][2])), (((_e411.member_1[2][0] * _e292.member_1[2][0]) + (_e411.member_1[2][1] * _e292.member_1[2][1])) + (_e411.member_1[2][2] * _e292.member_1[2][2])))), array<f32, 3>((((_e292.member_1[0][0] * _e416) + (_e292.member_1[0][1] * _e419)) + (_e292.member_1[0][2] * _e422)), (((_e292.member_1[1][0] * _e416) + (_e292.member_1[1][1] * _e419)) + (_e292.member_1[1][2] * _e422)), (((_e292.member_1[2][0] * _e416) + (_e292.member_1[2][1] * _e419)) + (_e292.member_1[2][2] * _e422))), array<f32, 3>((((_e411.member_1[0][0] * _e416) + (_e411.member_1[0][1] * _e419)) + (_e411.member_1[0][2] * _e422)), (((_e411.member_1[1][0] * _e416) + (_e411.member_1[1][1] * _e419)) + (_e411.member_1[1][2] * _e422)), (((_e411.member_1[2][0] * _e416) + (_e411.member_1[2][1] * _e419)) + (_e411.member_1[2][2] * _e422))), array<f32, 3>(_e292.member_2[0], _e292.member_2[1], _e292.member_2[2]), array<f32, 3>(_e411.member_2[0], _e411.member_2[1], _e411.member_2[2]), ((((((_e611 + _e615) + _e620) + (((_e627 + _e632) + _e638) + ((_e645 + _e650) + _e656))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                    let _e683 = local.member[0u][0u];
+                    let _e687 = local.member[0u][1u];
+                    let _e691 = local.member[0u][2u];
+                    let _e695 = local.member[1u][0u];
+                    let _e699 = local.member[1u][1u];
+                    let _e703 = local.member[1u][2u];
+                    let _e707 = local.member[2u][0u];
+                    let _e711 = local.member[2u][1u];
+                    let _e715 = local.member[2u][2u];
+                    let _e717 = local.member_3;
+                    let _e722 = local.member_4;
+                    let _e728 = local.member_1[0u];
+                    if (_e728 < 0f) {
+                        phi_947_ = -(_e728);
                     } else {
-                        phi_919_ = _e706;
+                        phi_947_ = _e728;
                     }
-                    let _e710 = phi_919_;
-                    if (_e661 < 0f) {
-                        phi_926_ = -(_e661);
+                    let _e732 = phi_947_;
+                    if (_e683 < 0f) {
+                        phi_954_ = -(_e683);
                     } else {
-                        phi_926_ = _e661;
+                        phi_954_ = _e683;
                     }
-                    let _e714 = phi_926_;
-                    if (_e665 < 0f) {
-                        phi_932_ = -(_e665);
+                    let _e736 = phi_954_;
+                    if (_e687 < 0f) {
+                        phi_960_ = -(_e687);
                     } else {
-                        phi_932_ = _e665;
+                        phi_960_ = _e687;
                     }
-                    let _e718 = phi_932_;
-                    if (_e669 < 0f) {
-                        phi_938_ = -(_e669);
+                    let _e740 = phi_960_;
+                    if (_e691 < 0f) {
+                        phi_966_ = -(_e691);
                     } else {
-                        phi_938_ = _e669;
+                        phi_966_ = _e691;
                     }
-                    let _e722 = phi_938_;
-                    let _e729 = (_e710 - (_e695[0] + (((_e714 * _e700[0]) + (_e718 * _e700[1])) + (_e722 * _e700[2]))));
-                    let _e732 = local.member_1[1u];
-                    if (_e732 < 0f) {
-                        phi_957_ = -(_e732);
+                    let _e744 = phi_966_;
+                    let _e751 = (_e732 - (_e717[0] + (((_e736 * _e722[0]) + (_e740 * _e722[1])) + (_e744 * _e722[2]))));
+                    let _e754 = local.member_1[1u];
+                    if (_e754 < 0f) {
+                        phi_985_ = -(_e754);
                     } else {
-                        phi_957_ = _e732;
+                        phi_985_ = _e754;
                     }
-                    let _e736 = phi_957_;
-                    if (_e673 < 0f) {
-                        phi_964_ = -(_e673);
+                    let _e758 = phi_985_;
+                    if (_e695 < 0f) {
+                        phi_992_ = -(_e695);
                     } else {
-                        phi_964_ = _e673;
+                        phi_992_ = _e695;
                     }
-                    let _e740 = phi_964_;
-                    if (_e677 < 0f) {
-                        phi_970_ = -(_e677);
+                    let _e762 = phi_992_;
+                    if (_e699 < 0f) {
+                        phi_998_ = -(_e699);
                     } else {
-                        phi_970_ = _e677;
+                        phi_998_ = _e699;
                     }
-                    let _e744 = phi_970_;
-                    if (_e681 < 0f) {
-                        phi_976_ = -(_e681);
+                    let _e766 = phi_998_;
+                    if (_e703 < 0f) {
+                        phi_1004_ = -(_e703);
                     } else {
-                        phi_976_ = _e681;
+                        phi_1004_ = _e703;
                     }
-                    let _e748 = phi_976_;
-                    let _e755 = (_e736 - (_e695[1] + (((_e740 * _e700[0]) + (_e744 * _e700[1])) + (_e748 * _e700[2]))));
-                    let _e758 = local.member_1[2u];
-                    if (_e758 < 0f) {
-                        phi_995_ = -(_e758);
+                    let _e770 = phi_1004_;
+                    let _e777 = (_e758 - (_e717[1] + (((_e762 * _e722[0]) + (_e766 * _e722[1])) + (_e770 * _e722[2]))));
+                    let _e780 = local.member_1[2u];
+                    if (_e780 < 0f) {
+                        phi_1023_ = -(_e780);
                     } else {
-                        phi_995_ = _e758;
+                        phi_1023_ = _e780;
                     }
-                    let _e762 = phi_995_;
-                    if (_e685 < 0f) {
-                        phi_1002_ = -(_e685);
+                    let _e784 = phi_1023_;
+                    if (_e707 < 0f) {
+                        phi_1030_ = -(_e707);
                     } else {
-                        phi_1002_ = _e685;
+                        phi_1030_ = _e707;
                     }
-                    let _e766 = phi_1002_;
-                    if (_e689 < 0f) {
-                        phi_1008_ = -(_e689);
+                    let _e788 = phi_1030_;
+                    if (_e711 < 0f) {
+                        phi_1036_ = -(_e711);
                     } else {
-                        phi_1008_ = _e689;
+                        phi_1036_ = _e711;
                     }
-                    let _e770 = phi_1008_;
-                    if (_e693 < 0f) {
-                        phi_1014_ = -(_e693);
+                    let _e792 = phi_1036_;
+                    if (_e715 < 0f) {
+                        phi_1042_ = -(_e715);
                     } else {
-                        phi_1014_ = _e693;
+                        phi_1042_ = _e715;
                     }
-                    let _e774 = phi_1014_;
-                    let _e781 = (_e762 - (_e695[2] + (((_e766 * _e700[0]) + (_e770 * _e700[1])) + (_e774 * _e700[2]))));
-                    let _e784 = local.member_2[0u];
-                    if (_e784 < 0f) {
-                        phi_1033_ = -(_e784);
+                    let _e796 = phi_1042_;
+                    let _e803 = (_e784 - (_e717[2] + (((_e788 * _e722[0]) + (_e792 * _e722[1])) + (_e796 * _e722[2]))));
+                    let _e806 = local.member_2[0u];
+                    if (_e806 < 0f) {
+                        phi_1061_ = -(_e806);
                     } else {
-                        phi_1033_ = _e784;
+                        phi_1061_ = _e806;
                     }
-                    let _e788 = phi_1033_;
-                    if (_e661 < 0f) {
-                        phi_1040_ = -(_e661);
+                    let _e810 = phi_1061_;
+                    if (_e683 < 0f) {
+                        phi_1068_ = -(_e683);
                     } else {
-                        phi_1040_ = _e661;
+                        phi_1068_ = _e683;
                     }
-                    let _e792 = phi_1040_;
-                    if (_e673 < 0f) {
-                        phi_1046_ = -(_e673);
+                    let _e814 = phi_1068_;
+                    if (_e695 < 0f) {
+                        phi_1074_ = -(_e695);
                     } else {
-                        phi_1046_ = _e673;
+                        phi_1074_ = _e695;
                     }
-                    let _e796 = phi_1046_;
-                    if (_e685 < 0f) {
-                        phi_1052_ = -(_e685);
+                    let _e818 = phi_1074_;
+                    if (_e707 < 0f) {
+                        phi_1080_ = -(_e707);
                     } else {
-                        phi_1052_ = _e685;
+                        phi_1080_ = _e707;
                     }
-                    let _e800 = phi_1052_;
-                    let _e807 = (_e788 - (_e700[0] + (((_e792 * _e695[0]) + (_e796 * _e695[1])) + (_e800 * _e695[2]))));
-                    let _e810 = local.member_2[1u];
-                    if (_e810 < 0f) {
-                        phi_1071_ = -(_e810);
+                    let _e822 = phi_1080_;
+                    let _e829 = (_e810 - (_e722[0] + (((_e814 * _e717[0]) + (_e818 * _e717[1])) + (_e822 * _e717[2]))));
+                    let _e832 = local.member_2[1u];
+                    if (_e832 < 0f) {
+                        phi_1099_ = -(_e832);
                     } else {
-                        phi_1071_ = _e810;
+                        phi_1099_ = _e832;
                     }
-                    let _e814 = phi_1071_;
-                    if (_e665 < 0f) {
-                        phi_1078_ = -(_e665);
+                    let _e836 = phi_1099_;
+                    if (_e687 < 0f) {
+                        phi_1106_ = -(_e687);
                     } else {
-                        phi_1078_ = _e665;
+                        phi_1106_ = _e687;
                     }
-                    let _e818 = phi_1078_;
-                    if (_e677 < 0f) {
-                        phi_1084_ = -(_e677);
+                    let _e840 = phi_1106_;
+                    if (_e699 < 0f) {
+                        phi_1112_ = -(_e699);
                     } else {
-                        phi_1084_ = _e677;
+                        phi_1112_ = _e699;
                     }
-                    let _e822 = phi_1084_;
-                    if (_e689 < 0f) {
-                        phi_1090_ = -(_e689);
+                    let _e844 = phi_1112_;
+                    if (_e711 < 0f) {
+                        phi_1118_ = -(_e711);
                     } else {
-                        phi_1090_ = _e689;
+                        phi_1118_ = _e711;
                     }
-                    let _e826 = phi_1090_;
-                    let _e833 = (_e814 - (_e700[1] + (((_e818 * _e695[0]) + (_e822 * _e695[1])) + (_e826 * _e695[2]))));
-                    let _e836 = local.member_2[2u];
-                    if (_e836 < 0f) {
-                        phi_1109_ = -(_e836);
+                    let _e848 = phi_1118_;
+                    let _e855 = (_e836 - (_e722[1] + (((_e840 * _e717[0]) + (_e844 * _e717[1])) + (_e848 * _e717[2]))));
+                    let _e858 = local.member_2[2u];
+                    if (_e858 < 0f) {
+                        phi_1137_ = -(_e858);
                     } else {
-                        phi_1109_ = _e836;
+                        phi_1137_ = _e858;
                     }
-                    let _e840 = phi_1109_;
-                    if (_e669 < 0f) {
-                        phi_1116_ = -(_e669);
+                    let _e862 = phi_1137_;
+                    if (_e691 < 0f) {
+                        phi_1144_ = -(_e691);
                     } else {
-                        phi_1116_ = _e669;
+                        phi_1144_ = _e691;
                     }
-                    let _e844 = phi_1116_;
-                    if (_e681 < 0f) {
-                        phi_1122_ = -(_e681);
+                    let _e866 = phi_1144_;
+                    if (_e703 < 0f) {
+                        phi_1150_ = -(_e703);
                     } else {
-                        phi_1122_ = _e681;
+                        phi_1150_ = _e703;
                     }
-                    let _e848 = phi_1122_;
-                    if (_e693 < 0f) {
-                        phi_1128_ = -(_e693);
+                    let _e870 = phi_1150_;
+                    if (_e715 < 0f) {
+                        phi_1156_ = -(_e715);
                     } else {
-                        phi_1128_ = _e693;
+                        phi_1156_ = _e715;
                     }
-                    let _e852 = phi_1128_;
-                    let _e859 = (_e840 - (_e700[2] + (((_e844 * _e695[0]) + (_e848 * _e695[1])) + (_e852 * _e695[2]))));
-                    if (_e729 > _e755) {
-                        phi_1143_ = _e729;
+                    let _e874 = phi_1156_;
+                    let _e881 = (_e862 - (_e722[2] + (((_e866 * _e717[0]) + (_e870 * _e717[1])) + (_e874 * _e717[2]))));
+                    if (_e751 > _e777) {
+                        phi_1171_ = _e751;
                     } else {
-                        phi_1143_ = _e755;
+                        phi_1171_ = _e777;
                     }
-                    let _e862 = phi_1143_;
-                    if (_e862 > _e781) {
-                        phi_1148_ = _e862;
+                    let _e884 = phi_1171_;
+                    if (_e884 > _e803) {
+                        phi_1176_ = _e884;
                     } else {
-                        phi_1148_ = _e781;
+                        phi_1176_ = _e803;
                     }
-                    let _e865 = phi_1148_;
-                    if (_e807 > _e833) {
-                        phi_1153_ = _e807;
+                    let _e887 = phi_1176_;
+                    if (_e829 > _e855) {
+                        phi_1181_ = _e829;
                     } else {
-                        phi_1153_ = _e833;
+                        phi_1181_ = _e855;
                     }
-                    let _e868 = phi_1153_;
-                    if (_e868 > _e859) {
-                        phi_1158_ = _e868;
+                    let _e890 = phi_1181_;
+                    if (_e890 > _e881) {
+                        phi_1186_ = _e890;
                     } else {
-                        phi_1158_ = _e859;
+                        phi_1186_ = _e881;
                     }
-                    let _e871 = phi_1158_;
-                    if (_e865 > _e871) {
-                        phi_1163_ = _e865;
+                    let _e893 = phi_1186_;
+                    if (_e887 > _e893) {
+                        phi_1191_ = _e887;
                     } else {
-                        phi_1163_ = _e871;
+                        phi_1191_ = _e893;
                     }
-                    let _e874 = phi_1163_;
-                    let _e876 = local.member_5;
-                    if (_e874 > _e876) {
-                        phi_2476_ = true;
+                    let _e896 = phi_1191_;
+                    let _e898 = local.member_5;
+                    if (_e896 > _e898) {
+                        phi_2504_ = true;
                     } else {
-                        let _e881 = local.member[1u][0u];
-                        let _e884 = local.member_1[2u];
-                        let _e889 = local.member[2u][0u];
-                        let _e892 = local.member_1[1u];
-                        let _e894 = ((_e881 * _e884) - (_e889 * _e892));
-                        let _e898 = local.member[2u][0u];
-                        if (_e898 < 0f) {
-                            phi_1222_ = -(_e898);
+                        let _e903 = local.member[1u][0u];
+                        let _e906 = local.member_1[2u];
+                        let _e911 = local.member[2u][0u];
+                        let _e914 = local.member_1[1u];
+                        let _e916 = ((_e903 * _e906) - (_e911 * _e914));
+                        let _e920 = local.member[2u][0u];
+                        if (_e920 < 0f) {
+                            phi_1250_ = -(_e920);
                         } else {
-                            phi_1222_ = _e898;
+                            phi_1250_ = _e920;
                         }
-                        let _e902 = phi_1222_;
-                        let _e905 = local.member_3[1u];
-                        let _e910 = local.member[1u][0u];
-                        if (_e910 < 0f) {
-                            phi_1245_ = -(_e910);
+                        let _e924 = phi_1250_;
+                        let _e927 = local.member_3[1u];
+                        let _e932 = local.member[1u][0u];
+                        if (_e932 < 0f) {
+                            phi_1273_ = -(_e932);
                         } else {
-                            phi_1245_ = _e910;
+                            phi_1273_ = _e932;
                         }
-                        let _e914 = phi_1245_;
-                        let _e917 = local.member_3[2u];
-                        let _e923 = local.member[0u][2u];
-                        if (_e923 < 0f) {
-                            phi_1268_ = -(_e923);
+                        let _e936 = phi_1273_;
+                        let _e939 = local.member_3[2u];
+                        let _e945 = local.member[0u][2u];
+                        if (_e945 < 0f) {
+                            phi_1296_ = -(_e945);
                         } else {
-                            phi_1268_ = _e923;
+                            phi_1296_ = _e945;
                         }
-                        let _e927 = phi_1268_;
-                        let _e930 = local.member_4[1u];
-                        let _e935 = local.member[0u][1u];
-                        if (_e935 < 0f) {
-                            phi_1290_ = -(_e935);
+                        let _e949 = phi_1296_;
+                        let _e952 = local.member_4[1u];
+                        let _e957 = local.member[0u][1u];
+                        if (_e957 < 0f) {
+                            phi_1318_ = -(_e957);
                         } else {
-                            phi_1290_ = _e935;
+                            phi_1318_ = _e957;
                         }
-                        let _e939 = phi_1290_;
-                        let _e942 = local.member_4[2u];
-                        if (_e894 < 0f) {
-                            phi_1306_ = -(_e894);
+                        let _e961 = phi_1318_;
+                        let _e964 = local.member_4[2u];
+                        if (_e916 < 0f) {
+                            phi_1334_ = -(_e916);
                         } else {
-                            phi_1306_ = _e894;
+                            phi_1334_ = _e916;
                         }
-                        let _e948 = phi_1306_;
-                        let _e950 = (_e948 - (((_e902 * _e905) + (_e914 * _e917)) + ((_e927 * _e930) + (_e939 * _e942))));
-                        let _e954 = local.member[1u][1u];
-                        let _e957 = local.member_1[2u];
-                        let _e962 = local.member[2u][1u];
-                        let _e965 = local.member_1[1u];
-                        let _e967 = ((_e954 * _e957) - (_e962 * _e965));
-                        let _e971 = local.member[2u][1u];
-                        if (_e971 < 0f) {
-                            phi_1361_ = -(_e971);
+                        let _e970 = phi_1334_;
+                        let _e972 = (_e970 - (((_e924 * _e927) + (_e936 * _e939)) + ((_e949 * _e952) + (_e961 * _e964))));
+                        let _e976 = local.member[1u][1u];
+                        let _e979 = local.member_1[2u];
+                        let _e984 = local.member[2u][1u];
+                        let _e987 = local.member_1[1u];
+                        let _e989 = ((_e976 * _e979) - (_e984 * _e987));
+                        let _e993 = local.member[2u][1u];
+                        if (_e993 < 0f) {
+                            phi_1389_ = -(_e993);
                         } else {
-                            phi_1361_ = _e971;
+                            phi_1389_ = _e993;
                         }
-                        let _e975 = phi_1361_;
-                        let _e978 = local.member_3[1u];
-                        let _e983 = local.member[1u][1u];
-                        if (_e983 < 0f) {
-                            phi_1384_ = -(_e983);
+                        let _e997 = phi_1389_;
+                        let _e1000 = local.member_3[1u];
+                        let _e1005 = local.member[1u][1u];
+                        if (_e1005 < 0f) {
+                            phi_1412_ = -(_e1005);
                         } else {
-                            phi_1384_ = _e983;
+                            phi_1412_ = _e1005;
                         }
-                        let _e987 = phi_1384_;
-                        let _e990 = local.member_3[2u];
-                        let _e996 = local.member[0u][0u];
-                        if (_e996 < 0f) {
-                            phi_1407_ = -(_e996);
+                        let _e1009 = phi_1412_;
+                        let _e1012 = local.member_3[2u];
+                        let _e1018 = local.member[0u][0u];
+                        if (_e1018 < 0f) {
+                            phi_1435_ = -(_e1018);
                         } else {
-                            phi_1407_ = _e996;
+                            phi_1435_ = _e1018;
                         }
-                        let _e1000 = phi_1407_;
-                        let _e1003 = local.member_4[2u];
-                        let _e1008 = local.member[0u][2u];
-                        if (_e1008 < 0f) {
-                            phi_1429_ = -(_e1008);
+                        let _e1022 = phi_1435_;
+                        let _e1025 = local.member_4[2u];
+                        let _e1030 = local.member[0u][2u];
+                        if (_e1030 < 0f) {
+                            phi_1457_ = -(_e1030);
                         } else {
-                            phi_1429_ = _e1008;
+                            phi_1457_ = _e1030;
                         }
-                        let _e1012 = phi_1429_;
-                        let _e1015 = local.member_4[0u];
-                        if (_e967 < 0f) {
-                            phi_1445_ = -(_e967);
+                        let _e1034 = phi_1457_;
+                        let _e1037 = local.member_4[0u];
+                        if (_e989 < 0f) {
+                            phi_1473_ = -(_e989);
                         } else {
-                            phi_1445_ = _e967;
+                            phi_1473_ = _e989;
                         }
-                        let _e1021 = phi_1445_;
-                        let _e1023 = (_e1021 - (((_e975 * _e978) + (_e987 * _e990)) + ((_e1000 * _e1003) + (_e1012 * _e1015))));
-                        let _e1027 = local.member[1u][2u];
-                        let _e1030 = local.member_1[2u];
-                        let _e1035 = local.member[2u][2u];
-                        let _e1038 = local.member_1[1u];
-                        let _e1040 = ((_e1027 * _e1030) - (_e1035 * _e1038));
-                        let _e1044 = local.member[2u][2u];
-                        if (_e1044 < 0f) {
-                            phi_1500_ = -(_e1044);
+                        let _e1043 = phi_1473_;
+                        let _e1045 = (_e1043 - (((_e997 * _e1000) + (_e1009 * _e1012)) + ((_e1022 * _e1025) + (_e1034 * _e1037))));
+                        let _e1049 = local.member[1u][2u];
+                        let _e1052 = local.member_1[2u];
+                        let _e1057 = local.member[2u][2u];
+                        let _e1060 = local.member_1[1u];
+                        let _e1062 = ((_e1049 * _e1052) - (_e1057 * _e1060));
+                        let _e1066 = local.member[2u][2u];
+                        if (_e1066 < 0f) {
+                            phi_1528_ = -(_e1066);
                         } else {
-                            phi_1500_ = _e1044;
+                            phi_1528_ = _e1066;
                         }
-                        let _e1048 = phi_1500_;
-                        let _e1051 = local.member_3[1u];
-                        let _e1056 = local.member[1u][2u];
-                        if (_e1056 < 0f) {
-                            phi_1523_ = -(_e1056);
+                        let _e1070 = phi_1528_;
+                        let _e1073 = local.member_3[1u];
+                        let _e1078 = local.member[1u][2u];
+                        if (_e1078 < 0f) {
+                            phi_1551_ = -(_e1078);
                         } else {
-                            phi_1523_ = _e1056;
+                            phi_1551_ = _e1078;
                         }
-                        let _e1060 = phi_1523_;
-                        let _e1063 = local.member_3[2u];
-                        let _e1069 = local.member[0u][1u];
-                        if (_e1069 < 0f) {
-                            phi_1546_ = -(_e1069);
+                        let _e1082 = phi_1551_;
+                        let _e1085 = local.member_3[2u];
+                        let _e1091 = local.member[0u][1u];
+                        if (_e1091 < 0f) {
+                            phi_1574_ = -(_e1091);
                         } else {
-                            phi_1546_ = _e1069;
+                            phi_1574_ = _e1091;
                         }
-                        let _e1073 = phi_1546_;
-                        let _e1076 = local.member_4[0u];
-                        let _e1081 = local.member[0u][0u];
-                        if (_e1081 < 0f) {
-                            phi_1568_ = -(_e1081);
+                        let _e1095 = phi_1574_;
+                        let _e1098 = local.member_4[0u];
+                        let _e1103 = local.member[0u][0u];
+                        if (_e1103 < 0f) {
+                            phi_1596_ = -(_e1103);
                         } else {
-                            phi_1568_ = _e1081;
+                            phi_1596_ = _e1103;
                         }
-                        let _e1085 = phi_1568_;
-                        let _e1088 = local.member_4[1u];
-                        if (_e1040 < 0f) {
-                            phi_1584_ = -(_e1040);
+                        let _e1107 = phi_1596_;
+                        let _e1110 = local.member_4[1u];
+                        if (_e1062 < 0f) {
+                            phi_1612_ = -(_e1062);
                         } else {
-                            phi_1584_ = _e1040;
+                            phi_1612_ = _e1062;
                         }
-                        let _e1094 = phi_1584_;
-                        let _e1096 = (_e1094 - (((_e1048 * _e1051) + (_e1060 * _e1063)) + ((_e1073 * _e1076) + (_e1085 * _e1088))));
-                        let _e1100 = local.member[2u][0u];
-                        let _e1103 = local.member_1[0u];
-                        let _e1108 = local.member[0u][0u];
-                        let _e1111 = local.member_1[2u];
-                        let _e1113 = ((_e1100 * _e1103) - (_e1108 * _e1111));
-                        let _e1117 = local.member[0u][0u];
-                        if (_e1117 < 0f) {
-                            phi_1639_ = -(_e1117);
+                        let _e1116 = phi_1612_;
+                        let _e1118 = (_e1116 - (((_e1070 * _e1073) + (_e1082 * _e1085)) + ((_e1095 * _e1098) + (_e1107 * _e1110))));
+                        let _e1122 = local.member[2u][0u];
+                        let _e1125 = local.member_1[0u];
+                        let _e1130 = local.member[0u][0u];
+                        let _e1133 = local.member_1[2u];
+                        let _e1135 = ((_e1122 * _e1125) - (_e1130 * _e1133));
+                        let _e1139 = local.member[0u][0u];
+                        if (_e1139 < 0f) {
+                            phi_1667_ = -(_e1139);
                         } else {
-                            phi_1639_ = _e1117;
+                            phi_1667_ = _e1139;
                         }
-                        let _e1121 = phi_1639_;
-                        let _e1124 = local.member_3[2u];
-                        let _e1129 = local.member[2u][0u];
-                        if (_e1129 < 0f) {
-                            phi_1662_ = -(_e1129);
+                        let _e1143 = phi_1667_;
+                        let _e1146 = local.member_3[2u];
+                        let _e1151 = local.member[2u][0u];
+                        if (_e1151 < 0f) {
+                            phi_1690_ = -(_e1151);
                         } else {
-                            phi_1662_ = _e1129;
+                            phi_1690_ = _e1151;
                         }
-                        let _e1133 = phi_1662_;
-                        let _e1136 = local.member_3[0u];
-                        let _e1142 = local.member[1u][2u];
-                        if (_e1142 < 0f) {
-                            phi_1686_ = -(_e1142);
+                        let _e1155 = phi_1690_;
+                        let _e1158 = local.member_3[0u];
+                        let _e1164 = local.member[1u][2u];
+                        if (_e1164 < 0f) {
+                            phi_1714_ = -(_e1164);
                         } else {
-                            phi_1686_ = _e1142;
+                            phi_1714_ = _e1164;
                         }
-                        let _e1146 = phi_1686_;
-                        let _e1149 = local.member_4[1u];
-                        let _e1154 = local.member[1u][1u];
-                        if (_e1154 < 0f) {
-                            phi_1709_ = -(_e1154);
+                        let _e1168 = phi_1714_;
+                        let _e1171 = local.member_4[1u];
+                        let _e1176 = local.member[1u][1u];
+                        if (_e1176 < 0f) {
+                            phi_1737_ = -(_e1176);
                         } else {
-                            phi_1709_ = _e1154;
+                            phi_1737_ = _e1176;
                         }
-                        let _e1158 = phi_1709_;
-                        let _e1161 = local.member_4[2u];
-                        if (_e1113 < 0f) {
-                            phi_1725_ = -(_e1113);
+                        let _e1180 = phi_1737_;
+                        let _e1183 = local.member_4[2u];
+                        if (_e1135 < 0f) {
+                            phi_1753_ = -(_e1135);
                         } else {
-                            phi_1725_ = _e1113;
+                            phi_1753_ = _e1135;
                         }
-                        let _e1167 = phi_1725_;
-                        let _e1169 = (_e1167 - (((_e1121 * _e1124) + (_e1133 * _e1136)) + ((_e1146 * _e1149) + (_e1158 * _e1161))));
-                        let _e1173 = local.member[2u][1u];
-                        let _e1176 = local.member_1[0u];
-                        let _e1181 = local.member[0u][1u];
-                        let _e1184 = local.member_1[2u];
-                        let _e1186 = ((_e1173 * _e1176) - (_e1181 * _e1184));
-                        let _e1190 = local.member[0u][1u];
-                        if (_e1190 < 0f) {
-                            phi_1780_ = -(_e1190);
+                        let _e1189 = phi_1753_;
+                        let _e1191 = (_e1189 - (((_e1143 * _e1146) + (_e1155 * _e1158)) + ((_e1168 * _e1171) + (_e1180 * _e1183))));
+                        let _e1195 = local.member[2u][1u];
+                        let _e1198 = local.member_1[0u];
+                        let _e1203 = local.member[0u][1u];
+                        let _e1206 = local.member_1[2u];
+                        let _e1208 = ((_e1195 * _e1198) - (_e1203 * _e1206));
+                        let _e1212 = local.member[0u][1u];
+                        if (_e1212 < 0f) {
+                            phi_1808_ = -(_e1212);
                         } else {
-                            phi_1780_ = _e1190;
+                            phi_1808_ = _e1212;
                         }
-                        let _e1194 = phi_1780_;
-                        let _e1197 = local.member_3[2u];
-                        let _e1202 = local.member[2u][1u];
-                        if (_e1202 < 0f) {
-                            phi_1803_ = -(_e1202);
+                        let _e1216 = phi_1808_;
+                        let _e1219 = local.member_3[2u];
+                        let _e1224 = local.member[2u][1u];
+                        if (_e1224 < 0f) {
+                            phi_1831_ = -(_e1224);
                         } else {
-                            phi_1803_ = _e1202;
+                            phi_1831_ = _e1224;
                         }
-                        let _e1206 = phi_1803_;
-                        let _e1209 = local.member_3[0u];
-                        let _e1215 = local.member[1u][0u];
-                        if (_e1215 < 0f) {
-                            phi_1827_ = -(_e1215);
+                        let _e1228 = phi_1831_;
+                        let _e1231 = local.member_3[0u];
+                        let _e1237 = local.member[1u][0u];
+                        if (_e1237 < 0f) {
+                            phi_1855_ = -(_e1237);
                         } else {
-                            phi_1827_ = _e1215;
+                            phi_1855_ = _e1237;
                         }
-                        let _e1219 = phi_1827_;
-                        let _e1222 = local.member_4[2u];
-                        let _e1227 = local.member[1u][2u];
-                        if (_e1227 < 0f) {
-                            phi_1850_ = -(_e1227);
+                        let _e1241 = phi_1855_;
+                        let _e1244 = local.member_4[2u];
+                        let _e1249 = local.member[1u][2u];
+                        if (_e1249 < 0f) {
+                            phi_1878_ = -(_e1249);
                         } else {
-                            phi_1850_ = _e1227;
+                            phi_1878_ = _e1249;
                         }
-                        let _e1231 = phi_1850_;
-                        let _e1234 = local.member_4[0u];
-                        if (_e1186 < 0f) {
-                            phi_1866_ = -(_e1186);
+                        let _e1253 = phi_1878_;
+                        let _e1256 = local.member_4[0u];
+                        if (_e1208 < 0f) {
+                            phi_1894_ = -(_e1208);
                         } else {
-                            phi_1866_ = _e1186;
+                            phi_1894_ = _e1208;
                         }
-                        let _e1240 = phi_1866_;
-                        let _e1242 = (_e1240 - (((_e1194 * _e1197) + (_e1206 * _e1209)) + ((_e1219 * _e1222) + (_e1231 * _e1234))));
-                        let _e1246 = local.member[2u][2u];
-                        let _e1249 = local.member_1[0u];
-                        let _e1254 = local.member[0u][2u];
-                        let _e1257 = local.member_1[2u];
-                        let _e1259 = ((_e1246 * _e1249) - (_e1254 * _e1257));
-                        let _e1263 = local.member[0u][2u];
-                        if (_e1263 < 0f) {
-                            phi_1921_ = -(_e1263);
+                        let _e1262 = phi_1894_;
+                        let _e1264 = (_e1262 - (((_e1216 * _e1219) + (_e1228 * _e1231)) + ((_e1241 * _e1244) + (_e1253 * _e1256))));
+                        let _e1268 = local.member[2u][2u];
+                        let _e1271 = local.member_1[0u];
+                        let _e1276 = local.member[0u][2u];
+                        let _e1279 = local.member_1[2u];
+                        let _e1281 = ((_e1268 * _e1271) - (_e1276 * _e1279));
+                        let _e1285 = local.member[0u][2u];
+                        if (_e1285 < 0f) {
+                            phi_1949_ = -(_e1285);
                         } else {
-                            phi_1921_ = _e1263;
+                            phi_1949_ = _e1285;
                         }
-                        let _e1267 = phi_1921_;
-                        let _e1270 = local.member_3[2u];
-                        let _e1275 = local.member[2u][2u];
-                        if (_e1275 < 0f) {
-                            phi_1944_ = -(_e1275);
+                        let _e1289 = phi_1949_;
+                        let _e1292 = local.member_3[2u];
+                        let _e1297 = local.member[2u][2u];
+                        if (_e1297 < 0f) {
+                            phi_1972_ = -(_e1297);
                         } else {
-                            phi_1944_ = _e1275;
+                            phi_1972_ = _e1297;
                         }
-                        let _e1279 = phi_1944_;
-                        let _e1282 = local.member_3[0u];
-                        let _e1288 = local.member[1u][1u];
-                        if (_e1288 < 0f) {
-                            phi_1968_ = -(_e1288);
+                        let _e1301 = phi_1972_;
+                        let _e1304 = local.member_3[0u];
+                        let _e1310 = local.member[1u][1u];
+                        if (_e1310 < 0f) {
+                            phi_1996_ = -(_e1310);
                         } else {
-                            phi_1968_ = _e1288;
+                            phi_1996_ = _e1310;
                         }
-                        let _e1292 = phi_1968_;
-                        let _e1295 = local.member_4[0u];
-                        let _e1300 = local.member[1u][0u];
-                        if (_e1300 < 0f) {
-                            phi_1991_ = -(_e1300);
+                        let _e1314 = phi_1996_;
+                        let _e1317 = local.member_4[0u];
+                        let _e1322 = local.member[1u][0u];
+                        if (_e1322 < 0f) {
+                            phi_2019_ = -(_e1322);
                         } else {
-                            phi_1991_ = _e1300;
+                            phi_2019_ = _e1322;
                         }
-                        let _e1304 = phi_1991_;
-                        let _e1307 = local.member_4[1u];
-                        if (_e1259 < 0f) {
-                            phi_2007_ = -(_e1259);
+                        let _e1326 = phi_2019_;
+                        let _e1329 = local.member_4[1u];
+                        if (_e1281 < 0f) {
+                            phi_2035_ = -(_e1281);
                         } else {
-                            phi_2007_ = _e1259;
+                            phi_2035_ = _e1281;
                         }
-                        let _e1313 = phi_2007_;
-                        let _e1315 = (_e1313 - (((_e1267 * _e1270) + (_e1279 * _e1282)) + ((_e1292 * _e1295) + (_e1304 * _e1307))));
-                        let _e1319 = local.member[0u][0u];
-                        let _e1322 = local.member_1[1u];
-                        let _e1327 = local.member[1u][0u];
-                        let _e1330 = local.member_1[0u];
-                        let _e1332 = ((_e1319 * _e1322) - (_e1327 * _e1330));
-                        let _e1336 = local.member[1u][0u];
-                        if (_e1336 < 0f) {
-                            phi_2062_ = -(_e1336);
+                        let _e1335 = phi_2035_;
+                        let _e1337 = (_e1335 - (((_e1289 * _e1292) + (_e1301 * _e1304)) + ((_e1314 * _e1317) + (_e1326 * _e1329))));
+                        let _e1341 = local.member[0u][0u];
+                        let _e1344 = local.member_1[1u];
+                        let _e1349 = local.member[1u][0u];
+                        let _e1352 = local.member_1[0u];
+                        let _e1354 = ((_e1341 * _e1344) - (_e1349 * _e1352));
+                        let _e1358 = local.member[1u][0u];
+                        if (_e1358 < 0f) {
+                            phi_2090_ = -(_e1358);
                         } else {
-                            phi_2062_ = _e1336;
+                            phi_2090_ = _e1358;
                         }
-                        let _e1340 = phi_2062_;
-                        let _e1343 = local.member_3[0u];
-                        let _e1348 = local.member[0u][0u];
-                        if (_e1348 < 0f) {
-                            phi_2085_ = -(_e1348);
+                        let _e1362 = phi_2090_;
+                        let _e1365 = local.member_3[0u];
+                        let _e1370 = local.member[0u][0u];
+                        if (_e1370 < 0f) {
+                            phi_2113_ = -(_e1370);
                         } else {
-                            phi_2085_ = _e1348;
+                            phi_2113_ = _e1370;
                         }
-                        let _e1352 = phi_2085_;
-                        let _e1355 = local.member_3[1u];
-                        let _e1361 = local.member[2u][2u];
-                        if (_e1361 < 0f) {
-                            phi_2109_ = -(_e1361);
+                        let _e1374 = phi_2113_;
+                        let _e1377 = local.member_3[1u];
+                        let _e1383 = local.member[2u][2u];
+                        if (_e1383 < 0f) {
+                            phi_2137_ = -(_e1383);
                         } else {
-                            phi_2109_ = _e1361;
+                            phi_2137_ = _e1383;
                         }
-                        let _e1365 = phi_2109_;
-                        let _e1368 = local.member_4[1u];
-                        let _e1373 = local.member[2u][1u];
-                        if (_e1373 < 0f) {
-                            phi_2132_ = -(_e1373);
+                        let _e1387 = phi_2137_;
+                        let _e1390 = local.member_4[1u];
+                        let _e1395 = local.member[2u][1u];
+                        if (_e1395 < 0f) {
+                            phi_2160_ = -(_e1395);
                         } else {
-                            phi_2132_ = _e1373;
+                            phi_2160_ = _e1395;
                         }
-                        let _e1377 = phi_2132_;
-                        let _e1380 = local.member_4[2u];
-                        if (_e1332 < 0f) {
-                            phi_2148_ = -(_e1332);
+                        let _e1399 = phi_2160_;
+                        let _e1402 = local.member_4[2u];
+                        if (_e1354 < 0f) {
+                            phi_2176_ = -(_e1354);
                         } else {
-                            phi_2148_ = _e1332;
+                            phi_2176_ = _e1354;
                         }
-                        let _e1386 = phi_2148_;
-                        let _e1388 = (_e1386 - (((_e1340 * _e1343) + (_e1352 * _e1355)) + ((_e1365 * _e1368) + (_e1377 * _e1380))));
-                        let _e1392 = local.member[0u][1u];
-                        let _e1395 = local.member_1[1u];
-                        let _e1400 = local.member[1u][1u];
-                        let _e1403 = local.member_1[0u];
-                        let _e1405 = ((_e1392 * _e1395) - (_e1400 * _e1403));
-                        let _e1409 = local.member[1u][1u];
-                        if (_e1409 < 0f) {
-                            phi_2203_ = -(_e1409);
+                        let _e1408 = phi_2176_;
+                        let _e1410 = (_e1408 - (((_e1362 * _e1365) + (_e1374 * _e1377)) + ((_e1387 * _e1390) + (_e1399 * _e1402))));
+                        let _e1414 = local.member[0u][1u];
+                        let _e1417 = local.member_1[1u];
+                        let _e1422 = local.member[1u][1u];
+                        let _e1425 = local.member_1[0u];
+                        let _e1427 = ((_e1414 * _e1417) - (_e1422 * _e1425));
+                        let _e1431 = local.member[1u][1u];
+                        if (_e1431 < 0f) {
+                            phi_2231_ = -(_e1431);
                         } else {
-                            phi_2203_ = _e1409;
+                            phi_2231_ = _e1431;
                         }
-                        let _e1413 = phi_2203_;
-                        let _e1416 = local.member_3[0u];
-                        let _e1421 = local.member[0u][1u];
-                        if (_e1421 < 0f) {
-                            phi_2226_ = -(_e1421);
+                        let _e1435 = phi_2231_;
+                        let _e1438 = local.member_3[0u];
+                        let _e1443 = local.member[0u][1u];
+                        if (_e1443 < 0f) {
+                            phi_2254_ = -(_e1443);
                         } else {
-                            phi_2226_ = _e1421;
+                            phi_2254_ = _e1443;
                         }
-                        let _e1425 = phi_2226_;
-                        let _e1428 = local.member_3[1u];
-                        let _e1434 = local.member[2u][0u];
-                        if (_e1434 < 0f) {
-                            phi_2250_ = -(_e1434);
+                        let _e1447 = phi_2254_;
+                        let _e1450 = local.member_3[1u];
+                        let _e1456 = local.member[2u][0u];
+                        if (_e1456 < 0f) {
+                            phi_2278_ = -(_e1456);
                         } else {
-                            phi_2250_ = _e1434;
+                            phi_2278_ = _e1456;
                         }
-                        let _e1438 = phi_2250_;
-                        let _e1441 = local.member_4[2u];
-                        let _e1446 = local.member[2u][2u];
-                        if (_e1446 < 0f) {
-                            phi_2273_ = -(_e1446);
+                        let _e1460 = phi_2278_;
+                        let _e1463 = local.member_4[2u];
+                        let _e1468 = local.member[2u][2u];
+                        if (_e1468 < 0f) {
+                            phi_2301_ = -(_e1468);
                         } else {
-                            phi_2273_ = _e1446;
+                            phi_2301_ = _e1468;
                         }
-                        let _e1450 = phi_2273_;
-                        let _e1453 = local.member_4[0u];
-                        if (_e1405 < 0f) {
-                            phi_2289_ = -(_e1405);
+                        let _e1472 = phi_2301_;
+                        let _e1475 = local.member_4[0u];
+                        if (_e1427 < 0f) {
+                            phi_2317_ = -(_e1427);
                         } else {
-                            phi_2289_ = _e1405;
+                            phi_2317_ = _e1427;
                         }
-                        let _e1459 = phi_2289_;
-                        let _e1461 = (_e1459 - (((_e1413 * _e1416) + (_e1425 * _e1428)) + ((_e1438 * _e1441) + (_e1450 * _e1453))));
-                        let _e1465 = local.member[0u][2u];
-                        let _e1468 = local.member_1[1u];
-                        let _e1473 = local.member[1u][2u];
-                        let _e1476 = local.member_1[0u];
-                        let _e1478 = ((_e1465 * _e1468) - (_e1473 * _e1476));
-                        let _e1482 = local.member[1u][2u];
-                        if (_e1482 < 0f) {
-                            phi_2344_ = -(_e1482);
+                        let _e1481 = phi_2317_;
+                        let _e1483 = (_e1481 - (((_e1435 * _e1438) + (_e1447 * _e1450)) + ((_e1460 * _e1463) + (_e1472 * _e1475))));
+                        let _e1487 = local.member[0u][2u];
+                        let _e1490 = local.member_1[1u];
+                        let _e1495 = local.member[1u][2u];
+                        let _e1498 = local.member_1[0u];
+                        let _e1500 = ((_e1487 * _e1490) - (_e1495 * _e1498));
+                        let _e1504 = local.member[1u][2u];
+                        if (_e1504 < 0f) {
+                            phi_2372_ = -(_e1504);
                         } else {
-                            phi_2344_ = _e1482;
+                            phi_2372_ = _e1504;
                         }
-                        let _e1486 = phi_2344_;
-                        let _e1489 = local.member_3[0u];
-                        let _e1494 = local.member[0u][2u];
-                        if (_e1494 < 0f) {
-                            phi_2367_ = -(_e1494);
+                        let _e1508 = phi_2372_;
+                        let _e1511 = local.member_3[0u];
+                        let _e1516 = local.member[0u][2u];
+                        if (_e1516 < 0f) {
+                            phi_2395_ = -(_e1516);
                         } else {
-                            phi_2367_ = _e1494;
+                            phi_2395_ = _e1516;
                         }
-                        let _e1498 = phi_2367_;
-                        let _e1501 = local.member_3[1u];
-                        let _e1507 = local.member[2u][1u];
-                        if (_e1507 < 0f) {
-                            phi_2391_ = -(_e1507);
+                        let _e1520 = phi_2395_;
+                        let _e1523 = local.member_3[1u];
+                        let _e1529 = local.member[2u][1u];
+                        if (_e1529 < 0f) {
+                            phi_2419_ = -(_e1529);
                         } else {
-                            phi_2391_ = _e1507;
+                            phi_2419_ = _e1529;
                         }
-                        let _e1511 = phi_2391_;
-                        let _e1514 = local.member_4[0u];
-                        let _e1519 = local.member[2u][0u];
-                        if (_e1519 < 0f) {
-                            phi_2414_ = -(_e1519);
+                        let _e1533 = phi_2419_;
+                        let _e1536 = local.member_4[0u];
+                        let _e1541 = local.member[2u][0u];
+                        if (_e1541 < 0f) {
+                            phi_2442_ = -(_e1541);
                         } else {
-                            phi_2414_ = _e1519;
+                            phi_2442_ = _e1541;
                         }
-                        let _e1523 = phi_2414_;
-                        let _e1526 = local.member_4[1u];
-                        if (_e1478 < 0f) {
-                            phi_2430_ = -(_e1478);
+                        let _e1545 = phi_2442_;
+                        let _e1548 = local.member_4[1u];
+                        if (_e1500 < 0f) {
+                            phi_2458_ = -(_e1500);
                         } else {
-                            phi_2430_ = _e1478;
+                            phi_2458_ = _e1500;
                         }
-                        let _e1532 = phi_2430_;
-                        let _e1534 = (_e1532 - (((_e1486 * _e1489) + (_e1498 * _e1501)) + ((_e1511 * _e1514) + (_e1523 * _e1526))));
-                        if (_e950 > _e1023) {
-                            phi_2437_ = _e950;
+                        let _e1554 = phi_2458_;
+                        let _e1556 = (_e1554 - (((_e1508 * _e1511) + (_e1520 * _e1523)) + ((_e1533 * _e1536) + (_e1545 * _e1548))));
+                        if (_e972 > _e1045) {
+                            phi_2465_ = _e972;
                         } else {
-                            phi_2437_ = _e1023;
+                            phi_2465_ = _e1045;
                         }
-                        let _e1537 = phi_2437_;
-                        if (_e1537 > _e1096) {
-                            phi_2442_ = _e1537;
+                        let _e1559 = phi_2465_;
+                        if (_e1559 > _e1118) {
+                            phi_2470_ = _e1559;
                         } else {
-                            phi_2442_ = _e1096;
+                            phi_2470_ = _e1118;
                         }
-                        let _e1540 = phi_2442_;
-                        if (_e1169 > _e1242) {
-                            phi_2447_ = _e1169;
+                        let _e1562 = phi_2470_;
+                        if (_e1191 > _e1264) {
+                            phi_2475_ = _e1191;
                         } else {
-                            phi_2447_ = _e1242;
+                            phi_2475_ = _e1264;
                         }
-                        let _e1543 = phi_2447_;
-                        if (_e1543 > _e1315) {
-                            phi_2452_ = _e1543;
+                        let _e1565 = phi_2475_;
+                        if (_e1565 > _e1337) {
+                            phi_2480_ = _e1565;
                         } else {
-                            phi_2452_ = _e1315;
+                            phi_2480_ = _e1337;
                         }
-                        let _e1546 = phi_2452_;
-                        if (_e1540 > _e1546) {
-                            phi_2457_ = _e1540;
+                        let _e1568 = phi_2480_;
+                        if (_e1562 > _e1568) {
+                            phi_2485_ = _e1562;
                         } else {
-                            phi_2457_ = _e1546;
+                            phi_2485_ = _e1568;
                         }
-                        let _e1549 = phi_2457_;
-                        if (_e1388 > _e1461) {
-                            phi_2462_ = _e1388;
+                        let _e1571 = phi_2485_;
+                        if (_e1410 > _e1483) {
+                            phi_2490_ = _e1410;
                         } else {
-                            phi_2462_ = _e1461;
+                            phi_2490_ = _e1483;
                         }
-                        let _e1552 = phi_2462_;
-                        if (_e1552 > _e1534) {
-                            phi_2467_ = _e1552;
+                        let _e1574 = phi_2490_;
+                        if (_e1574 > _e1556) {
+                            phi_2495_ = _e1574;
                         } else {
-                            phi_2467_ = _e1534;
+                            phi_2495_ = _e1556;
                         }
-                        let _e1555 = phi_2467_;
-                        if (_e1549 > _e1555) {
-                            phi_2472_ = _e1549;
+                        let _e1577 = phi_2495_;
+                        if (_e1571 > _e1577) {
+                            phi_2500_ = _e1571;
                         } else {
-                            phi_2472_ = _e1555;
+                            phi_2500_ = _e1577;
                         }
-                        let _e1558 = phi_2472_;
-                        let _e1560 = local.member_5;
-                        phi_2476_ = (_e1558 > _e1560);
+                        let _e1580 = phi_2500_;
+                        let _e1582 = local.member_5;
+                        phi_2504_ = (_e1580 > _e1582);
                     }
-                    let _e1563 = phi_2476_;
-                    phi_2478_ = !(_e1563);
-                    phi_2479_ = false;
+                    let _e1585 = phi_2504_;
+                    phi_2506_ = !(_e1585);
+                    phi_2507_ = false;
                 } else {
-                    phi_2478_ = bool();
-                    phi_2479_ = true;
+                    phi_2506_ = bool();
+                    phi_2507_ = true;
                 }
-                let _e1566 = phi_2478_;
-                let _e1568 = phi_2479_;
-                phi_2480_ = _e1566;
-                phi_2481_ = _e1568;
+                let _e1588 = phi_2506_;
+                let _e1590 = phi_2507_;
+                phi_2508_ = _e1588;
+                phi_2509_ = _e1590;
             }
-            let _e1570 = phi_2480_;
-            let _e1572 = phi_2481_;
-            if _e1572 {
-                phi_2485_ = true;
+            let _e1592 = phi_2508_;
+            let _e1594 = phi_2509_;
+            if _e1594 {
+                phi_2513_ = true;
             } else {
-                phi_2485_ = _e1570;
+                phi_2513_ = _e1592;
             }
-            let _e1574 = phi_2485_;
-            if _e1574 {
-                if (_e107 == 4294967295u) {
-                    phi_2507_ = 0u;
+            let _e1596 = phi_2513_;
+            if _e1596 {
+                let _e1599 = params.member.member_2.member;
+                if (_e1599 == 0u) {
+                    phi_2526_ = array<u32, 2>(0u, 2u);
                 } else {
-                    if (_e107 >= _e76) {
-                        if (_e110 >= _e81) {
-                            phi_2501_ = false;
-                        } else {
-                            phi_2501_ = true;
-                        }
-                        let _e1579 = phi_2501_;
-                        phi_2502_ = _e1579;
-                    } else {
-                        phi_2502_ = true;
-                    }
-                    let _e1581 = phi_2502_;
-                    if _e1581 {
-                        phi_2506_ = 1u;
-                    } else {
-                        phi_2506_ = 2u;
-                    }
-                    let _e1583 = phi_2506_;
-                    phi_2507_ = _e1583;
+                    phi_2526_ = array<u32, 2>(1u, 1u);
                 }
-                let _e1585 = phi_2507_;
-                phi_2508_ = _e1585;
+                let _e1602 = phi_2526_;
+                let _e1608 = params.member.member.member[_e1602[0]];
+                let _e1613 = params.member.member.member[_e1602[1]];
+                if (_e83[0] == 4294967295u) {
+                    phi_2566_ = 0u;
+                } else {
+                    if (_e83[0] >= (_e1608 - 1u)) {
+                        if (_e83[1] >= (_e1613 - 1u)) {
+                            phi_2560_ = false;
+                        } else {
+                            phi_2560_ = true;
+                        }
+                        let _e1622 = phi_2560_;
+                        phi_2561_ = _e1622;
+                    } else {
+                        phi_2561_ = true;
+                    }
+                    let _e1624 = phi_2561_;
+                    if _e1624 {
+                        phi_2565_ = 1u;
+                    } else {
+                        phi_2565_ = 2u;
+                    }
+                    let _e1626 = phi_2565_;
+                    phi_2566_ = _e1626;
+                }
+                let _e1628 = phi_2566_;
+                phi_2567_ = _e1628;
             } else {
-                phi_2508_ = 3u;
+                phi_2567_ = 3u;
             }
-            let _e1587 = phi_2508_;
-            phi_2509_ = _e1587;
+            let _e1630 = phi_2567_;
+            phi_2568_ = _e1630;
         } else {
-            phi_2509_ = 3u;
+            phi_2568_ = 3u;
         }
-        let _e1589 = phi_2509_;
-        phi_2510_ = _e1589;
-        phi_2511_ = array<u32, 2>(_e107, _e110);
+        let _e1632 = phi_2568_;
+        phi_2569_ = _e1632;
     } else {
-        phi_2510_ = 0u;
-        phi_2511_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_2569_ = 0u;
     }
-    let _e1591 = phi_2510_;
-    let _e1593 = phi_2511_;
-    if (_e1591 == 1u) {
-        let _e1603 = atomicAdd((&shared_[6u]), 1u);
-        phi_2529_ = array<u32, 2>(_e1603, 0u);
+    let _e1634 = phi_2569_;
+    if (_e1634 == 1u) {
+        let _e1644 = atomicAdd((&shared_[6u]), 1u);
+        phi_2587_ = array<u32, 2>(_e1644, 0u);
     } else {
-        if (_e1591 == 2u) {
-            let _e1598 = atomicAdd((&shared_[7u]), 1u);
-            phi_2528_ = array<u32, 2>(_e1598, 0u);
+        if (_e1634 == 2u) {
+            let _e1639 = atomicAdd((&shared_[7u]), 1u);
+            phi_2586_ = array<u32, 2>(_e1639, 0u);
         } else {
-            phi_2528_ = array<u32, 2>(0u, 0u);
+            phi_2586_ = array<u32, 2>(0u, 0u);
         }
-        let _e1601 = phi_2528_;
-        phi_2529_ = _e1601;
+        let _e1642 = phi_2586_;
+        phi_2587_ = _e1642;
     }
-    let _e1606 = phi_2529_;
-    if (_e1591 >= 2u) {
-        if (_e65.member_4 > 0u) {
-            let _e1610 = atomicAdd((&shared_[8u]), 1u);
-            phi_2541_ = array<u32, 2>(_e1606[0], _e1610);
+    let _e1647 = phi_2587_;
+    if (_e1634 >= 2u) {
+        if (_e85.member_4 > 0u) {
+            let _e1651 = atomicAdd((&shared_[8u]), 1u);
+            phi_2599_ = array<u32, 2>(_e1647[0], _e1651);
         } else {
-            phi_2541_ = _e1606;
+            phi_2599_ = _e1647;
         }
-        let _e1614 = phi_2541_;
-        phi_2542_ = _e1614;
+        let _e1655 = phi_2599_;
+        phi_2600_ = _e1655;
     } else {
-        phi_2542_ = _e1606;
+        phi_2600_ = _e1647;
     }
-    let _e1616 = phi_2542_;
+    let _e1657 = phi_2600_;
     workgroupBarrier();
     if (_e48 == 0u) {
-        let _e1619 = atomicLoad((&shared_[6u]));
-        let _e1621 = atomicLoad((&shared_[7u]));
-        if (_e1619 > 0u) {
-            let _e1624 = atomicAdd((&control.member[0u]), _e1619);
-            let _e1627 = atomicMax((&nodes.member[0u]), (_e1624 + _e1619));
-            if ((_e1624 + _e1619) < _e1624) {
-                let _e1631 = atomicAdd((&nodes.member[2u]), 1u);
+        let _e1660 = atomicLoad((&shared_[6u]));
+        let _e1662 = atomicLoad((&shared_[7u]));
+        if (_e1660 > 0u) {
+            let _e1665 = atomicAdd((&control.member[0u]), _e1660);
+            let _e1668 = atomicMax((&nodes.member[0u]), (_e1665 + _e1660));
+            if ((_e1665 + _e1660) < _e1665) {
+                let _e1672 = atomicAdd((&nodes.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e1624);
+            atomicStore((&shared_[11u]), _e1665);
         }
-        if (_e1621 > 0u) {
-            let _e1635 = atomicAdd((&pairs.member[0u]), _e1621);
-            if ((_e1635 + _e1621) < _e1635) {
-                let _e1639 = atomicAdd((&pairs.member[2u]), 1u);
+        if (_e1662 > 0u) {
+            let _e1676 = atomicAdd((&pairs.member[0u]), _e1662);
+            if ((_e1676 + _e1662) < _e1676) {
+                let _e1680 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e1635);
+            atomicStore((&shared_[12u]), _e1676);
         }
-        let _e1642 = atomicLoad((&shared_[8u]));
-        if (_e1642 > 0u) {
-            let _e1645 = atomicLoad((&shared_[8u]));
-            let _e1647 = atomicAdd((&control.member[1537u]), _e1645);
-            if ((_e1647 + _e1645) < _e1647) {
-                let _e1651 = atomicAdd((&control.member[1538u]), 1u);
+        let _e1683 = atomicLoad((&shared_[8u]));
+        if (_e1683 > 0u) {
+            let _e1686 = atomicLoad((&shared_[8u]));
+            let _e1688 = atomicAdd((&control.member[1537u]), _e1686);
+            if ((_e1688 + _e1686) < _e1688) {
+                let _e1692 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[13u]), _e1647);
+            atomicStore((&shared_[13u]), _e1688);
         }
     }
     workgroupBarrier();
-    if (_e1591 == 1u) {
-        let _e1716 = atomicLoad((&shared_[11u]));
-        let _e1718 = (_e1716 + _e1616[0]);
-        if (_e1718 < _e65.member_3) {
-            if (_e1718 < 4294967295u) {
-                let _e1724 = (2u * _e1718);
-                atomicStore((&nodes.member[(4u + _e1724)]), _e1593[0]);
-                atomicStore((&nodes.member[(_e1724 + 5u)]), _e1593[1]);
+    if (_e1634 == 1u) {
+        let _e1749 = atomicLoad((&shared_[11u]));
+        let _e1751 = (_e1749 + _e1657[0]);
+        if (_e1751 < _e85.member_3) {
+            if (_e1751 < 4294967295u) {
+                let _e1757 = (2u * _e1751);
+                atomicStore((&nodes.member[(4u + _e1757)]), _e83[0]);
+                atomicStore((&nodes.member[(_e1757 + 5u)]), _e83[1]);
             }
         }
     } else {
-        if (_e1591 == 0u) {
+        if (_e1634 == 0u) {
         } else {
-            if (_e1591 == 2u) {
-                let _e1658 = a_nodes.member[_e1593[0]];
-                let _e1662 = b_nodes.member[_e1593[1]];
-                let _e1666 = params.member.member_2.member;
-                if (_e1666 == 1u) {
-                    if (_e1658.member_1 < _e1662.member_1) {
-                        phi_2680_ = type_12(_e1658.member_1, _e1662.member_1);
+            let _e1698 = params.member.member_1.member_3;
+            if (_e1634 == 2u) {
+                let _e1702 = a_nodes.member[_e83[0]];
+                let _e1706 = b_nodes.member[_e83[1]];
+                if (_e85.member == 1u) {
+                    if (_e1702.member_1 < _e1706.member_1) {
+                        phi_2739_ = type_12(_e1702.member_1, _e1706.member_1);
                     } else {
-                        phi_2680_ = type_12(_e1662.member_1, _e1658.member_1);
+                        phi_2739_ = type_12(_e1706.member_1, _e1702.member_1);
                     }
-                    let _e1673 = phi_2680_;
-                    phi_2685_ = _e1673;
+                    let _e1715 = phi_2739_;
+                    phi_2744_ = _e1715;
                 } else {
-                    phi_2685_ = type_12(_e1658.member_1, _e1662.member_1);
+                    phi_2744_ = type_12(_e1702.member_1, _e1706.member_1);
                 }
-                let _e1675 = phi_2685_;
-                let _e1678 = params.member.member_1.member_3;
-                let _e1680 = atomicLoad((&shared_[12u]));
-                let _e1682 = (_e1680 + _e1616[0]);
-                if (_e1682 < _e1678) {
-                    let _e1686 = (2u * _e1682);
-                    atomicStore((&pairs.member[(4u + _e1686)]), _e1675.member);
-                    atomicStore((&pairs.member[(_e1686 + 5u)]), _e1675.member_1);
+                let _e1717 = phi_2744_;
+                let _e1721 = atomicLoad((&shared_[12u]));
+                let _e1723 = (_e1721 + _e1657[0]);
+                if (_e1723 < _e1698) {
+                    let _e1725 = (2u * _e1723);
+                    atomicStore((&pairs.member[(4u + _e1725)]), _e1717.member);
+                    atomicStore((&pairs.member[(_e1725 + 5u)]), _e1717.member_1);
                 }
             }
-            let _e1693 = params.member.member_2.member_4;
-            if (_e1693 > 0u) {
-                let _e1697 = atomicLoad((&shared_[13u]));
-                let _e1699 = (_e1697 + _e1616[1]);
-                let _e1701 = params.member.member_2.member_4;
-                if (_e1699 < _e1701) {
-                    let _e1704 = params.member.member_2.member_5;
-                    let _e1706 = params.member.member_2.member_4;
-                    let _e1709 = (2u * ((_e1704 * _e1706) + _e1699));
-                    front.member[_e1709] = _e1593[0];
-                    front.member[(_e1709 + 1u)] = _e1593[1];
+            if (_e85.member_4 > 0u) {
+                let _e1733 = atomicLoad((&shared_[13u]));
+                let _e1735 = (_e1733 + _e1657[1]);
+                if (_e1735 < _e85.member_4) {
+                    let _e1742 = (2u * ((_e85.member_5 * _e85.member_4) + _e1735));
+                    front.member[_e1742] = _e83[0];
+                    front.member[(_e1742 + 1u)] = _e83[1];
                 }
             }
         }

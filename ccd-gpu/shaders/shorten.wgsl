@@ -11,6 +11,12 @@ struct type_7 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_8 {
@@ -33,24 +39,24 @@ struct type_14 {
     member: array<type_12>,
 }
 
-struct type_15 {
+struct type_16 {
     member: u32,
 }
 
-struct type_16 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_15,
+    member_2: type_16,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_18 {
+    member: type_17,
 }
 
 @group(0) @binding(1) 
 var<storage> paths: type_14;
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(2) 
 var<storage> of_vf: type_10;
 @group(0) @binding(3) 
@@ -59,8 +65,10 @@ var<storage> of_ee: type_10;
 var<storage, read_write> shortened: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_109_: u32;
-    var phi_115_: f32;
+    var phi_103_: u32;
+    var phi_109_: f32;
+    var phi_118_: f32;
+    var phi_154_: array<f32, 3>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -74,22 +82,37 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e27 = ((((_e13.y * _e14.x) + _e13.x) * 256u) + _e15);
     let _e31 = params.member.member.member[0u];
     if (_e27 < _e31) {
-        let _e34 = paths.member[_e27];
-        let _e36 = of_vf.member[0u];
-        let _e38 = of_ee.member[0u];
-        if (_e38 < _e36) {
-            phi_109_ = _e38;
+        let _e34 = of_vf.member[0u];
+        let _e36 = of_ee.member[0u];
+        if (_e36 < _e34) {
+            phi_103_ = _e36;
         } else {
-            phi_109_ = _e36;
+            phi_103_ = _e34;
         }
-        let _e41 = phi_109_;
-        if (_e41 < 1065353216u) {
-            phi_115_ = bitcast<f32>(_e41);
+        let _e39 = phi_103_;
+        if (_e39 < 1065353216u) {
+            phi_109_ = bitcast<f32>(_e39);
         } else {
-            phi_115_ = 1f;
+            phi_109_ = 1f;
         }
-        let _e45 = phi_115_;
-        shortened.member[_e27] = type_12(_e34.member, array<f32, 4>((_e34.member[0] + ((_e34.member_1[0] - _e34.member[0]) * _e45)), (_e34.member[1] + ((_e34.member_1[1] - _e34.member[1]) * _e45)), (_e34.member[2] + ((_e34.member_1[2] - _e34.member[2]) * _e45)), 0f));
+        let _e43 = phi_109_;
+        let _e46 = params.member.member.member_13;
+        if (_e43 < _e46) {
+            phi_118_ = _e43;
+        } else {
+            let _e50 = params.member.member.member_13;
+            phi_118_ = _e50;
+        }
+        let _e52 = phi_118_;
+        let _e54 = paths.member[_e27];
+        let _e57 = params.member.member.member_12;
+        if (_e57 > 0f) {
+            phi_154_ = array<f32, 3>((_e54.member[0] + ((_e54.member_1[0] - _e54.member[0]) * _e57)), (_e54.member[1] + ((_e54.member_1[1] - _e54.member[1]) * _e57)), (_e54.member[2] + ((_e54.member_1[2] - _e54.member[2]) * _e57)));
+        } else {
+            phi_154_ = array<f32, 3>(_e54.member[0], _e54.member[1], _e54.member[2]);
+        }
+        let _e79 = phi_154_;
+        shortened.member[_e27] = type_12(array<f32, 4>(_e79[0], _e79[1], _e79[2], 0f), array<f32, 4>((_e54.member[0] + ((_e54.member_1[0] - _e54.member[0]) * _e52)), (_e54.member[1] + ((_e54.member_1[1] - _e54.member[1]) * _e52)), (_e54.member[2] + ((_e54.member_1[2] - _e54.member[2]) * _e52)), 0f));
     }
     return;
 }

@@ -11,6 +11,12 @@ struct type_6 {
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
     member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
 }
 
 struct type_7 {

@@ -1,0 +1,257 @@
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
+    member: array<u32, 3>,
+    member_1: u32,
+    member_2: array<u32, 4>,
+    member_3: f32,
+    member_4: f32,
+    member_5: f32,
+    member_6: f32,
+    member_7: array<u32, 2>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_12 {
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
+}
+
+struct type_14 {
+    member: array<type_12>,
+}
+
+struct type_15 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+    member_6: u32,
+    member_7: u32,
+    member_8: u32,
+    member_9: u32,
+    member_10: u32,
+    member_11: u32,
+    member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: u32,
+    member_16: u32,
+    member_17: u32,
+}
+
+struct type_17 {
+    member: type_15,
+    member_1: array<array<u32, 2>, 8>,
+}
+
+struct type_18 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_17,
+}
+
+struct type_19 {
+    member: type_18,
+}
+
+struct type_22 {
+    member: array<atomic<u32>>,
+}
+
+@group(0) @binding(1) 
+var<storage> boxes: type_14;
+@group(0) @binding(6) 
+var<storage, read_write> front: type_10;
+@group(0) @binding(3) 
+var<storage, read_write> control: type_22;
+@group(0) @binding(4) 
+var<storage, read_write> nodes: type_22;
+@group(0) @binding(5) 
+var<storage, read_write> pairs: type_22;
+var<workgroup> shared_: array<atomic<u32>, 22>;
+@group(0) @binding(0) 
+var<storage> params: type_19;
+@group(0) @binding(2) 
+var<storage> first: type_10;
+
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_132_: array<u32, 2>;
+    var phi_234_: u32;
+    var phi_235_: u32;
+    var phi_236_: u32;
+    var phi_253_: array<u32, 2>;
+    var phi_254_: array<u32, 2>;
+    var phi_266_: array<u32, 2>;
+    var phi_267_: array<u32, 2>;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
+
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e47 = ((((_e31.y * _e32.x) + _e31.x) * 128u) + _e33);
+    let _e50 = params.member.member_1.member;
+    if (_e47 < _e50) {
+        let _e52 = (2u * _e47);
+        let _e55 = first.member[(4u + _e52)];
+        let _e58 = first.member[(_e52 + 5u)];
+        let _e61 = params.member.member_1.member_1;
+        phi_132_ = array<u32, 2>(((_e61 << bitcast<u32>(27u)) | _e55), _e58);
+    } else {
+        phi_132_ = array<u32, 2>(4294967295u, 4294967295u);
+    }
+    let _e67 = phi_132_;
+    let _e70 = params.member.member_2.member;
+    if (_e33 == 0u) {
+        atomicStore((&shared_[6u]), 0u);
+        atomicStore((&shared_[7u]), 0u);
+        atomicStore((&shared_[8u]), 0u);
+    }
+    workgroupBarrier();
+    if (_e67[0] != 4294967295u) {
+        let _e80 = (_e67[0] >> bitcast<u32>(27u));
+        let _e86 = params.member.member_2.member_1[_e80][0u];
+        let _e89 = boxes.member[(_e86 + (_e67[0] & 134217727u))];
+        let _e106 = params.member.member_2.member_1[_e80][1u];
+        let _e109 = boxes.member[(_e106 + _e67[1])];
+        if ((((((_e89.member.x <= _e109.member_1.y) && (_e109.member.x <= _e89.member_1.y)) && (_e89.member.y <= _e109.member_2.x)) && (_e109.member.y <= _e89.member_2.x)) && (_e89.member_1.x <= _e109.member_2.y)) && (_e109.member_1.x <= _e89.member_2.y)) {
+            if (_e80 > 1u) {
+                phi_234_ = 1u;
+            } else {
+                phi_234_ = 2u;
+            }
+            let _e135 = phi_234_;
+            phi_235_ = _e135;
+        } else {
+            phi_235_ = 3u;
+        }
+        let _e137 = phi_235_;
+        phi_236_ = _e137;
+    } else {
+        phi_236_ = 0u;
+    }
+    let _e139 = phi_236_;
+    if (_e139 == 1u) {
+        let _e149 = atomicAdd((&shared_[6u]), 1u);
+        phi_254_ = array<u32, 2>(_e149, 0u);
+    } else {
+        if (_e139 == 2u) {
+            let _e144 = atomicAdd((&shared_[7u]), 1u);
+            phi_253_ = array<u32, 2>(_e144, 0u);
+        } else {
+            phi_253_ = array<u32, 2>(0u, 0u);
+        }
+        let _e147 = phi_253_;
+        phi_254_ = _e147;
+    }
+    let _e152 = phi_254_;
+    if (_e139 >= 2u) {
+        if (_e70.member_4 > 0u) {
+            let _e156 = atomicAdd((&shared_[8u]), 1u);
+            phi_266_ = array<u32, 2>(_e152[0], _e156);
+        } else {
+            phi_266_ = _e152;
+        }
+        let _e160 = phi_266_;
+        phi_267_ = _e160;
+    } else {
+        phi_267_ = _e152;
+    }
+    let _e162 = phi_267_;
+    workgroupBarrier();
+    if (_e33 == 0u) {
+        let _e165 = atomicLoad((&shared_[6u]));
+        let _e167 = atomicLoad((&shared_[7u]));
+        if (_e165 > 0u) {
+            let _e170 = atomicAdd((&control.member[0u]), _e165);
+            let _e173 = atomicMax((&nodes.member[0u]), (_e170 + _e165));
+            if ((_e170 + _e165) < _e170) {
+                let _e177 = atomicAdd((&nodes.member[2u]), 1u);
+            }
+            atomicStore((&shared_[11u]), _e170);
+        }
+        if (_e167 > 0u) {
+            let _e181 = atomicAdd((&pairs.member[0u]), _e167);
+            if ((_e181 + _e167) < _e181) {
+                let _e185 = atomicAdd((&pairs.member[2u]), 1u);
+            }
+            atomicStore((&shared_[12u]), _e181);
+        }
+        let _e188 = atomicLoad((&shared_[8u]));
+        if (_e188 > 0u) {
+            let _e191 = atomicLoad((&shared_[8u]));
+            let _e193 = atomicAdd((&control.member[1537u]), _e191);
+            if ((_e193 + _e191) < _e193) {
+                let _e197 = atomicAdd((&control.member[1538u]), 1u);
+            }
+            atomicStore((&shared_[13u]), _e193);
+        }
+    }
+    workgroupBarrier();
+    if (_e139 == 1u) {
+        let _e237 = atomicLoad((&shared_[11u]));
+        let _e239 = (_e237 + _e162[0]);
+        if (_e239 < _e70.member_3) {
+            if (_e239 < 4294967295u) {
+                let _e245 = (2u * _e239);
+                atomicStore((&nodes.member[(4u + _e245)]), _e67[0]);
+                atomicStore((&nodes.member[(_e245 + 5u)]), _e67[1]);
+            }
+        }
+    } else {
+        if (_e139 == 0u) {
+        } else {
+            let _e203 = params.member.member_1.member_3;
+            if (_e139 == 2u) {
+                let _e209 = atomicLoad((&shared_[12u]));
+                let _e211 = (_e209 + _e162[0]);
+                if (_e211 < _e203) {
+                    let _e213 = (2u * _e211);
+                    atomicStore((&pairs.member[(4u + _e213)]), (_e67[0] & 134217727u));
+                    atomicStore((&pairs.member[(_e213 + 5u)]), _e67[1]);
+                }
+            }
+            if (_e70.member_4 > 0u) {
+                let _e221 = atomicLoad((&shared_[13u]));
+                let _e223 = (_e221 + _e162[1]);
+                if (_e223 < _e70.member_4) {
+                    let _e230 = (2u * ((_e70.member_5 * _e70.member_4) + _e223));
+                    front.member[_e230] = _e67[0];
+                    front.member[(_e230 + 1u)] = _e67[1];
+                }
+            }
+        }
+    }
+    return;
+}
+
+@compute @workgroup_size(128, 1, 1) 
+fn first_block_pairs(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    function_(id, n, lane);
+}
