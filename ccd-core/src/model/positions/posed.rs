@@ -24,7 +24,8 @@ use crate::model::precision::Coordinate;
 /// let mut moved = still;
 /// moved[3][2] = -2.0;
 /// // Two bodies: the first three vertices, and the last.
-/// let x1 = Posed::new(&rest, &[0, 0, 0, 1], &[still, moved]);
+/// let poses = [still, moved];
+/// let x1 = Posed::new(&rest, &[0, 0, 0, 1], &poses);
 /// assert_eq!(x1.len(), 4);
 /// ```
 ///
