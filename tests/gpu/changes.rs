@@ -49,7 +49,6 @@ fn check_changes(device: &Device) {
         (BroadPhaseMethod::Blocks, Pipeline::Features, plain),
         (BroadPhaseMethod::Blocks, cones, plain),
         (BroadPhaseMethod::Tree(tree), Pipeline::Features, plain),
-        (cut, Pipeline::TRIANGLES, front),
         (cut, Pipeline::Features, front),
         (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),
     ];

@@ -8,9 +8,9 @@
 //! | [`Strided`]: bytes with a stride and an offset, as in a vertex buffer | gathered |
 //! | [`Posed`]: rest positions, and a matrix for each body | gathered |
 //!
-//! Both ends of a step are in one precision, and each may come from something else. What is gathered
-//! goes to buffers that the session keeps, so that a warm one allocates nothing. Lengths, strides
-//! and offsets are checked by the call that reads them.
+//! Both ends of a step are in one precision, and each may come from something else. What is
+//! gathered goes to buffers that the session keeps, so that a warm one allocates nothing. Lengths,
+//! strides and offsets are checked by the call that reads them.
 
 #[cfg(feature = "alloc")]
 mod gathered;

@@ -20,11 +20,13 @@ use crate::model::precision::Coordinate;
 /// use ccd_core::model::positions::Posed;
 ///
 /// let rest = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [5.0, 5.0, 5.0]];
-/// let still = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+/// let mut still = [[0.0; 4]; 4];
+/// (0..4).for_each(|k| still[k][k] = 1.0);
 /// let mut moved = still;
 /// moved[3][2] = -2.0;
 /// // Two bodies: the first three vertices, and the last.
-/// let x1 = Posed::new(&rest, &[0, 0, 0, 1], &[still, moved]);
+/// let poses = [still, moved];
+/// let x1 = Posed::new(&rest, &[0, 0, 0, 1], &poses);
 /// assert_eq!(x1.len(), 4);
 /// ```
 ///

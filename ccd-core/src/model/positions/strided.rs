@@ -15,7 +15,8 @@ use core::marker::PhantomData;
 /// use ccd_core::model::positions::Strided;
 ///
 /// // Two vertices: a normal, a position, a pair of texture coordinates.
-/// let buffer = [0.0f32, 0.0, 1.0, 7.0, 8.0, 9.0, 0.5, 0.5, 0.0, 0.0, 1.0, 4.0, 5.0, 6.0, 0.5, 0.5];
+/// let first = [0.0f32, 0.0, 1.0, 7.0, 8.0, 9.0, 0.5, 0.5];
+/// let buffer = [first, first].concat();
 /// let positions = Strided::<f32>::new(bytemuck::cast_slice(&buffer), 32).offset(12);
 /// assert_eq!(positions.len(), 2);
 ///
