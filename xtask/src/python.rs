@@ -34,8 +34,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];
     command(&folder, &[&[python][..], &install, &[text(&wheel)?]].concat())?;
-    let cache = format!("cache_dir={}", text(&target.join("python/pytest"))?);
-    command(&folder, &[python, "-m", "pytest", "--quiet", "-o", &cache])?;
+    command(&folder, &[python, "-m", "pytest", "--quiet", "-p", "no:cacheprovider"])?;
     let cache = target.join("python/mypy");
     let stubs = [python, "-m", "mypy.stubtest", "meshccd"];
     command_with(&folder, &stubs, &[("MYPY_CACHE_DIR", text(&cache)?)])?;
