@@ -137,6 +137,7 @@ impl Traverse for Cut {
 mod tests {
     use super::*;
     use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+    use crate::broad_phase::pair_source::Marks;
     use crate::broad_phase::tree::TreeSource;
     use ccd_core::Aabb;
     use ccd_core::model::method::TreeOptions;
