@@ -191,7 +191,7 @@ fn filters_are_asked_of_overlaps() {
     let scene = Scene::new(60);
     let (x0, x1) = (scene.moved(2, 0.01, None), scene.moved(3, 0.4, None));
     let all = Found::of::<f64>(&mut session(&scene, Options::default()), &x0, &x1);
-    let odd = |kind, a: u32, b: u32| (a + b + (kind == Kind::EdgeEdge) as u32) % 3 == 0;
+    let odd = |kind, a: u32, b: u32| (a + b + (kind == Kind::EdgeEdge) as u32).is_multiple_of(3);
     let want = all.less(odd);
     assert!(want.contacts.len() > 20 && want.contacts.len() < all.contacts.len());
     for pipeline in pipelines() {

@@ -87,7 +87,8 @@ mod tests {
         for (level, leaves) in [(0, 1), (1, 32), (2, 1024)] {
             for i in 0..n.div_ceil(leaves) {
                 let (first, last) = (i * leaves, ((i + 1) * leaves - 1).min(n - 1));
-                let want = (first / 77) << 16 | last / 77;
+                let [low, high] = [first / 77, last / 77];
+                let want = low << 16 | high;
                 assert_eq!(range(&tree, level, 1, i, n, &of_leaf), want, "{level} {i}");
             }
             let past = range(&tree, level, 1, n, n, &of_leaf);

@@ -348,8 +348,12 @@ impl Bodies {
         &self.of
     }
 
-    pub(super) fn excluded(&self) -> (&[[u32; 2]], &[(Kind, [u32; 2])]) {
-        (&self.excluded_bodies, &self.excluded_features)
+    pub(super) fn excluded_bodies(&self) -> &[[u32; 2]] {
+        &self.excluded_bodies
+    }
+
+    pub(super) fn excluded_features(&self) -> &[(Kind, [u32; 2])] {
+        &self.excluded_features
     }
 
     fn of_vertex(&self, v: u32) -> &Body {

@@ -5,7 +5,7 @@ use super::bodies::Bodies;
 use super::contact::Kind;
 use crate::broad_phase::candidate::bodies_meet;
 use crate::broad_phase::pair_rules::{HEADER, classes_meet, is_excluded};
-use crate::math::real::Real;
+use crate::math::real::{Num, Real};
 use crate::model::error::Error;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -48,7 +48,7 @@ impl Rules {
             number << 2 | (of.self_contact as u32) << 1 | of.is_still() as u32
         };
         let words: Vec<u32> = bodies.numbers().iter().map(word).collect();
-        let (excluded, features) = bodies.excluded();
+        let (excluded, features) = (bodies.excluded_bodies(), bodies.excluded_features());
         let n_worlds = all.iter().map(|of| of.world).max().unwrap_or(0) + 1;
         let mut classes = Classes::new(bodies, excluded);
         if classes.first.len() > Self::MAX_CLASSES {
@@ -161,7 +161,8 @@ impl Rules {
 /// Whether a vertex moves; false where a coordinate is NaN.
 #[inline]
 pub fn moves<T: Real>(p: [T; 3], q: [T; 3]) -> bool {
-    let differ = |k: usize| p[k] < q[k] || p[k] > q[k];
+    // Not `!=`, which NaN passes.
+    let differ = |k: usize| Num::abs(p[k].to_f64() - q[k].to_f64()) > 0.0;
     differ(0) || differ(1) || differ(2)
 }
 

@@ -28,7 +28,7 @@ fn tables_say_what_bodies_say() {
             bodies = bodies.with_sleeping(b, below(3) == 1).with_self_contact(d, below(2) == 1);
         }
         bodies = bodies.with_excluded_bodies(&pairs);
-        if round % 3 == 0 {
+        if u32::is_multiple_of(round, 3) {
             let worlds: Vec<u32> = (0..600).map(|_| below(5)).collect();
             bodies = bodies.with_worlds(&worlds);
         }

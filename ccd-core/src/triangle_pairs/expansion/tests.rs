@@ -164,7 +164,7 @@ fn random(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
     let fixed = [below(4) == 1];
     let mut rules = |bodies: Bodies| bodies.with_groups(below(2), groups);
     let bodies = with_bodies.then(|| rules(Bodies::new(&of_vertex, &fixed, true)));
-    let bodies = bodies.map(|bodies| bodies.with_self_contact(1, n % 3 > 0));
+    let bodies = bodies.map(|bodies| bodies.with_self_contact(1, !n.is_multiple_of(3)));
     let vertices: Vec<Aabb<f32>> = (0..n)
         .map(|_| {
             let min = [below(12), below(12), below(12)].map(|x| x as f32);
