@@ -35,14 +35,19 @@
 //! | frame after frame of one mesh | [`Session`] |
 //! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
 //! | contact at a distance | [`Options::min_distance`] |
-//! | one pair of features | [`vertex_face`], [`edge_edge`] |
+//! | positions in a vertex buffer, `glam`, posed bodies | [`positions`] |
+//! | another mesh, distance or options between steps | [`Session::set_mesh`], and its like |
+//! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
+//! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
+//! | where a mesh goes through itself at one moment | [`intersections`] |
+//! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
 //! | where two features touch, along which normal | [`Contact::geometry`]: [`ContactGeometry`] |
 //! | compute a response | [`geometry`] |
-//! | read meshes and query files | `io` (feature `io`) |
+//! | read meshes, positions over time and query files | `io` (feature `io`) |
 //! | scenes that are the same everywhere | `scenes` (feature `scenes`) |
 //!
 //! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely
@@ -50,7 +55,12 @@
 //!
 //! # Features
 //! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
-//! scenes.
+//! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
+//! reports as data.
+//!
+//! # WebAssembly
+//! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
+//! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0.
 #![deny(unsafe_code)]
 
 pub mod any;
@@ -67,6 +77,14 @@ pub mod geometry {
     pub use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 }
 
+/// Positions as a session takes them: slices as they are, and what is gathered into slices first.
+pub mod positions {
+    pub use ccd_core::model::positions::{
+        AsPositions, Ends, Matrix, Point, Posed, PositionView, Strided, ends,
+    };
+    pub use ccd_core::model::precision::Precision;
+}
+
 /// The GPU backend: [`gpu::Device`], [`gpu::Session`].
 #[cfg(feature = "gpu")]
 pub use ccd_gpu as gpu;
@@ -79,22 +97,30 @@ struct Readme;
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
-pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
+pub use ccd_core::model::exclusions::Exclusions;
+pub use ccd_core::model::groups::Groups;
 pub use ccd_core::model::mesh::Mesh;
 pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
 };
 pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
+pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
+pub use ccd_core::narrow_phase::codimensional::{
+    VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
+};
 pub use ccd_core::narrow_phase::contact_geometry::ContactGeometry;
+pub use ccd_core::narrow_phase::distance::Distance;
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, MAX_LOOSENESS, Pairs, Session,
-    TreeStatistics, earliest_toi, step,
+    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, Intersection, MAX_LOOSENESS, Pairs,
+    Session, TreeStatistics, earliest_toi, intersections, near_at_rest, step,
 };

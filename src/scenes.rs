@@ -11,10 +11,18 @@
 
 mod sequences;
 
-use crate::{Aabb, Mesh};
+use crate::{Aabb, Bodies, Mesh};
 pub use sequences::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 
 /// Pseudo-random numbers: [`pcg`] of a counter.
+///
+/// ```
+/// use ccd::scenes::Random;
+///
+/// let (mut one, mut same) = (Random::new(7), Random::new(7));
+/// assert_eq!(one.point(), same.point());
+/// assert_ne!(one.bits(), one.bits());
+/// ```
 #[derive(Clone, Debug)]
 pub struct Random(u32);
 
@@ -105,6 +113,13 @@ fn cube_root(x: f64) -> f64 {
 }
 
 /// A mesh with its positions at both ends of a step.
+///
+/// ```
+/// let step = ccd::scenes::crumpled_sheet(10, 1);
+/// let report = ccd::step(&step.mesh, &step.x0, &step.x1, &ccd::Options::default())?;
+/// assert!(!report.contacts.is_empty());
+/// # Ok::<(), ccd::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// Topology.
@@ -113,6 +128,41 @@ pub struct Step {
     pub x0: Vec<[f64; 3]>,
     /// Positions at the end.
     pub x1: Vec<[f64; 3]>,
+}
+
+/// Particles among rods and triangles, `n` of each, in the unit cube: every particle flies through
+/// a point of a rod of its own at `t = 0.25`, with numbers that are exact in `f32`, or, one in
+/// four, through another particle; every second of what it meets moves too.
+pub fn particles_and_rods(n: usize, seed: u32) -> Step {
+    let mut random = Random::new(seed);
+    // Multiples of 2^-10, so that sums and quarters of them are exact.
+    let mut point = |size: f64| random.point().map(|x| (x * 1024.0).trunc() / 1024.0 * size);
+    let (mut x0, mut x1) = (Vec::new(), Vec::new());
+    let mut add = |p: [f64; 3], travel: [f64; 3]| {
+        x0.push(p);
+        x1.push([p[0] + travel[0], p[1] + travel[1], p[2] + travel[2]]);
+        (x0.len() - 1) as u32
+    };
+    let (mut faces, mut rods) = (Vec::new(), Vec::new());
+    for i in 0..n {
+        let (corner, travel) = (point(1.0), point(0.25));
+        let travel = if i % 2 == 0 { travel } else { [0.0; 3] };
+        // Around the point that is met, so that this is exact.
+        let side = point(0.25);
+        let at = |p: [f64; 3], s: f64, q: [f64; 3]| [0, 1, 2].map(|k| p[k] + s * q[k]);
+        if i % 4 == 3 {
+            add(corner, travel);
+        } else {
+            rods.push([add(at(corner, -1.0, side), travel), add(at(corner, 1.0, side), travel)]);
+        }
+        let flight = point(1.0);
+        let met = at(corner, 0.25, travel);
+        add(at(met, -0.25, flight), flight);
+        let (p, still) = (point(1.0), [0.0; 3]);
+        faces.push([(); 3].map(|()| add(at(p, 0.125, point(1.0)), still)));
+    }
+    let mesh = Mesh::with_edges(x0.len(), &faces, &rods).expect("ids of these vertices");
+    Step { mesh, x0, x1 }
 }
 
 impl Step {
@@ -164,6 +214,22 @@ pub fn triangle_soup(n: usize, size: f64, seed: u32) -> Step {
     }
     let faces: Vec<[u32; 3]> = (0..n as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Step { mesh: Mesh::new(3 * n, &faces).expect("a valid soup"), x0, x1 }
+}
+
+/// So many copies of a step in one place, each a body in a world of its own: what the features of
+/// copy `i` are, have ids that follow those of the copies before.
+///
+/// # Panics
+/// If that are more vertices than a mesh may have.
+pub fn copies(step: &Step, n: usize) -> (Step, Bodies) {
+    let n_vertices = step.mesh.n_vertices();
+    let copy = |i: usize| move |f: &[u32; 3]| f.map(|v| v + (i * n_vertices) as u32);
+    let faces: Vec<_> = (0..n).flat_map(|i| step.mesh.faces().iter().map(copy(i))).collect();
+    let mesh = Mesh::new(n * n_vertices, &faces).expect("a valid mesh");
+    let body: Vec<u32> = (0..n * n_vertices).map(|v| (v / n_vertices) as u32).collect();
+    let worlds: Vec<u32> = (0..n as u32).collect();
+    let bodies = Bodies::new(&body, &[], true).with_worlds(&worlds);
+    (Step { mesh, x0: step.x0.repeat(n), x1: step.x1.repeat(n) }, bodies)
 }
 
 /// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.

@@ -1,7 +1,10 @@
 //! A warm session allocates nothing.
 #![deny(unsafe_code)]
 
-use ccd::{BroadPhaseMethod, Options, Pipeline, Scheduling, Session, Traversal, TreeOptions};
+use ccd::{
+    BroadPhaseMethod, Options, Pipeline, Posed, Scheduling, Session, Strided, Traversal,
+    TreeOptions,
+};
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -76,6 +79,31 @@ fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
     assert!(sum <= 4, "{what}, two threads: {shared:?}");
 }
 
+/// Positions that are gathered, and steps after changes: a warm session allocates nothing in them,
+/// nor in a change to what it had before.
+fn check_forms_and_changes() {
+    let (step, small) = (crumpled_sheet(30, 1), crumpled_sheet(20, 1));
+    let still =
+        [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+    let mut session = Session::new(&step.mesh, Options::default().with_threads(1)).unwrap();
+    let meshes = [&step, &small].map(|step| std::sync::Arc::new(step.mesh.clone()));
+    let mut one = || {
+        let before = CALLS.load(Ordering::Relaxed);
+        for (of, mesh) in [(&step, &meshes[0]), (&small, &meshes[1])] {
+            session.set_mesh(mesh.clone()).unwrap();
+            let x0 = Strided::<f64>::of(&of.x0);
+            session.step(&x0, &Posed::one(&of.x1, &still)).unwrap();
+            session.set_min_distance(0.001).unwrap();
+            session.step(&of.x0, &Strided::<f64>::of(&of.x1)).unwrap();
+            session.set_min_distance(0.0).unwrap();
+        }
+        CALLS.load(Ordering::Relaxed) - before
+    };
+    (0..6).for_each(|_| _ = one());
+    let calls: Vec<usize> = (0..10).map(|_| one()).collect();
+    assert!(calls.iter().all(|&n| n == 0), "forms and changes: {calls:?}");
+}
+
 #[test]
 fn warm_sessions_allocate_nothing() {
     for method in ccd::every("cpu").filter(|&method| is_near_default(method)) {
@@ -89,6 +117,7 @@ fn warm_sessions_allocate_nothing() {
             check(method, Pipeline::Features, scheduling);
         }
     }
+    check_forms_and_changes();
     // The counter counts.
     let before = CALLS.load(Ordering::Relaxed);
     drop(std::hint::black_box(vec![1u8; 100]));

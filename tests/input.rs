@@ -274,13 +274,21 @@ fn bad_files_are_named_with_the_place() {
         "4294967299",
     );
     check("word.obj", b"v 0 0 zero\n", "line 1: `zero`");
-    check("index.obj", b"v 0 0 0\nf 1 2 3\n", "vertex 1");
+    check("index.obj", b"v 0 0 0\nf 1 2 3\n", "line 2: vertex index 3");
     check("zero.obj", b"v 0 0 0\nf 0 1 1\n", "line 2");
-    check("x.stl", b"solid", ".ply or .obj");
+    check("x.txt", b"solid", ".ply, .obj, .off");
     assert!(matches!(read_frame(Path::new("nowhere.ply")).unwrap_err().kind, ReadErrorKind::Io(_)));
     let rows = "0,1,0,1,0,1,1\n".repeat(7);
     let error = read_queries(&write(dir.path(), "q-vf.csv", rows.as_bytes())).unwrap_err();
     assert!(error.to_string().contains("multiple of 8"), "{error}");
+    let queries = |name: &str, rows: &str| read_queries(&write(dir.path(), name, rows.as_bytes()));
+    let rows = "0,1,0,1,0,1\n".repeat(8);
+    let without = queries("q-vf.csv", &rows).unwrap();
+    assert_eq!((without.queries.len(), without.answers.len()), (1, 0));
+    let error = queries("q-vf.csv", &format!("{rows}0,1,0,1,0,1,1\n")).unwrap_err();
+    assert!(error.to_string().contains("line 9: has 7 columns, expected 6"), "{error}");
+    let error = queries("q-vf.csv", "0,1,0,1,0\n").unwrap_err();
+    assert!(error.to_string().contains("has 5 columns, expected 6 or 7"), "{error}");
     let error = read_queries(&write(dir.path(), "third-ee.csv", b"1,3,0,1,0,1,1\n")).unwrap_err();
     assert!(error.to_string().contains("1/3"), "{error}");
 }

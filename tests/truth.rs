@@ -126,7 +126,7 @@ fn check_min_distance(data: &Path, scene: &Scene) {
         let at = |x: &[[f64; 3]]| ids.map(|i| x[i as usize]);
         let first = match contact.kind {
             Kind::VertexFace => first_within(point_triangle, 1, &at(x0), &at(x1), d),
-            Kind::EdgeEdge => first_within(segment_segment, 2, &at(x0), &at(x1), d),
+            _ => first_within(segment_segment, 2, &at(x0), &at(x1), d),
         };
         match first {
             First::At(t) => {
@@ -375,7 +375,7 @@ fn check_bodies(data: &Path) {
     let between = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
     let different = |c: &&Contact| match c.kind {
         Kind::VertexFace => body[c.a as usize] != body[mesh.faces()[c.b as usize][0] as usize],
-        Kind::EdgeEdge => {
+        _ => {
             body[mesh.edges()[c.a as usize][0] as usize]
                 != body[mesh.edges()[c.b as usize][0] as usize]
         }

@@ -1,9 +1,10 @@
 //! Options of the commands that can use a GPU, and the choice that they make.
 
-use super::Failure;
+use super::{Failure, output};
 use ccd::any::{self, Choice};
-use ccd::gpu::{self, Device, DeviceOptions};
+use ccd::gpu::{self, Compilation, Device, DeviceOptions};
 use clap::{Args, ValueEnum};
+use std::path::PathBuf;
 
 /// What runs the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -28,9 +29,9 @@ pub enum Shaders {
 /// Options of every command that can use a GPU.
 #[derive(Args)]
 pub struct AdapterOptions {
-    /// Use the GPU whose name contains NAME, whatever it is and however small the mesh (`ccd info`
-    /// lists names)
-    #[arg(long, value_name = "NAME")]
+    /// Use this GPU, whatever it is and however small the mesh: its number in `ccd info`, its PCI
+    /// id or a part of its name
+    #[arg(long, value_name = "GPU")]
     adapter: Option<String>,
     /// How shaders reach the driver; without it the first that is possible
     #[arg(long, value_enum)]
@@ -43,13 +44,49 @@ impl AdapterOptions {
             Shaders::Passthrough => gpu::Path::Passthrough,
             Shaders::Wgsl => gpu::Path::Wgsl,
         });
-        DeviceOptions { adapter: self.adapter.clone(), path, narrow: false }
+        let kernel_folder = kernel_folder();
+        DeviceOptions { adapter: self.adapter.clone(), path, narrow: false, kernel_folder }
     }
 
     /// The device, or why there is none.
     pub fn open(&self) -> Result<Device, gpu::Error> {
         Device::open(&self.of_device())
     }
+}
+
+/// Where compiled kernels are kept: `ccd` in the user's folder of caches.
+pub fn kernel_folder() -> Option<PathBuf> {
+    let folder = |name: &str| {
+        std::env::var_os(name).map(PathBuf::from).filter(|folder| folder.is_absolute())
+    };
+    let caches = if cfg!(windows) {
+        folder("LOCALAPPDATA")
+    } else if cfg!(target_os = "macos") {
+        folder("HOME").map(|home| home.join("Library/Caches"))
+    } else {
+        folder("XDG_CACHE_HOME").or_else(|| folder("HOME").map(|home| home.join(".cache")))
+    };
+    caches.map(|caches| caches.join("ccd"))
+}
+
+/// What the kernels of a session took to compile; `None` on the CPU.
+pub fn compilation(session: &mut any::Session) -> Option<Compilation> {
+    session.gpu().map(|session| session.device().compilation())
+}
+
+/// Says what kernels took to compile.
+pub fn print_compilation(compilation: Option<Compilation>) {
+    let Some(Compilation { kernels, time, kept, .. }) = compilation else { return };
+    let seconds = time.as_secs_f64();
+    let time = match seconds < 0.1 {
+        true => output::milliseconds(seconds * 1e3),
+        false => format!("{seconds:.1} s"),
+    };
+    let text = match kept {
+        true => format!("{kernels} loaded or compiled in {time} (an earlier run kept some)"),
+        false => format!("{kernels} compiled in {time}"),
+    };
+    output::line("kernels", text);
 }
 
 /// Options of every command that works on either.

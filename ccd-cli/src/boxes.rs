@@ -2,11 +2,12 @@
 
 use super::backend::BackendOptions;
 use super::method::MethodOptions;
-use super::{Failure, Outcome, in_file, output};
+use super::{Failure, Outcome, backend, in_file, output};
 use ccd::Aabb;
 use ccd::any::{BroadPhase, Choice, Error, Pairs};
 use clap::Args;
 use serde::Serialize;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -29,6 +30,9 @@ pub struct Boxes {
     #[arg(long, value_name = "N", default_value_t = 5)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
+    /// Write the pairs, raw and sorted, as below
+    #[arg(long, value_name = "OUT.bin")]
+    pairs: Option<PathBuf>,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -56,6 +60,7 @@ struct Times {
 impl Boxes {
     pub fn run(&self) -> Outcome {
         self.method.no_pipeline()?;
+        let out = self.pairs.as_deref().map(|path| output::create(path, "bin")).transpose()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
@@ -66,12 +71,13 @@ impl Boxes {
         let mut n_pairs = 0;
         for _ in 0..self.runs {
             let start = Instant::now();
-            n_pairs = count(&mut broad, &a, b.as_deref()).map_err(|e| match (e, &b) {
-                (e @ Error::Input(_), None) => in_file(&self.a, e),
-                (e, _) => e.into(),
-            })?;
+            n_pairs = pairs(&mut broad, &a, b.as_deref())?.len();
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
+        if let (Some(out), Some(path)) = (out, &self.pairs) {
+            write(out, pairs(&mut broad, &a, b.as_deref())?).map_err(|e| in_file(path, e))?;
+        }
+        let compilation = choice.device().map(|device| device.compilation());
         let first = times[0];
         times.sort_unstable_by(f64::total_cmp);
         let times = Times { load, first, median: times[times.len() / 2], min: times[0] };
@@ -94,16 +100,12 @@ impl Boxes {
                 [n, m] => output::line("boxes", format_args!("{n} against {m}")),
             }
             output::line("pairs", n_pairs);
+            backend::print_compilation(compilation);
             let ms = output::milliseconds;
-            let text = format!(
-                "median {} of {} runs on {place} (first {}, least {}); loading {}",
-                ms(times.median),
-                self.runs,
-                ms(times.first),
-                ms(times.min),
-                ms(load)
-            );
+            let text = format!("median {} of {} runs on {place}", ms(times.median), self.runs);
             output::line("time", text);
+            let [first, min, load] = [times.first, times.min, load].map(ms);
+            output::line("", format_args!("first {first}, least {min}; loading {load}"));
         }
         output::flush();
         Ok(n_pairs > 0)
@@ -117,13 +119,27 @@ impl Boxes {
     }
 }
 
-/// How many pairs there are within `a`, or of a box of `a` with one of `b`; all are listed.
-fn count(broad: &mut BroadPhase, a: &[Aabb], b: Option<&[Aabb]>) -> Result<usize, Error> {
+/// The pairs within `a`, or of a box of `a` with one of `b`.
+fn pairs<'a>(
+    broad: &'a mut BroadPhase,
+    a: &[Aabb],
+    b: Option<&[Aabb]>,
+) -> Result<Pairs<'a>, Error> {
     match b {
         None => broad.self_pairs(a),
         Some(b) => broad.pairs(a, b),
     }
-    .map(|pairs: Pairs| pairs.len())
+}
+
+/// Pairs as little-endian numbers of 32 bits, two each, sorted.
+fn write(out: std::fs::File, pairs: Pairs) -> std::io::Result<()> {
+    let mut pairs: Vec<[u32; 2]> = pairs.iter().map(|pair| [pair.a, pair.b]).collect();
+    pairs.sort_unstable();
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    for id in pairs.as_flattened() {
+        out.write_all(&id.to_le_bytes())?;
+    }
+    out.flush()
 }
 
 fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {
@@ -136,9 +152,15 @@ fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {
         ));
     }
     let number = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-    let boxes = bytes.chunks_exact(size).map(|b| {
+    let boxes = bytes.chunks_exact(size).enumerate().map(|(at, b)| {
         let n: [f32; 6] = std::array::from_fn(|i| number(&b[4 * i..]));
-        Aabb { min: [n[0], n[1], n[2]], max: [n[3], n[4], n[5]] }
+        // Written so that NaN fails.
+        if let Some(axis) = (0..3).find(|&axis| !(n[axis] <= n[axis + 3])) {
+            let (name, min, max) = (["x", "y", "z"][axis], n[axis], n[axis + 3]);
+            let what = format!("box {} (counted from 1) has {name} from {min} to {max}", at + 1);
+            return Err(in_file(path, what));
+        }
+        Ok(Aabb { min: [n[0], n[1], n[2]], max: [n[3], n[4], n[5]] })
     });
-    Ok(boxes.collect())
+    boxes.collect()
 }

@@ -1,23 +1,28 @@
 //! `ccd check`: contacts between two frames.
 
 use super::output::{self, Counts, MeshSize, TimesMs};
-use super::{Failure, Outcome, Precision, StepOptions, in_file, picture};
-use ccd::Mesh;
+use super::{Failure, Outcome, Precision, StepOptions, backend, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, read_frame};
+use ccd::{Kind, Mesh};
 use clap::Args;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[derive(Args)]
 pub struct Check {
-    /// The mesh at the start of the step (.ply or .obj)
+    /// The mesh at the start of the step (.ply, .obj, .off, .stl, .gltf or .glb)
     #[arg(value_name = "T0")]
     t0: PathBuf,
     /// The same mesh at the end of the step
     #[arg(value_name = "T1")]
     t1: PathBuf,
+    /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted; `-` is
+    /// standard output
+    #[arg(long, value_name = "OUT.csv")]
+    candidates: Option<PathBuf>,
     #[command(flatten)]
     pub options: StepOptions,
 }
@@ -33,12 +38,19 @@ struct Json<'a> {
     adapter: Option<&'a str>,
     precision: &'static str,
     threads: Option<usize>,
+    /// What kernels took to compile, on a GPU.
+    compile_ms: Option<f64>,
     times_ms: TimesMs,
 }
 
 impl Check {
     pub fn run(&self) -> Outcome {
+        if self.lists_to_stdout() && !self.options.prints_text() {
+            let what = "two outputs go to standard output; `--candidates -` is one of them";
+            return Err(Failure(what.into()));
+        }
         let file = self.options.contact_file(false)?;
+        let listed = self.candidates.as_deref().map(rows::CandidateFile::create).transpose()?;
         let start = Instant::now();
         let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
         let mesh = mesh_of(&self.t0, &t0)?;
@@ -46,10 +58,16 @@ impl Check {
         let load = start.elapsed().as_secs_f64() * 1e3;
 
         let mut session = self.options.session(mesh)?;
+        if let Some(file) = listed {
+            list_candidates(&mut session, self.options.precision, &t0, &t1, file)?;
+        }
         step(&mut session, self.options.precision, (&self.t0, &t0), (&self.t1, &t1))?;
+        let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         if let Some(mut file) = file {
-            file.write(0, &report.contacts)?;
+            let [x0, x1] = [&t0, &t1].map(|frame| self.options.precision.round(&frame.positions));
+            let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
+            file.write(0, &report.contacts, &step)?;
         }
         if let Some(path) = &self.options.picture {
             let title = output::title(&[&self.t0, &self.t1], &session.place());
@@ -70,19 +88,42 @@ impl Check {
                 adapter: place.adapter(),
                 precision: self.options.precision.name(),
                 threads: place.threads(),
+                compile_ms: compilation.map(|done| done.time.as_secs_f64() * 1e3),
                 times_ms: TimesMs::new(load, report),
             })?;
-        } else if self.options.prints_text() {
-            print(&session, load);
+        } else if self.options.prints_text() && !self.lists_to_stdout() {
+            print(&session, load, compilation);
         }
         output::flush();
         Ok(contacts.total() > 0)
     }
+
+    fn lists_to_stdout(&self) -> bool {
+        self.candidates.as_deref().is_some_and(output::is_stdout)
+    }
 }
 
-fn print(session: &Session, load: f64) {
+fn list_candidates(
+    session: &mut Session,
+    precision: Precision,
+    t0: &Frame,
+    t1: &Frame,
+    mut file: rows::CandidateFile,
+) -> Result<(), Failure> {
+    let found = match precision {
+        Precision::F64 => session.candidates(&t0.positions, &t1.positions)?,
+        Precision::F32 => session.candidates(&t0.positions_f32(), &t1.positions_f32())?,
+    };
+    for (kind, pairs) in Kind::ALL.into_iter().zip([found.vf, found.ee, found.ve, found.vv]) {
+        file.write(kind, pairs.iter())?;
+    }
+    Ok(())
+}
+
+fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation>) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
+    output::say!("{}", output::sentence(report));
     output::line("mesh", MeshSize::from(mesh));
     if mesh.n_degenerate() > 0 {
         output::line(
@@ -90,21 +131,19 @@ fn print(session: &Session, load: f64) {
             format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()),
         );
     }
-    output::line(
-        "candidates",
-        format_args!("{} vertex-face, {} edge-edge", report.candidates.vf, report.candidates.ee),
-    );
+    let candidates = Counts::from(report.candidates);
+    output::line("candidates", format_args!("{candidates} (swept boxes overlap)"));
     output::line(
         "contacts",
-        format_args!(
-            "{} vertex-face, {} edge-edge ({} undecided)",
-            contacts.vf, contacts.ee, report.undecided
-        ),
+        format_args!("{} ({} undecided)", Counts::from(contacts), report.undecided),
     );
+    let min_distance = session.options().min_distance;
+    output::explain(report.undecided, output::at_start(report), min_distance, "the first frame");
     match report.toi {
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none: the whole step is free"),
     }
+    backend::print_compilation(compilation);
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
     let parts = match place {
         Place::Gpu { .. } => format!("upload {}", ms(t.boxes)),
@@ -116,10 +155,8 @@ fn print(session: &Session, load: f64) {
             ms(t.narrow)
         ),
     };
-    output::line(
-        "time",
-        format_args!("{} on {place} ({parts}); loading {}", ms(t.total), ms(load)),
-    );
+    output::line("time", format_args!("{} on {place}; loading {}", ms(t.total), ms(load)));
+    output::line("", parts);
 }
 
 /// One step between two frames; an error in coordinates names the file.
@@ -134,10 +171,24 @@ pub fn step(
         Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
     };
     result.map_err(|e| match e {
-        Error::Input(ccd::Error::Coordinate { time: 0, .. }) => in_file(t0.0, e),
-        Error::Input(ccd::Error::Coordinate { .. }) => in_file(t1.0, e),
+        Error::Input(ccd::Error::Coordinate { time, vertex, axis, value }) => {
+            let name = ["x", "y", "z"][axis as usize];
+            let precision = precision.name();
+            let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
+            in_file(if time == 0 { t0.0 } else { t1.0 }, format_args!("{what} {precision}"))
+        }
         _ => e.into(),
     })
+}
+
+impl Precision {
+    /// Positions as the step takes them.
+    pub fn round(self, positions: &[[f64; 3]]) -> Cow<'_, [[f64; 3]]> {
+        match self {
+            Precision::F64 => Cow::Borrowed(positions),
+            Precision::F32 => positions.iter().map(|p| p.map(|x| x as f32 as f64)).collect(),
+        }
+    }
 }
 
 /// An error that names the first difference in topology.
@@ -160,7 +211,8 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
         return Err(in_file(
             path_b,
             format_args!(
-                "face {i} is {:?}, in {} it is {:?}",
+                "triangle {} (counted from 1) is {:?}, in {} it is {:?}",
+                i + 1,
                 b.faces[i],
                 path_a.display(),
                 a.faces[i]
@@ -171,7 +223,8 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
         return Err(in_file(
             path_b,
             format_args!(
-                "edge {i} is {:?}, in {} it is {:?}",
+                "edge {} (counted from 1) is {:?}, in {} it is {:?}",
+                i + 1,
                 b.edges[i],
                 path_a.display(),
                 a.edges[i]

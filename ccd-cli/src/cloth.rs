@@ -8,7 +8,7 @@
 //! so this ends.
 
 use super::Failure;
-use super::backend::BackendOptions;
+use super::backend::{BackendOptions, compilation};
 use super::method::MethodOptions;
 use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
@@ -112,6 +112,11 @@ impl Cloth {
     /// Where its collisions are found.
     pub fn place(&self) -> Place {
         self.hold.place()
+    }
+
+    /// What kernels took to compile, on a GPU.
+    pub fn compilation(&mut self) -> Option<ccd::gpu::Compilation> {
+        compilation(&mut self.hold)
     }
 
     /// Corners 0 and `N - 1` are pinned.

@@ -3,7 +3,7 @@
 use super::backend::BackendOptions;
 use super::cloth::{Cloth, N_CLOTH};
 use super::method::MethodOptions;
-use super::{Failure, Outcome, in_file, output, picture, plot};
+use super::{Failure, Outcome, backend, in_file, mesh_file, output, picture, plot};
 use ccd::Mesh;
 use clap::Args;
 use std::path::PathBuf;
@@ -20,6 +20,10 @@ pub struct Demo {
     /// What the picture of the last frame shows
     #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
     zoom: picture::Zoom,
+    /// Write the frames, the first one too, as FOLDER/frame-00000.ply and so on; made if it is not
+    /// there
+    #[arg(long, value_name = "FOLDER")]
+    frames_out: Option<PathBuf>,
     #[command(flatten)]
     backend: BackendOptions,
     #[command(flatten)]
@@ -32,15 +36,20 @@ const STEPS: usize = 8;
 impl Demo {
     pub fn run(&self) -> Outcome {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
+        if let Some(folder) = &self.frames_out {
+            std::fs::create_dir_all(folder).map_err(|e| in_file(folder, e))?;
+        }
         let mut cloth = Cloth::new(&self.backend, &self.method)?;
+        self.write_frame(0, &cloth)?;
         output::line("scene", output::MeshSize::from(&cloth.mesh));
         let bar = output::progress(self.frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());
         let mut n_calls = 0;
-        for _ in 0..self.frames {
+        for frame in 0..self.frames {
             for _ in 0..STEPS {
                 cloth.step()?;
             }
+            self.write_frame(frame + 1, &cloth)?;
             times.push(cloth.ccd_ms);
             contacts.push(cloth.contacts.len() as f64);
             n_calls += cloth.n_calls;
@@ -74,18 +83,19 @@ impl Demo {
         output::line(
             "collisions",
             format_args!(
-                "{} for {n_calls} steps, {} a step on {}",
+                "{} for {n_calls} steps, {} a step",
                 output::milliseconds(total),
-                output::milliseconds(total / n_calls as f64),
-                cloth.place()
+                output::milliseconds(total / n_calls as f64)
             ),
         );
+        output::line("", format_args!("on {}", cloth.place()));
+        backend::print_compilation(cloth.compilation());
         output::line("contacts", format_args!("{} in the last step", cloth.contacts.len()));
         let n = penetrations(&cloth.mesh, &cloth.x);
         output::line(
             "penetration",
             if n == 0 {
-                "none: no edge passes through a face (checked exactly, independently)".to_string()
+                "none: no edge passes through a face (checked exactly)".to_string()
             } else {
                 format!("{n} edges pass through faces")
             },
@@ -96,6 +106,11 @@ impl Demo {
         }
         output::flush();
         Ok(!cloth.contacts.is_empty())
+    }
+
+    fn write_frame(&self, frame: u32, cloth: &Cloth) -> Result<(), Failure> {
+        let Some(folder) = &self.frames_out else { return Ok(()) };
+        mesh_file::write_ply(&folder.join(format!("frame-{frame:05}.ply")), &cloth.mesh, &cloth.x)
     }
 }
 

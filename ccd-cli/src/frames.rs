@@ -1,16 +1,102 @@
 //! The frames of a sequence: files, folders and patterns, in the order of the numbers in their
-//! names.
+//! names; or one file of positions over time, with a mesh.
 
+use super::check::{mesh_of, same_topology};
 use super::{Failure, in_file};
+use ccd::Mesh;
+use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, read_frame};
 use std::path::{Path, PathBuf};
 
-/// Kinds of files that hold a frame.
-const EXTENSIONS: [&str; 2] = ["ply", "obj"];
+/// What frames are read from.
+pub enum Frames {
+    /// A file each.
+    Files(Vec<PathBuf>),
+    /// All in one file, which has positions alone.
+    Cache { mesh: Box<Frame>, cache: Box<PointCache>, path: PathBuf },
+}
+
+impl Frames {
+    /// The frames that were asked for; the second part says whether files that are listed one by
+    /// one are in another order than the numbers in their names.
+    pub fn open(given: &[PathBuf], mesh: Option<&Path>) -> Result<(Self, bool), Failure> {
+        if let [path] = given
+            && has_extension(path, &PointCache::EXTENSIONS)
+            && path.is_file()
+        {
+            let Some(mesh) = mesh else {
+                return Err(in_file(
+                    path,
+                    "holds positions alone; --mesh says what they belong to",
+                ));
+            };
+            let (cache, frame) = (PointCache::open(path)?, read_frame(mesh)?);
+            let (n, expected) = (cache.n_vertices(), frame.positions.len());
+            if n != expected {
+                let what = format!("has {n} vertices, {} has {expected}", mesh.display());
+                return Err(in_file(path, what));
+            }
+            at_least_two(cache.n_frames())?;
+            let (mesh, cache) = (Box::new(frame), Box::new(cache));
+            return Ok((Self::Cache { mesh, cache, path: path.clone() }, false));
+        }
+        if let Some(mesh) = mesh {
+            let formats = PointCache::EXTENSIONS.join(", .");
+            return Err(Failure(format!(
+                "--mesh {} is for one file of positions over time (.{formats})",
+                mesh.display()
+            )));
+        }
+        let (files, is_unsorted) = expand(given)?;
+        Ok((Self::Files(files), is_unsorted))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Files(files) => files.len(),
+            Self::Cache { cache, .. } => cache.n_frames(),
+        }
+    }
+
+    /// What a frame is called: its file, or its number in the file, counted from 0.
+    pub fn name(&self, at: usize) -> PathBuf {
+        match self {
+            Self::Files(files) => files[at].clone(),
+            Self::Cache { path, .. } => format!("{}[{at}]", path.display()).into(),
+        }
+    }
+
+    /// The first frame of a part, and the mesh.
+    pub fn first(&mut self, at: usize) -> Result<(Frame, Mesh), Failure> {
+        let frame = match self {
+            Self::Files(files) => read_frame(&files[at])?,
+            Self::Cache { mesh, cache, .. } => {
+                Frame { positions: cache.frame(at)?, ..Frame::clone(mesh) }
+            }
+        };
+        let mesh = mesh_of(&self.name(at), &frame)?;
+        Ok((frame, mesh))
+    }
+
+    /// The frame after `before`, which is that at `at - 1`; both have the same topology.
+    pub fn next(&mut self, before: &Frame, at: usize) -> Result<Frame, Failure> {
+        match self {
+            Self::Files(files) => {
+                let frame = read_frame(&files[at])?;
+                same_topology((&files[at - 1], before), (&files[at], &frame))?;
+                Ok(frame)
+            }
+            Self::Cache { cache, .. } => {
+                Ok(Frame { positions: cache.frame(at)?, ..Frame::default() })
+            }
+        }
+    }
+}
 
 /// Files in order: those of a folder or of a pattern (`frames/*.ply`, for shells that leave it
 /// alone) by name, numbers in them as numbers, so that f2 comes before f10. Files that are listed
 /// one by one stay as they are listed; the second part says whether that order is another one.
-pub fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
+fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
     let mut frames = Vec::new();
     for path in given {
         let mut found = if path.is_dir() {
@@ -23,14 +109,22 @@ pub fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
         alphanumeric_sort::sort_path_slice(&mut found);
         frames.append(&mut found);
     }
-    if frames.len() < 2 {
-        let n = frames.len();
-        return Err(Failure(format!("a sequence needs two frames or more; there are {n}")));
-    }
+    at_least_two(frames.len())?;
     let mut sorted = frames.clone();
     alphanumeric_sort::sort_path_slice(&mut sorted);
     let is_sorted = sorted == frames;
     Ok((frames, !is_sorted))
+}
+
+fn at_least_two(n: usize) -> Result<(), Failure> {
+    match n {
+        2.. => Ok(()),
+        _ => Err(Failure(format!("a sequence needs two frames or more; there are {n}"))),
+    }
+}
+
+fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    path.extension().is_some_and(|e| extensions.iter().any(|x| e.eq_ignore_ascii_case(x)))
 }
 
 fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
@@ -38,13 +132,13 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     for entry in entries {
         let path = entry.map_err(|e| in_file(folder, e))?.path();
-        let is_frame = |e: &std::ffi::OsStr| EXTENSIONS.iter().any(|x| e.eq_ignore_ascii_case(x));
-        if path.extension().is_some_and(is_frame) {
+        if has_extension(&path, &MESH_EXTENSIONS) {
             found.push(path);
         }
     }
     if found.is_empty() {
-        return Err(in_file(folder, "holds no .ply or .obj file"));
+        let formats = MESH_EXTENSIONS.join(", .");
+        return Err(in_file(folder, format_args!("holds no mesh (.{formats})")));
     }
     Ok(found)
 }

@@ -1,6 +1,6 @@
 //! `ccd info`: the GPU that would be used, how, and which others there are.
 
-use super::backend::AdapterOptions;
+use super::backend::{AdapterOptions, kernel_folder};
 use super::{Failure, Outcome, output};
 use ccd::gpu::{Device, Info, Path, wgpu};
 use clap::Args;
@@ -24,6 +24,7 @@ struct Json {
     timestamps: bool,
     max_binding_bytes: u64,
     max_buffer_bytes: u64,
+    kernel_folder: Option<std::path::PathBuf>,
     adapters: Vec<Adapter>,
 }
 
@@ -33,6 +34,7 @@ struct Adapter {
     kind: String,
     backend: String,
     driver: String,
+    pci: Option<String>,
 }
 
 impl From<&wgpu::AdapterInfo> for Adapter {
@@ -43,6 +45,7 @@ impl From<&wgpu::AdapterInfo> for Adapter {
             kind: format!("{:?}", a.device_type),
             backend: a.backend.to_string(),
             driver,
+            pci: Some(a.device_pci_bus_id.clone()).filter(|id| !id.is_empty()),
         }
     }
 }
@@ -62,13 +65,20 @@ impl InfoCommand {
             for (i, a) in adapters.iter().enumerate() {
                 output::line(
                     if i == 0 { "there are" } else { "" },
-                    format_args!("{} ({}, {})", a.name, a.kind, a.backend),
+                    format_args!("{i}: {} ({}, {}{})", a.name, a.kind, a.backend, pci(a)),
                 );
+            }
+            if let Some(folder) = kernel_folder() {
+                output::line("kernels", format_args!("kept in {}", folder.display()));
             }
         }
         output::flush();
         Ok(false)
     }
+}
+
+fn pci(a: &Adapter) -> String {
+    a.pci.as_ref().map_or(String::new(), |id| format!(", PCI {id}"))
 }
 
 fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
@@ -83,6 +93,7 @@ fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
         timestamps: info.timestamps,
         max_binding_bytes: info.limits.max_storage_buffer_binding_size,
         max_buffer_bytes: info.limits.max_buffer_size,
+        kernel_folder: kernel_folder(),
         adapters,
     }
 }

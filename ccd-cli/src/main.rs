@@ -9,15 +9,20 @@ mod canvas;
 mod check;
 mod cloth;
 mod demo;
+mod environment;
 mod frames;
 mod info;
 mod legend;
 mod manual;
+mod merge;
+mod mesh_file;
 mod method;
 mod output;
+mod part;
 mod picture;
 mod plot;
 mod queries;
+mod rows;
 mod sequence;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -42,24 +47,30 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Contacts between two frames of a mesh
-    #[command(after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  \
-        ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png")]
+    #[command(after_help = format!("EXAMPLES:\n  ccd check before.ply after.ply\n  \
+        ccd check before.ply after.ply --contacts contacts.csv --picture contacts.png\n\n{CSV}"))]
     Check(check::Check),
     /// Contacts over many frames of a mesh, one step from each frame to the next
-    #[command(after_help = "EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
-        ccd sequence 'frames/*.ply' --json-lines")]
+    #[command(after_help = format!("EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
+        ccd sequence cloth.npz --mesh cloth.obj\n  \
+        ccd sequence 'frames/*.ply' --json-lines --part 2/8 > 2.jsonl\n\n{CSV}"))]
     Sequence(sequence::Sequence),
+    /// Outputs of `sequence --json-lines --part i/n`, joined; none may be missing
+    Merge(merge::Merge),
     /// Elemental queries from files, compared with the answers in them
     #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 \
         (v f0 f1 f2, or ea0 ea1 eb0 eb1), each as\n\
-        x numerator, x denominator, y .., z .., answer (0 or 1). \
-        Its path must name vertex-face (vf) or edge-edge (ee).")]
+        x numerator, x denominator, y .., z .., and in a seventh column the answer (0 or 1); files \
+        of six columns have no answers.\n\
+        Its path must name vertex-face (vf) or edge-edge (ee), or --kind does.")]
     Queries(queries::Queries),
     /// Overlapping pairs of boxes: the broad phase alone
     #[command(after_help = "A file holds raw little-endian f32 numbers, six a box: \
         min x y z, max x y z. Boxes that touch overlap.\n\
         With one file, pairs within it; \
-        with two, pairs of a box of the first with one of the second.")]
+        with two, pairs of a box of the first with one of the second.\n\
+        --pairs writes raw little-endian u32 numbers, two a pair: the boxes' numbers, from 0, \
+        sorted.")]
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
@@ -76,6 +87,19 @@ enum Command {
     /// The manual as man pages
     Man(manual::Man),
 }
+
+/// What the columns of contacts mean.
+const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
+  kind         vf (vertex a, face b) or ee (edges a < b)
+  a, b         features, all counted from 0: vertices as in the file; faces as
+               triangles in the file's order, polygons cut into fans; edges
+               sorted by their greater vertex, then by the other
+  toi, state   time of impact in [0, 1]; hit or undecided
+  v0 .. v3     vertices: that of a and those of face b, or those of a, then of b
+  polygon      the file's face, counted from 0, that face b is cut from; ee: empty
+  px py pz     where they meet at the time of impact
+  nx ny nz     unit normal there, from b to a
+  w0 .. w3     weights of v0 .. v3: points on a and on b as sums of positions";
 
 /// The coordinates that a step starts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -116,7 +140,7 @@ struct StepOptions {
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
-    /// Write contacts as CSV: kind,a,b,toi,state (sequence: frame first); `-` is standard output
+    /// Write contacts as CSV, columns below; `-` is standard output
     #[arg(long, value_name = "OUT.csv")]
     contacts: Option<PathBuf>,
     /// Write a picture (check: the mesh with its contacts; sequence: times and contacts a frame)
@@ -133,7 +157,7 @@ struct StepOptions {
 impl StepOptions {
     /// Opens what will be written, before any work: contacts, if they are wanted. A picture that
     /// cannot be written is refused here, too.
-    fn contact_file(&self, frames: bool) -> Result<Option<output::ContactFile<'_>>, Failure> {
+    fn contact_file(&self, frames: bool) -> Result<Option<rows::ContactFile<'_>>, Failure> {
         if let Some(path) = &self.picture {
             output::create(path, "png")?;
         }
@@ -141,7 +165,7 @@ impl StepOptions {
         if self.json && path.is_some_and(output::is_stdout) {
             return Err(Failure("--json and `--contacts -` both go to standard output".into()));
         }
-        path.map(|path| output::ContactFile::create(path, frames)).transpose()
+        path.map(|path| rows::ContactFile::create(path, frames)).transpose()
     }
 
     /// Whether text is printed: not beside JSON, nor where contacts go to standard output.
@@ -158,7 +182,16 @@ impl StepOptions {
             .with_broad_phase(self.method.method()?)
             .with_pipeline(self.method.pipeline()?)
             .with_scheduling(self.method.scheduling()?);
-        Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
+        let choice = self.backend.choose(mesh.edges().len())?;
+        ccd::any::Session::new(&choice, mesh, options).map_err(|e| match e {
+            ccd::any::Error::Input(ccd::Error::MixedBodies { element, at, bodies: [a, b] }) => {
+                let element = if element == "face" { "triangle" } else { element };
+                let at = at + 1;
+                let what = format!("{element} {at} (counted from 1) joins bodies {a} and {b}");
+                Failure(format!("--bodies: {what}"))
+            }
+            _ => e.into(),
+        })
     }
 }
 
@@ -194,10 +227,12 @@ fn in_file(path: &std::path::Path, e: impl std::fmt::Display) -> Failure {
 type Outcome = Result<bool, Failure>;
 
 fn main() -> ExitCode {
+    environment::prepare();
     let cli = Cli::parse();
     let (outcome, fail_on_contact) = match &cli.command {
         Command::Check(c) => (c.run(), c.options.fail_on_contact),
         Command::Sequence(c) => (c.run(), c.options.fail_on_contact),
+        Command::Merge(c) => (c.run(), false),
         Command::Queries(c) => (c.run(), false),
         Command::Boxes(c) => (c.run(), false),
         Command::Demo(c) => (c.run(), false),

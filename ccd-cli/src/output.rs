@@ -2,10 +2,11 @@
 
 use super::{Failure, in_file};
 use ccd::any::Place;
-use ccd::{Contact, Kind, Mesh, PerKind, Report, State};
-use serde::Serialize;
+use ccd::{Mesh, PerKind, Report};
+use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
 macro_rules! say {
@@ -24,7 +25,7 @@ pub fn print(text: std::fmt::Arguments) {
 
 /// Nothing can be printed any more. A reader that has gone away has seen what it wanted; all else
 /// is an error.
-fn ended(e: &std::io::Error) -> ! {
+pub fn ended(e: &std::io::Error) -> ! {
     if e.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
@@ -38,21 +39,49 @@ pub fn line(name: &str, text: impl std::fmt::Display) {
     say!("{bold}{name:<11}{bold:#} {text}");
 }
 
-/// Numbers of both kinds of pairs.
-#[derive(Serialize)]
+/// Numbers of the kinds of pairs; those of particles and rods where there are any.
+#[derive(Serialize, Deserialize)]
 pub struct Counts {
     pub vf: u64,
     pub ee: u64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub ve: u64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub vv: u64,
+}
+
+fn is_zero(n: &u64) -> bool {
+    *n == 0
+}
+
+impl Counts {
+    /// All together.
+    pub fn total(&self) -> u64 {
+        self.vf + self.ee + self.ve + self.vv
+    }
+}
+
+/// In words: `3 vertex-face, 4 edge-edge`, and the other kinds where there are any.
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} vertex-face, {} edge-edge", self.vf, self.ee)?;
+        for (n, kind) in [(self.ve, "vertex-edge"), (self.vv, "vertex-vertex")] {
+            if n > 0 {
+                write!(f, ", {n} {kind}")?;
+            }
+        }
+        Ok(())
+    }
 }
 
 impl From<PerKind> for Counts {
     fn from(n: PerKind) -> Self {
-        Self { vf: n.vf, ee: n.ee }
+        Self { vf: n.vf, ee: n.ee, ve: n.ve, vv: n.vv }
     }
 }
 
 /// Size of a mesh.
-#[derive(Serialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeshSize {
     pub vertices: usize,
     pub edges: usize,
@@ -65,6 +94,12 @@ impl From<&Mesh> for MeshSize {
     }
 }
 
+impl From<&Arc<Mesh>> for MeshSize {
+    fn from(mesh: &Arc<Mesh>) -> Self {
+        Self::from(&**mesh)
+    }
+}
+
 impl std::fmt::Display for MeshSize {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} vertices, {} edges, {} faces", self.vertices, self.edges, self.faces)
@@ -72,7 +107,7 @@ impl std::fmt::Display for MeshSize {
 }
 
 /// Times of a step in milliseconds; `total` includes loading.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 pub struct TimesMs {
     pub load: f64,
     pub boxes: f64,
@@ -104,6 +139,49 @@ pub fn milliseconds(ms: f64) -> String {
         format!("{ms:.1} ms")
     } else {
         format!("{:.0} us", ms * 1e3)
+    }
+}
+
+/// A time of impact as a part of the step, for people: `0.00075 %`.
+pub fn percent(toi: f64) -> String {
+    let percent = toi * 100.0;
+    if percent == 0.0 || percent >= 10.0 {
+        return format!("{percent:.0} %");
+    }
+    if percent < 1e-6 {
+        return format!("{percent:.1e} %");
+    }
+    // Two digits that matter.
+    let decimals = 1 - percent.log10().floor() as i32;
+    format!("{percent:.*} %", decimals.max(0) as usize)
+}
+
+/// What a step found, in one sentence for people.
+pub fn sentence(report: &Report) -> String {
+    match report.toi {
+        None => "No contact: the whole step is free.".into(),
+        Some(0.0) => "There are contacts from the start of the step on.".into(),
+        Some(toi) => format!("First contact after {} of the step.", percent(toi)),
+    }
+}
+
+/// How many contacts there are at t = 0.
+pub fn at_start(report: &Report) -> u64 {
+    report.contacts.iter().filter(|c| c.toi == 0.0).count() as u64
+}
+
+/// Says what undecided contacts are and why there are contacts at t = 0, if there are any. `first`:
+/// the frame that the step starts from.
+pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
+    if undecided > 0 {
+        line("", "undecided: too close to tell in rounded numbers; treat as contacts");
+    }
+    if at_start > 0 {
+        let why = match min_distance > 0.0 {
+            true => "is within the minimum distance",
+            false => "touches or passes through itself",
+        };
+        line("", format_args!("{at_start} at t = 0: {first} {why}"));
     }
 }
 
@@ -158,64 +236,6 @@ pub fn create(path: &Path, extension: &str) -> Result<std::fs::File, Failure> {
     std::fs::File::create(path).map_err(|e| in_file(path, e))
 }
 
-/// Contacts as CSV, one file for one step or, with frame numbers, for many.
-pub struct ContactFile<'a> {
-    path: &'a Path,
-    writer: csv::Writer<Box<dyn Write>>,
-    frames: bool,
-}
-
-impl<'a> ContactFile<'a> {
-    /// Opens the file, or standard output for `-`, and writes the names of columns.
-    pub fn create(path: &'a Path, frames: bool) -> Result<Self, Failure> {
-        let to: Box<dyn Write> = if is_stdout(path) {
-            Box::new(std::io::stdout())
-        } else {
-            Box::new(create(path, "csv")?)
-        };
-        let mut file = Self { path, writer: csv::Writer::from_writer(to), frames };
-        let header = ["frame", "kind", "a", "b", "toi", "state"];
-        let written = file.writer.write_record(&header[usize::from(!frames)..]);
-        written.map_err(|e| file.failure(e))?;
-        Ok(file)
-    }
-
-    /// Why a row could not be written.
-    fn failure(&self, e: csv::Error) -> Failure {
-        match e.kind() {
-            csv::ErrorKind::Io(e) if is_stdout(self.path) => ended(e),
-            _ => in_file(self.path, e),
-        }
-    }
-
-    pub fn write(&mut self, frame: usize, contacts: &[Contact]) -> Result<(), Failure> {
-        for c in contacts {
-            let kind = match c.kind {
-                Kind::VertexFace => "vf",
-                Kind::EdgeEdge => "ee",
-            };
-            let row = [
-                frame.to_string(),
-                kind.into(),
-                c.a.to_string(),
-                c.b.to_string(),
-                format!("{:?}", c.toi),
-                state(c.state).into(),
-            ];
-            let written = self.writer.write_record(&row[usize::from(!self.frames)..]);
-            written.map_err(|e| self.failure(e))?;
-        }
-        self.writer.flush().map_err(|e| self.failure(e.into()))
-    }
-}
-
-fn state(state: State) -> &'static str {
-    match state {
-        State::Hit => "hit",
-        State::Undecided => "undecided",
-    }
-}
-
 /// Where progress is shown: nowhere if standard error is not a terminal.
 pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
     let template = "{msg} {wide_bar} {pos}/{len}, {eta} left";
@@ -228,5 +248,25 @@ pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
 pub fn flush() {
     if let Err(e) = std::io::stdout().flush() {
         ended(&e);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn parts_of_a_step_have_two_digits_that_matter() {
+        for (toi, want) in [
+            (0.0, "0 %"),
+            (7.49e-6, "0.00075 %"),
+            (0.5, "50 %"),
+            (1.0, "100 %"),
+            (0.0123, "1.2 %"),
+            (0.00999, "1.00 %"),
+            (1e-300, "1.0e-298 %"),
+        ] {
+            assert_eq!(percent(toi), want);
+        }
     }
 }

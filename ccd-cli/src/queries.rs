@@ -1,9 +1,10 @@
 //! `ccd queries`: elemental queries against the answers in their files.
 
+use super::rows::{self, Rows};
 use super::{Failure, Outcome, Precision, output};
-use ccd::io::{Query, read_queries};
-use ccd::{EdgeEdge, Real, Verdict, VertexFace};
-use clap::Args;
+use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
+use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -16,9 +17,29 @@ pub struct Queries {
     /// Coordinates of the queries (f32: rounded, decided in f32 and, where that cannot, in f64)
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     precision: Precision,
+    /// What the files hold; without it their paths tell
+    #[arg(long, value_enum)]
+    kind: Option<KindName>,
+    /// Contact means a distance of at most D; answers of files are about touching: with D above 0
+    /// hits that they call misses are not counted as false
+    #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
+    min_distance: f64,
+    /// Write the verdicts as CSV: file,query,kind,verdict,toi,answer, queries counted from 0,
+    /// verdicts hit, miss, undecided, or far (a miss by the boxes alone); `-` is standard output
+    #[arg(long, value_name = "OUT.csv")]
+    out: Option<PathBuf>,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
+}
+
+/// A kind of query.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum KindName {
+    /// Vertex-face
+    Vf,
+    /// Edge-edge
+    Ee,
 }
 
 #[derive(Clone, Default, Serialize)]
@@ -26,14 +47,17 @@ struct Counts {
     queries: usize,
     hits: usize,
     misses: usize,
+    /// Misses whose swept boxes are apart.
+    far: usize,
     undecided: usize,
-    false_positives: usize,
-    false_negatives: usize,
+    /// `None` where files have no answers, or answers about something else.
+    false_positives: Option<usize>,
+    false_negatives: Option<usize>,
     ns_per_query: f64,
 }
 
 #[derive(Serialize)]
-struct File {
+struct Row {
     file: String,
     #[serde(flatten)]
     counts: Counts,
@@ -41,40 +65,45 @@ struct File {
 
 #[derive(Serialize)]
 struct Json {
-    files: Vec<File>,
+    files: Vec<Row>,
     total: Counts,
 }
 
 impl Queries {
     pub fn run(&self) -> Outcome {
+        ccd::Options::default()
+            .with_min_distance(self.min_distance)
+            .check(&ccd::Mesh::new(0, &[])?)?;
+        let mut out = self.out.as_deref().map(Rows::create).transpose()?;
+        let prints_text = !self.json && !self.out.as_deref().is_some_and(output::is_stdout);
+        if self.json && self.out.as_deref().is_some_and(output::is_stdout) {
+            return Err(Failure("--json and `--out -` both go to standard output".into()));
+        }
+        if let Some(out) = &mut out {
+            out.row(format_args!("file,query,kind,verdict,toi,answer"))?;
+        }
         let bar = output::progress(self.files.len(), "files");
         let mut files = Vec::new();
         let mut total = Counts::default();
         let mut total_ns = 0.0;
         for path in &self.files {
-            let queries = read_queries(path)?;
+            let queries = match self.kind {
+                None => read_queries(path)?,
+                Some(KindName::Vf) => read_queries_of(path, Kind::VertexFace)?,
+                Some(KindName::Ee) => read_queries_of(path, Kind::EdgeEdge)?,
+            };
             let start = Instant::now();
-            let verdicts: Vec<Verdict<f64>> =
-                queries.queries.iter().map(|q| decide(q, self.precision)).collect();
+            let decide = |query| decide(query, self.precision, self.min_distance);
+            let verdicts: Vec<Option<Verdict<f64>>> = queries.queries.iter().map(decide).collect();
             let ns = start.elapsed().as_secs_f64() * 1e9;
-            let mut counts = Counts { queries: verdicts.len(), ..Counts::default() };
-            for (verdict, &answer) in verdicts.iter().zip(&queries.answers) {
-                let hit = verdict.toi().is_some();
-                counts.hits += hit as usize;
-                counts.misses += !hit as usize;
-                counts.undecided += matches!(verdict, Verdict::Undecided { .. }) as usize;
-                counts.false_positives += (hit && !answer) as usize;
-                counts.false_negatives += (!hit && answer) as usize;
-            }
+            let mut counts = self.count(&queries, &verdicts);
             counts.ns_per_query = per_query(ns, counts.queries);
-            total.queries += counts.queries;
-            total.hits += counts.hits;
-            total.misses += counts.misses;
-            total.undecided += counts.undecided;
-            total.false_positives += counts.false_positives;
-            total.false_negatives += counts.false_negatives;
+            if let Some(out) = &mut out {
+                write(out, &path.display().to_string(), &queries, &verdicts)?;
+            }
+            total.add(&counts);
             total_ns += ns;
-            files.push(File { file: path.display().to_string(), counts });
+            files.push(Row { file: path.display().to_string(), counts });
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -82,23 +111,94 @@ impl Queries {
         let any = total.hits > 0;
         if self.json {
             output::json(&Json { files, total })?;
-        } else {
+        } else if prints_text {
             output::say!(
-                "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file",
+                "{:>8} {:>6} {:>7} {:>6} {:>6} {:>6} {:>6} {:>5}  file",
                 "queries",
                 "hits",
                 "misses",
-                "undecided",
-                "false pos",
-                "false neg",
-                "ns each"
+                "(far)",
+                "undec.",
+                "f.pos.",
+                "f.neg.",
+                "ns"
             );
-            files.iter().for_each(|f| print(&f.counts, &f.file));
+            files.iter().for_each(|f| print(&f.counts, &name(&f.file)));
             print(&total, "total");
+            output::say!(
+                "far: misses by the boxes alone; undec.: counted among hits, too close to"
+            );
+            output::say!("tell; f.pos., f.neg.: hits and misses that the answers deny; ns: each");
         }
         output::flush();
         Ok::<_, Failure>(any)
     }
+
+    fn count(&self, file: &File, verdicts: &[Option<Verdict<f64>>]) -> Counts {
+        let mut counts = Counts { queries: verdicts.len(), ..Counts::default() };
+        let is_hit = |verdict: &Option<Verdict<f64>>| verdict.is_some_and(|v| v.toi().is_some());
+        for verdict in verdicts {
+            counts.hits += is_hit(verdict) as usize;
+            counts.misses += !is_hit(verdict) as usize;
+            counts.far += verdict.is_none() as usize;
+            counts.undecided += matches!(verdict, Some(Verdict::Undecided { .. })) as usize;
+        }
+        if !file.answers.is_empty() || file.queries.is_empty() {
+            let both = || verdicts.iter().map(is_hit).zip(file.answers.iter().copied());
+            let positives = both().filter(|&(hit, answer)| hit && !answer).count();
+            counts.false_positives = (self.min_distance == 0.0).then_some(positives);
+            counts.false_negatives = Some(both().filter(|&(hit, answer)| !hit && answer).count());
+        }
+        counts
+    }
+}
+
+impl Counts {
+    fn add(&mut self, other: &Self) {
+        self.queries += other.queries;
+        self.hits += other.hits;
+        self.misses += other.misses;
+        self.far += other.far;
+        self.undecided += other.undecided;
+        let sum = |a: Option<usize>, b: Option<usize>| a.zip(b).map(|(a, b)| a + b).or(a).or(b);
+        self.false_positives = sum(self.false_positives, other.false_positives);
+        self.false_negatives = sum(self.false_negatives, other.false_negatives);
+    }
+}
+
+/// A row for each query.
+fn write(
+    out: &mut Rows,
+    name: &str,
+    file: &File,
+    verdicts: &[Option<Verdict<f64>>],
+) -> Result<(), Failure> {
+    let name = match name.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", name.replace('"', "\"\"")),
+        false => name.to_owned(),
+    };
+    for (at, (query, verdict)) in file.queries.iter().zip(verdicts).enumerate() {
+        let kind = rows::kind(match query {
+            Query::VertexFace(_) => Kind::VertexFace,
+            Query::EdgeEdge(_) => Kind::EdgeEdge,
+        });
+        let word = match verdict {
+            None => "far",
+            Some(Verdict::Miss) => "miss",
+            Some(Verdict::Hit { .. }) => "hit",
+            Some(Verdict::Undecided { .. }) => "undecided",
+        };
+        let toi = verdict.and_then(|v| v.toi()).map_or(String::new(), |toi| format!("{toi:?}"));
+        let answer = file.answers.get(at).map_or("", |&yes| if yes { "1" } else { "0" });
+        out.row(format_args!("{name},{at},{kind},{word},{toi},{answer}"))?;
+    }
+    out.flush()
+}
+
+/// The name of a file without its folders.
+fn name(file: &str) -> String {
+    let name = std::path::Path::new(file).file_name();
+    name.map_or(file.into(), |name| name.to_string_lossy().into_owned())
 }
 
 fn per_query(ns: f64, n: usize) -> f64 {
@@ -106,39 +206,76 @@ fn per_query(ns: f64, n: usize) -> f64 {
 }
 
 fn print(c: &Counts, name: &str) {
+    let number = |n: Option<usize>| n.map_or("-".into(), |n| n.to_string());
     output::say!(
-        "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8.0}  {name}",
+        "{:>8} {:>6} {:>7} {:>6} {:>6} {:>6} {:>6} {:>5.0}  {name}",
         c.queries,
         c.hits,
         c.misses,
+        c.far,
         c.undecided,
-        c.false_positives,
-        c.false_negatives,
+        number(c.false_positives),
+        number(c.false_negatives),
         c.ns_per_query
     );
 }
 
-fn decide(query: &Query, precision: Precision) -> Verdict<f64> {
+/// `None`: a miss by the boxes alone.
+fn decide(query: &Query, precision: Precision, d: f64) -> Option<Verdict<f64>> {
+    let round = |x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| c as f32 as f64));
     let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| c as f32));
-    match (precision, query) {
-        (Precision::F64, Query::VertexFace(q)) => ccd::vertex_face(q, 0.0),
-        (Precision::F64, Query::EdgeEdge(q)) => ccd::edge_edge(q, 0.0),
-        (Precision::F32, Query::VertexFace(q)) => {
-            let q = VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) };
-            widen(ccd::vertex_face(&q, 0.0)).unwrap_or_else(|| ccd::vertex_face(&q.widen(), 0.0))
+    let is_wide = precision == Precision::F64;
+    match *query {
+        Query::VertexFace(q) => {
+            let q = if is_wide { q } else { VertexFace { t0: round(&q.t0), t1: round(&q.t1) } };
+            if are_apart(&q.t0, &q.t1, 1, d) {
+                return None;
+            }
+            let single = VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) };
+            let decided = (!is_wide).then(|| widen(ccd::vertex_face(&single, round_up(d)), d));
+            Some(decided.flatten().unwrap_or_else(|| ccd::vertex_face(&q, d)))
         }
-        (Precision::F32, Query::EdgeEdge(q)) => {
-            let q = EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) };
-            widen(ccd::edge_edge(&q, 0.0)).unwrap_or_else(|| ccd::edge_edge(&q.widen(), 0.0))
+        Query::EdgeEdge(q) => {
+            let q = if is_wide { q } else { EdgeEdge { t0: round(&q.t0), t1: round(&q.t1) } };
+            if are_apart(&q.t0, &q.t1, 2, d) {
+                return None;
+            }
+            let single = EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) };
+            let decided = (!is_wide).then(|| widen(ccd::edge_edge(&single, round_up(d)), d));
+            Some(decided.flatten().unwrap_or_else(|| ccd::edge_edge(&q, d)))
         }
     }
 }
 
-/// `None` if undecided.
-fn widen<R: Real>(verdict: Verdict<R>) -> Option<Verdict<f64>> {
+/// Whether the boxes in which the first `n` points and the others move are farther apart than `d`
+/// along an axis. Rounded differences keep the order of exact ones, so this is exact.
+fn are_apart(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4], n: usize, d: f64) -> bool {
+    let bounds = |from: usize, to: usize, axis: usize| {
+        let of = |x: &[[f64; 3]; 4]| {
+            let all = x[from..to].iter().map(|p| p[axis]);
+            (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
+        };
+        let (a, b) = (of(t0), of(t1));
+        (a.0.min(b.0), a.1.max(b.1))
+    };
+    (0..3).any(|axis| {
+        let (a, b) = (bounds(0, n, axis), bounds(n, 4, axis));
+        b.0 - a.1 > d || a.0 - b.1 > d
+    })
+}
+
+/// The least `f32` that is no less.
+fn round_up(d: f64) -> f32 {
+    let near = d as f32;
+    if (near as f64) < d { near.next_up() } else { near }
+}
+
+/// A verdict of `f32`, about a distance that may have been rounded up; `None` if it leaves open
+/// whether features come as near as `d`.
+fn widen(verdict: Verdict<f32>, d: f64) -> Option<Verdict<f64>> {
     match verdict {
         Verdict::Miss => Some(Verdict::Miss),
-        Verdict::Hit { toi } => Some(Verdict::Hit { toi: toi.to_f64() }),
-        Verdict::Undecided { .. } => None,
+        Verdict::Hit { toi } if round_up(d) as f64 == d => Some(Verdict::Hit { toi: toi.into() }),
+        _ => None,
     }
 }

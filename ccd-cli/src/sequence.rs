@@ -1,36 +1,49 @@
 //! `ccd sequence`: a session over many frames.
 
-use super::check::{mesh_of, same_topology, step};
+use super::check::step;
+use super::frames::Frames;
 use super::output::{self, Counts, MeshSize, TimesMs};
-use super::{Failure, Outcome, StepOptions, frames, plot};
+use super::part::Part;
+use super::{Failure, Outcome, StepOptions, backend, plot, rows};
 use ccd::any::Session;
-use ccd::io::{Frame, read_frame};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[derive(Args)]
 pub struct Sequence {
-    /// Frames of one mesh (.ply or .obj), two or more: files in order, or folders and patterns,
-    /// whose files are taken by name, f2 before f10
+    /// Frames of one mesh, two or more: files in order (.ply, .obj, .off, .stl, .gltf, .glb), or
+    /// folders and patterns, whose files are taken by name, f2 before f10; or one file of
+    /// positions over time (.npy, .npz, .pc2, .mdd) and --mesh
     #[arg(required = true, value_name = "FRAMES")]
     frames: Vec<PathBuf>,
+    /// The mesh of a file of positions over time; its own positions are not used
+    #[arg(long, value_name = "MESH")]
+    mesh: Option<PathBuf>,
     /// Print a JSON object a line: one for each step as soon as it is done, then the summary
     #[arg(long, conflicts_with = "json")]
     json_lines: bool,
+    /// Do only share i of n of the steps, so that several machines do all of them; `slurm`: the
+    /// share of this task of an array (SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP), which is used in
+    /// no other way. `ccd merge` joins what --json-lines printed
+    #[arg(long, value_name = "i/n")]
+    part: Option<Part>,
     #[command(flatten)]
     pub options: StepOptions,
 }
 
-#[derive(Serialize)]
-struct Step {
-    frame: usize,
-    /// The file of the step's end.
+/// A step; `frame` is its number among all steps, from 0, and that of the frame it begins with.
+#[derive(Serialize, Deserialize)]
+pub struct Step {
+    pub frame: usize,
+    /// What the step's end is called.
     file: String,
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
+    /// Contacts at t = 0.
+    at_start: u64,
     toi: Option<f64>,
     rebuilt: bool,
     times_ms: TimesMs,
@@ -43,15 +56,36 @@ struct Json<'a> {
     adapter: Option<&'a str>,
     precision: &'static str,
     threads: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<Share>,
     steps: Vec<Step>,
     summary: Summary,
 }
 
-#[derive(Serialize)]
-struct Summary {
-    steps: usize,
-    contacts: u64,
+/// The last of the lines of JSON.
+#[derive(Serialize, Deserialize)]
+pub struct LastLine {
+    #[serde(flatten)]
+    pub summary: Summary,
+    pub mesh: MeshSize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<Share>,
+}
+
+/// Which of all steps were done.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+pub struct Share {
+    #[serde(flatten)]
+    pub part: Part,
+    pub all_steps: usize,
+}
+
+#[derive(Serialize, Deserialize)]
+pub struct Summary {
+    pub steps: usize,
+    pub contacts: u64,
     undecided: u64,
+    at_start: u64,
     free_steps: usize,
     rebuilt: usize,
     median_ms: f64,
@@ -61,49 +95,48 @@ struct Summary {
 impl Sequence {
     pub fn run(&self) -> Outcome {
         let mut file = self.options.contact_file(true)?;
-        let (frames, is_unsorted) = frames::expand(&self.frames)?;
+        let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
             eprintln!("ccd: the frames are not in the order of the numbers in their names");
         }
+        let all_steps = frames.len() - 1;
+        let share = self.part.map(|part| Share { part, all_steps });
+        let todo = self.part.map_or(0..all_steps, |part| part.steps(all_steps));
         let load_start = Instant::now();
-        let mut before: Frame = read_frame(&frames[0])?;
-        let mut session = self.options.session(mesh_of(&frames[0], &before)?)?;
+        let (mut before, mesh) = frames.first(todo.start)?;
+        let polygons = before.polygons.clone();
+        let mut session = self.options.session(mesh)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
-        let bar = output::progress(frames.len() - 1, "steps");
+        let bar = output::progress(todo.len(), "steps");
         let mut steps: Vec<Step> = Vec::new();
         let is_text = self.options.prints_text() && !self.json_lines;
         if is_text {
-            output::line("mesh", MeshSize::from(session.mesh()));
-            output::say!(
-                "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}  to",
-                "frame",
-                "vf",
-                "ee",
-                "undecided",
-                "earliest",
-                "step",
-                "trees"
-            );
+            print_head(&session, share);
         }
-        for (i, paths) in frames.windows(2).enumerate() {
+        for i in todo {
             let start = Instant::now();
-            let after = read_frame(&paths[1])?;
-            same_topology((&paths[0], &before), (&paths[1], &after))?;
+            let after = frames.next(&before, i + 1)?;
             load += start.elapsed().as_secs_f64() * 1e3;
-            step(&mut session, self.options.precision, (&paths[0], &before), (&paths[1], &after))?;
+            let [path_0, path_1] = [i, i + 1].map(|at| frames.name(at));
+            let precision = self.options.precision;
+            step(&mut session, precision, (&path_0, &before), (&path_1, &after))?;
             let report = session.report();
             let row = Step {
                 frame: i,
-                file: paths[1].display().to_string(),
+                file: path_1.display().to_string(),
                 candidates: report.candidates.into(),
                 contacts: report.n_contacts().into(),
                 undecided: report.undecided,
+                at_start: output::at_start(report),
                 toi: report.toi,
                 rebuilt: report.rebuilt,
                 times_ms: TimesMs::new(load, report),
             };
             if let Some(file) = &mut file {
-                file.write(i, &report.contacts)?;
+                let [x0, x1] = [&before, &after].map(|frame| precision.round(&frame.positions));
+                let mesh = session.mesh();
+                let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &polygons };
+                file.write(i, &report.contacts, &step)?;
             }
             if self.json_lines {
                 bar.suspend(|| output::json(&row))?;
@@ -116,16 +149,22 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
-        let ends = [&*frames[0], &*frames[frames.len() - 1]];
-        self.finish(&session, ends, steps)
+        let ends = [frames.name(0), frames.name(frames.len() - 1)];
+        self.finish(&mut session, [&ends[0], &ends[1]], steps, share)
     }
 
-    fn finish(&self, session: &Session, ends: [&Path; 2], steps: Vec<Step>) -> Outcome {
+    fn finish(
+        &self,
+        session: &mut Session,
+        ends: [&Path; 2],
+        steps: Vec<Step>,
+        part: Option<Share>,
+    ) -> Outcome {
         let summary = summarise(&steps);
+        let compilation = backend::compilation(session);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
-            let contacts: Vec<f64> =
-                steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
+            let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
             let title = output::title(&ends, &session.place());
             plot::write(path, &title, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
@@ -135,23 +174,41 @@ impl Sequence {
             let (backend, precision) = (place.backend(), self.options.precision.name());
             let (mesh, adapter, threads) =
                 (session.mesh().into(), place.adapter(), place.threads());
-            output::json(&Json { mesh, backend, adapter, precision, threads, steps, summary })?;
+            output::json(&Json {
+                mesh,
+                backend,
+                adapter,
+                precision,
+                threads,
+                part,
+                steps,
+                summary,
+            })?;
         } else if self.json_lines {
-            output::json(&summary)?;
+            output::json(&LastLine { summary, mesh: session.mesh().into(), part })?;
         } else if self.options.prints_text() {
+            output::say!("{}", sentence(&steps));
             let text = format!(
                 "{} steps, {} of them free; {} contacts, {} undecided",
                 summary.steps, summary.free_steps, summary.contacts, summary.undecided
             );
             output::line("summary", text);
+            output::explain(
+                summary.undecided,
+                summary.at_start,
+                self.options.min_distance,
+                "the start",
+            );
+            backend::print_compilation(compilation);
             let ms = output::milliseconds;
+            let text = format!("median {} a step on {place}", ms(summary.median_ms));
+            output::line("time", text);
             let text = format!(
-                "median {} a step on {place}, {} in all; trees built in {} steps",
-                ms(summary.median_ms),
+                "{} in all; trees built in {} steps",
                 ms(summary.total_ms),
                 summary.rebuilt
             );
-            output::line("time", text);
+            output::line("", text);
         }
         output::flush();
         Ok::<_, Failure>(any)
@@ -162,25 +219,73 @@ fn step_ms(s: &Step) -> f64 {
     s.times_ms.total - s.times_ms.load
 }
 
-fn summarise(steps: &[Step]) -> Summary {
+/// The first contact of all steps, for people.
+fn sentence(steps: &[Step]) -> String {
+    match steps.iter().find_map(|step| step.toi.map(|toi| (step, toi))) {
+        None => "No contact in any step.".into(),
+        Some((step, toi)) => {
+            let when = match toi {
+                0.0 => "at the start".into(),
+                _ => format!("after {}", output::percent(toi)),
+            };
+            format!("First contact {when} of step {}, to {}.", step.frame, name(step))
+        }
+    }
+}
+
+/// What a step's end is called, without its folder.
+fn name(step: &Step) -> std::borrow::Cow<'_, str> {
+    let path = std::path::Path::new(&step.file);
+    path.file_name().map_or(step.file.as_str().into(), |name| name.to_string_lossy())
+}
+
+pub fn summarise(steps: &[Step]) -> Summary {
     let mut times: Vec<f64> = steps.iter().map(step_ms).collect();
     times.sort_unstable_by(f64::total_cmp);
     Summary {
         steps: steps.len(),
-        contacts: steps.iter().map(|s| s.contacts.vf + s.contacts.ee).sum(),
+        contacts: steps.iter().map(|s| s.contacts.total()).sum(),
         undecided: steps.iter().map(|s| s.undecided).sum(),
+        at_start: steps.iter().map(|s| s.at_start).sum(),
         free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
         rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
-        median_ms: times[times.len() / 2],
+        median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),
         total_ms: times.iter().sum(),
     }
 }
 
+fn print_head(session: &Session, share: Option<Share>) {
+    output::line("mesh", MeshSize::from(session.mesh()));
+    if let Some(Share { part, all_steps }) = share {
+        let steps = part.steps(all_steps);
+        let text = match steps.is_empty() {
+            true => "no step".into(),
+            false => format!("steps {} to {}", steps.start, steps.end - 1),
+        };
+        let text = format!("{} of {}: {text} of {all_steps}", part.index, part.of);
+        output::line("part", text);
+    }
+    output::say!(
+        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  to",
+        "step",
+        "vf",
+        "ee",
+        "undec.",
+        "earliest",
+        "time",
+        "trees"
+    );
+}
+
 fn print(s: &Step) {
-    let toi = s.toi.map_or("-".into(), |t| format!("{t:.6e}"));
+    let toi = match s.toi {
+        None => "-".into(),
+        Some(0.0) => "0".into(),
+        Some(toi) => format!("{toi:.4e}"),
+    };
     let trees = if s.rebuilt { "built" } else { "refit" };
     output::say!(
-        "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}  {}",
+        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  {}",
         s.frame,
         s.contacts.vf,
         s.contacts.ee,
@@ -188,6 +293,6 @@ fn print(s: &Step) {
         toi,
         output::milliseconds(step_ms(s)),
         trees,
-        s.file
+        name(s)
     );
 }

@@ -1,50 +1,105 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
+mod rules;
+
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
-use crate::clock::milliseconds;
-use crate::step::candidates::{Given, Scene};
+use crate::clock::{Instant, milliseconds};
+use crate::step::candidates::Given;
+use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
+use crate::step::selection::Selection;
 use crate::threads::Threads;
-use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::Error;
+use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::precision::Points;
-use ccd_core::model::report::{Report, TriangleCounts};
-use ccd_core::{Coordinate, Error};
-use std::time::{Duration, Instant};
+use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
+use ccd_core::model::report::Report;
+use passes::{collect, detect, least_toi};
+use std::sync::Arc;
+
+mod changes;
+mod once;
+mod passes;
+
+pub use once::{Candidates, earliest_toi, step};
 
 /// Continuous collision detection of one mesh over many steps.
+///
+/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
+/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
+/// functions change what a session was made with; the next step finds what a new session would.
+///
+/// ```
+/// use ccd_core::model::mesh::Mesh;
+/// use ccd_core::model::options::Options;
+/// use ccd_cpu::Session;
+/// use std::sync::Arc;
+///
+/// // Many sessions share one mesh.
+/// let mesh = Arc::new(Mesh::new(4, &[[0, 1, 2]])?);
+/// let mut sessions = Vec::new();
+/// for _ in 0..100 {
+///     sessions.push(Session::new(mesh.clone(), Options::default())?);
+/// }
+/// let before = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
+/// let mut after = before;
+/// after[3][1] = -1.0;
+/// for session in &mut sessions {
+///     let report = session.step(&before, &after)?;
+///     // The report has the mesh that its ids refer to, while it borrows the session.
+///     let contact = report.contacts[0];
+///     assert_eq!(report.mesh().faces()[contact.b as usize], [0, 1, 2]);
+/// }
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Session {
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     options: Options,
     threads: Threads,
     prepared: Prepared,
+    selection: Selection,
     method: Method,
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
     runs: [Vec<Run>; 2],
     order: ContactOrder,
+    codimensional: Option<Box<Codimensional>>,
     report: Report,
+    gathered: Gathered,
 }
 
 impl Session {
-    /// A session for `mesh`.
-    pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
+    /// A session for `mesh`: a [`Mesh`], a reference to one, which is copied, or an `Arc` of one,
+    /// which is shared.
+    ///
+    /// # Errors
+    /// What [`Options::check`] refuses; [`Error::Method`] for what a CPU does not have;
+    /// [`Error::Threads`].
+    pub fn new(mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, Error> {
+        Self::of(mesh.into(), options)
+    }
+
+    #[inline(never)]
+    fn of(mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         let method = Method::new(options.broad_phase, options.scheduling)?;
-        if let Some(name) = options.pipeline.lacking("cpu") {
-            return Err(Error::Method { name, backend: "cpu" });
-        }
+        check_pipeline(&options)?;
         let threads = Threads::new(options.threads)?;
+        let selection = Selection::new(&options)?;
+        let mut prepared = Prepared::new(&mesh, &options);
+        prepared.set_rules(&mesh, selection.rules.as_ref());
         Ok(Self {
-            prepared: Prepared::new(&mesh, &options),
+            codimensional: threads.enter(|| Codimensional::new(&mesh, &options))?,
+            prepared,
+            selection,
             mesh,
             options,
             threads,
@@ -54,11 +109,12 @@ impl Session {
             runs: Default::default(),
             order: ContactOrder::default(),
             report: Report::default(),
+            gathered: Gathered::default(),
         })
     }
 
-    /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
@@ -99,8 +155,44 @@ impl Session {
     /// vertex of the mesh.
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
-    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), false)?;
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
+    /// their type says; [`Error::FixedMoves`]; [`Error::CrowdedCells`] and [`Error::TooMany`] where
+    /// a method was chosen that has such limits. The session stays as it was.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, false)?;
+        Ok(&self.report)
+    }
+
+    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
+    ///
+    /// # Errors
+    /// Those of [`Session::step_window`].
+    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
+    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes are swept
+    /// for the window alone.
+    ///
+    /// # Errors
+    /// [`Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of [`Session::step`].
+    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), window, false)?;
         Ok(&self.report)
     }
 
@@ -108,39 +200,100 @@ impl Session {
     /// [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Option<f64>, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), true)?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, true)?;
         Ok(self.report.toi)
+    }
+
+    /// How much of the step is certainly free of contact: 1 if all of it is, else
+    /// [`Session::earliest_toi`], which may be 0.
+    ///
+    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
+    /// and separate that they neither come nearer than at the start nor touch again. At the time
+    /// itself there may be contact: what keeps some distance goes by
+    /// [`scaled_toi`](ccd_core::model::toi::scaled_toi) of it.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Candidates<'_>, Error> {
-        self.list(T::slices::<Points, 2>([x0, x1]))?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates<'_>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.list(ends(x0, x1))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        Ok(Candidates { vf, ee })
+        let [ve, vv] = match &self.codimensional {
+            Some(of) => of.pairs.each_ref().map(Vec::as_slice),
+            None => [&[][..]; 2],
+        };
+        Ok(Candidates { vf, ee, ve, vv })
     }
 
     /// Lists candidates.
     #[inline(never)]
-    fn list(&mut self, given: Given) -> Result<(), Error> {
-        let x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, listers, runs, .. } = self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+    fn list(&mut self, ends: Ends) -> Result<(), Error> {
+        self.gather(ends, |this, given| this.list_given(given))
+    }
+
+    /// Finds contacts in a window of the step, or only the earliest time of impact.
+    #[inline(never)]
+    fn run(&mut self, ends: Ends, window: [f64; 2], earliest: bool) -> Result<(), Error> {
+        self.gather(ends, |this, given| this.run_given(given, window, earliest))
+    }
+
+    /// Works on positions as slices.
+    fn gather(
+        &mut self,
+        ends: Ends,
+        work: impl FnOnce(&mut Self, Given) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut gathered = std::mem::take(&mut self.gathered);
+        let done = gathered.slices(ends).and_then(|given| work(self, given));
+        self.gathered = gathered;
+        done
+    }
+
+    fn list_given(&mut self, given: Given) -> Result<(), Error> {
+        let x = Positions::new(&self.mesh, given, WHOLE)?;
+        let Self {
+            mesh,
+            options,
+            threads,
+            prepared,
+            selection,
+            method,
+            listers,
+            runs,
+            codimensional,
+            ..
+        } = self;
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, &x, false);
+            prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
+            let scene = prepared.scene(mesh, options, selection, &x, WHOLE, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -155,23 +308,36 @@ impl Session {
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
             }
-            Ok(())
+            match codimensional {
+                Some(of) => of.list(threads, mesh, (options, selection), x.given),
+                None => Ok(()),
+            }
         })
     }
 
-    /// Finds contacts, or only the earliest time of impact.
-    #[inline(never)]
-    fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
-        let mut x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, method, workers, order, report, .. } = self;
-        let (threads, mesh, options) = (&*threads, &*mesh, &*options);
+    fn run_given(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
+        let mut x = Positions::new(&self.mesh, given, window)?;
+        let Self {
+            mesh,
+            options,
+            threads,
+            prepared,
+            method,
+            workers,
+            order,
+            codimensional,
+            report,
+            ..
+        } = self;
+        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
         threads.enter(|| {
             let start = Instant::now();
             workers.resize_with(threads.count(), Worker::default);
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            prepare(threads, prepared, method, mesh, options, &x, report)?;
+            report.set_mesh(mesh);
+            prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
                 // boxes for that time are worth it if there are many candidates.
@@ -179,7 +345,7 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, &x, false),
+                    &prepared.scene(mesh, options, selection, &x, window, false),
                     SAMPLE,
                     workers,
                     report,
@@ -189,15 +355,15 @@ impl Session {
                     && report.candidates.total() * SAMPLE as u64
                         > CANDIDATES_PER_FEATURE * n_features as u64
                 {
-                    x.until = bound;
-                    prepare(threads, prepared, method, mesh, options, &x, report)?;
+                    (x.until, x.again) = (bound, true);
+                    prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                 }
             }
             detect(
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, &x, !earliest),
+                &prepared.scene(mesh, options, selection, &x, window, !earliest),
                 1,
                 workers,
                 report,
@@ -205,6 +371,15 @@ impl Session {
             collect(workers, report);
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
+            if let Some(of) = codimensional {
+                of.list(threads, mesh, (options, selection), x.given)?;
+                let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+                (report.candidates.ve, report.candidates.vv) = (ve, vv);
+                (report.filtered.ve, report.filtered.vv) = (ve, vv);
+                for contact in of.decide(threads, mesh, &options.search(window), x.given) {
+                    report.add(contact, !earliest);
+                }
+            }
             report.times.narrow += milliseconds(joined);
             report.front = method.front();
             report.times.total = milliseconds(start);
@@ -213,37 +388,16 @@ impl Session {
     }
 }
 
-/// Candidates of a step; see [`Session::candidates`].
-#[derive(Clone, Copy, Debug)]
-pub struct Candidates<'a> {
-    /// Vertex, face.
-    pub vf: Pairs<'a>,
-    /// Two edges, the lesser id first.
-    pub ee: Pairs<'a>,
+/// Refuses a pipeline that a CPU does not have.
+fn check_pipeline(options: &Options) -> Result<(), Error> {
+    match options.pipeline.lacking("cpu") {
+        Some(name) => Err(Error::Method { name, backend: "cpu" }),
+        None => Ok(()),
+    }
 }
 
-/// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Coordinate>(
-    mesh: &Mesh,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    options: &Options,
-) -> Result<Report, Error> {
-    let mut session = Session::new(mesh.clone(), options.clone())?;
-    session.step(x0, x1)?;
-    Ok(session.into_report())
-}
-
-/// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Coordinate>(
-    mesh: &Mesh,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    options: &Options,
-) -> Result<Option<f64>, Error> {
-    Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
-}
-
+/// All times of a step.
+const WHOLE: [f64; 2] = [0.0, 1.0];
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
 /// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
@@ -256,7 +410,7 @@ fn prepare(
     prepared: &mut Prepared,
     method: &mut Method,
     mesh: &Mesh,
-    options: &Options,
+    (options, selection): (&Options, &Selection),
     x: &Positions,
     report: &mut Report,
 ) -> Result<(), Error> {
@@ -264,70 +418,8 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
-    report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
+    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
+    report.rebuilt = rebuilt || (report.rebuilt && x.again);
     report.times.build += milliseconds(start);
     Ok(())
-}
-
-/// The least time of impact that any worker found.
-fn least_toi(workers: &[Worker]) -> Option<f64> {
-    workers.iter().filter_map(|w| w.toi).reduce(f64::min)
-}
-
-/// Finds and decides all candidates, or those of every `part`-th task.
-fn detect(
-    threads: &Threads,
-    method: &mut Method,
-    prepared: &Prepared,
-    scene: &Scene,
-    part: usize,
-    workers: &mut [Worker],
-    report: &mut Report,
-) {
-    let start = Instant::now();
-    let narrow = |workers: &[Worker]| workers.iter().map(|w| w.narrow).sum::<Duration>();
-    let before = narrow(workers);
-    // If a sample came before, the last pass counts.
-    workers.iter_mut().for_each(Worker::restart_counts);
-    if prepared.triangles.is_some() {
-        expand(None, threads, method, prepared, scene, part, workers);
-    } else {
-        find(Kind::VertexFace, threads, method, prepared, scene, part, workers);
-        find(Kind::EdgeEdge, threads, method, prepared, scene, part, workers);
-    }
-    count(workers, report, prepared.triangles.is_some());
-    let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
-    report.times.narrow += narrow;
-    report.times.traverse += (milliseconds(start) - narrow).max(0.0);
-}
-
-/// Adds up what the workers counted.
-fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
-    let (mut candidates, mut filtered) = (PerKind::default(), PerKind::default());
-    let mut counts = TriangleCounts::default();
-    for worker in workers {
-        candidates = candidates.plus(worker.candidates);
-        filtered = filtered.plus(worker.filtered);
-        counts = counts.plus(worker.triangles);
-    }
-    (report.candidates, report.filtered) = (candidates, filtered);
-    report.triangles = triangles.then_some(counts);
-}
-
-/// Joins the workers' contacts.
-fn collect(workers: &mut [Worker], report: &mut Report) {
-    let start = Instant::now();
-    let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
-    report.contacts.reserve(total);
-    for worker in workers.iter_mut() {
-        report.contacts.extend_from_slice(&worker.contacts);
-        // Whichever worker finds them next time, there is room.
-        worker.contacts.clear();
-        worker.contacts.reserve(total + total / 8);
-    }
-    report.toi = least_toi(workers);
-    report.undecided =
-        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
-    report.times.narrow += milliseconds(start);
 }

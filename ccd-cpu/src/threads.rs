@@ -10,6 +10,9 @@ use rayon::prelude::*;
 #[repr(align(128))]
 pub struct Own<T>(pub T);
 
+/// Whether there can be no thread but the calling one: on WebAssembly without shared memory.
+const ALONE: bool = cfg!(all(target_family = "wasm", not(target_feature = "atomics")));
+
 /// A number of threads and the pool that has them.
 #[derive(Debug)]
 pub struct Threads {
@@ -19,9 +22,11 @@ pub struct Threads {
 
 impl Threads {
     /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
-    /// calling thread, with no pool at all.
+    /// calling thread, with no pool at all, and so does 0 where threads cannot be.
     pub fn new(count: usize) -> Result<Self, Error> {
         match count {
+            0 if ALONE => Ok(Self { pool: None, count: 1 }),
+            2.. if ALONE => Err(Error::Threads { count, limit: 1 }),
             0 => Ok(Self { pool: None, count: rayon::current_num_threads() }),
             1 => Ok(Self { pool: None, count: 1 }),
             _ => {

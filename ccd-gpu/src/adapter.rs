@@ -13,16 +13,30 @@ pub enum Path {
 }
 
 /// What is wanted of a device.
+///
+/// ```
+/// use ccd_gpu::{DeviceOptions, Path};
+///
+/// let mut options = DeviceOptions::default();
+/// options.adapter = Some("llvmpipe".into());
+/// options.path = Some(Path::Wgsl);
+/// # assert_ne!(options, DeviceOptions::default());
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
-    /// A part of the adapter's name, in any case; `None`: the one that wgpu prefers, and the
-    /// environment variable `CCD_ADAPTER` if it is set.
+    /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0`), or a
+    /// part of its name, in any case; `None`: the one that wgpu prefers, and the environment
+    /// variable `CCD_ADAPTER` if it is set.
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,
     /// Leave `f64` unused even where the device has it: what `f32` cannot decide is then decided on
     /// the CPU.
     pub narrow: bool,
+    /// A folder in which compiled kernels are kept for the next process, of this user alone;
+    /// `None`: they are compiled on first use. Vulkan alone has something to keep; a folder that
+    /// cannot be read or written is no error.
+    pub kernel_folder: Option<std::path::PathBuf>,
 }
 
 /// What a device is and how it is used.
@@ -49,7 +63,11 @@ impl fmt::Display for Info {
             Path::Passthrough => "SPIR-V passthrough",
             Path::Wgsl => "WGSL through naga",
         };
-        writeln!(f, "adapter     {} ({:?})", a.name, a.device_type)?;
+        let pci = match a.device_pci_bus_id.as_str() {
+            "" => String::new(),
+            id => format!(", PCI {id}"),
+        };
+        writeln!(f, "adapter     {} ({:?}{pci})", a.name, a.device_type)?;
         writeln!(f, "backend     {}, driver {} {}", a.backend, a.driver, a.driver_info)?;
         writeln!(f, "shaders     {path}: {}", self.why)?;
         writeln!(
@@ -67,7 +85,7 @@ impl fmt::Display for Info {
         )?;
         write!(
             f,
-            "            {} storage buffers a kernel, {} bytes of workgroup memory, \
+            "            {} storage buffers a kernel, {} bytes of workgroup memory,\n            \
              {} threads a workgroup, {} workgroups a dimension",
             l.max_storage_buffers_per_shader_stage,
             l.max_compute_workgroup_storage_size,
@@ -79,7 +97,7 @@ impl fmt::Display for Info {
 
 /// Features that are used where they are there.
 pub fn wanted_features(options: &DeviceOptions) -> wgpu::Features {
-    let mut wanted = wgpu::Features::TIMESTAMP_QUERY;
+    let mut wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::PIPELINE_CACHE;
     if options.path != Some(Path::Wgsl) {
         wanted |= wgpu::Features::PASSTHROUGH_SHADERS;
     }
@@ -134,11 +152,61 @@ pub async fn choose(
             .await
             .map_err(|e| Error::Unavailable { why: e.to_string() });
     };
-    let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
-    let names: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
-    let found =
-        all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
-    found.ok_or_else(|| Error::Unavailable {
-        why: format!("no adapter is named like \"{wanted}\"; there are: {}", names.join(", ")),
-    })
+    let mut all = instance.enumerate_adapters(wgpu::Backends::all()).await;
+    let infos: Vec<wgpu::AdapterInfo> = all.iter().map(|a| a.get_info()).collect();
+    match find(&infos, &wanted) {
+        Some(at) => Ok(all.swap_remove(at)),
+        None => {
+            let names: Vec<&str> = infos.iter().map(|a| a.name.as_str()).collect();
+            let names = names.join(", ");
+            let why = format!(
+                "no adapter has the number, the PCI id or the name \"{wanted}\"; there are: {names}"
+            );
+            Err(Error::Unavailable { why })
+        }
+    }
+}
+
+/// The adapter that `wanted` means: by its number, by its PCI id, by a part of its name.
+fn find(all: &[wgpu::AdapterInfo], wanted: &str) -> Option<usize> {
+    let number = wanted.parse().ok().filter(|&at: &usize| at < all.len());
+    let pci = |a: &wgpu::AdapterInfo| {
+        let id = &a.device_pci_bus_id;
+        !id.is_empty() && (id.eq_ignore_ascii_case(wanted) || id.get(5..) == Some(wanted))
+    };
+    let name = |a: &wgpu::AdapterInfo| a.name.to_lowercase().contains(&wanted.to_lowercase());
+    number.or_else(|| all.iter().position(pci)).or_else(|| all.iter().position(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn adapters_of_one_name_are_told_apart() {
+        let adapter = |name: &str, pci: &str| {
+            let mut a =
+                wgpu::AdapterInfo::new(wgpu::DeviceType::DiscreteGpu, wgpu::Backend::Vulkan);
+            (a.name, a.device_pci_bus_id) = (name.into(), pci.into());
+            a
+        };
+        let all = [
+            adapter("NVIDIA H200", "0000:3b:00.0"),
+            adapter("NVIDIA H200", "0000:AF:00.0"),
+            adapter("llvmpipe 7", ""),
+        ];
+        for (wanted, want) in [
+            ("h200", Some(0)),
+            ("1", Some(1)),
+            ("2", Some(2)),
+            ("0000:af:00.0", Some(1)),
+            ("3b:00.0", Some(0)),
+            ("7", Some(2)),
+            ("3", None),
+            ("0000:af", None),
+            ("LLVM", Some(2)),
+        ] {
+            assert_eq!(find(&all, wanted), want, "{wanted}");
+        }
+    }
 }

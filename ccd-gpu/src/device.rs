@@ -3,12 +3,22 @@
 
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
-use crate::pipeline::Pipeline;
+use crate::kernel_cache::KernelFile;
+use crate::pipeline::{self, Pipeline};
 use ccd_core::kernel::{Id, TABLE};
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock};
+use std::time::{Duration, Instant};
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// println!("{}", device.info());
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 #[derive(Clone)]
 pub struct Device {
     inner: Arc<Inner>,
@@ -20,6 +30,42 @@ struct Inner {
     info: Info,
     lost: Arc<Mutex<Option<String>>>,
     pipelines: Vec<OnceLock<Pipeline>>,
+    cache: Option<Cache>,
+    compilation: Mutex<Compilation>,
+}
+
+/// Compiled kernels that are kept on disk.
+struct Cache {
+    file: KernelFile,
+    kernels: wgpu::PipelineCache,
+    /// What was read of them.
+    stored: Option<Vec<u8>>,
+}
+
+/// What the kernels that a device has used so far took to compile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Compilation {
+    /// How many.
+    pub kernels: usize,
+    /// The time of all of them, one after the other.
+    pub time: Duration,
+    /// Whether there was a file of kernels that an earlier process had compiled.
+    pub kept: bool,
+}
+
+/// Keeps what was compiled for the next process.
+impl Drop for Inner {
+    fn drop(&mut self) {
+        let any = self.compilation.get_mut().is_ok_and(|done| done.kernels > 0);
+        let Some(Cache { file, kernels, stored }) = self.cache.as_ref().filter(|_| any) else {
+            return;
+        };
+        if let Some(data) = kernels.get_data().filter(|data| Some(data) != stored.as_ref()) {
+            // Without it the next process compiles.
+            let _ = file.write(&data);
+        }
+    }
 }
 
 impl fmt::Debug for Device {
@@ -39,6 +85,9 @@ impl Device {
     }
 
     /// Opens a device. Blocks until it is there.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with what was looked for and what there is; what the device refuses.
     pub fn open(options: &DeviceOptions) -> Result<Self, Error> {
         pollster::block_on(Self::open_async(options))
     }
@@ -89,6 +138,10 @@ impl Device {
 
     /// Uses a device that an application owns; see [`Device::features`]. The application keeps its
     /// callbacks for errors and for the loss of the device.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] for a device through OpenGL, one with less than the limits of WebGPU,
+    /// or a path that it does not have.
     pub fn from_wgpu(
         device: wgpu::Device,
         queue: wgpu::Queue,
@@ -128,7 +181,23 @@ impl Device {
             limits,
         };
         let pipelines = TABLE.iter().map(|_| OnceLock::new()).collect();
-        Ok(Self { inner: Arc::new(Inner { device, queue, info, lost: Arc::default(), pipelines }) })
+        let folder = options.kernel_folder.as_ref();
+        let folder = folder.filter(|_| features.contains(wgpu::Features::PIPELINE_CACHE));
+        let file = folder.and_then(|folder| KernelFile::of(folder, &info.adapter));
+        let cache = file.map(|file| {
+            let stored = file.read();
+            Cache { kernels: pipeline::cache(&device, stored.as_deref()), stored, file }
+        });
+        let kept = cache.as_ref().is_some_and(|cache| cache.stored.is_some());
+        let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
+        let lost = Arc::default();
+        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation };
+        Ok(Self { inner: Arc::new(inner) })
+    }
+
+    /// What compiling kernels took so far; each is compiled when it is first used.
+    pub fn compilation(&self) -> Compilation {
+        *self.inner.compilation.lock().unwrap_or_else(|e| e.into_inner())
     }
 
     /// What the device is and how it is used.
@@ -178,6 +247,9 @@ impl Device {
     }
 
     /// Whether kernels may pass data from one workgroup to another inside a dispatch, or why not.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with the reason.
     pub fn check_native(&self) -> Result<(), Error> {
         let info = self.info();
         match info.path {
@@ -229,11 +301,32 @@ impl Device {
         self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor))
     }
 
+    /// A buffer that was made for the same purpose, if it is there and large enough; else a new
+    /// one.
+    pub(crate) fn buffer_or(
+        &self,
+        old: Option<&wgpu::Buffer>,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, Error> {
+        match old {
+            Some(old) if old.size() >= bytes && old.usage().contains(usage) => Ok(old.clone()),
+            _ => self.buffer(what, bytes, usage),
+        }
+    }
+
     /// The pipeline of a kernel, compiled on first use.
     pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
         self.inner.pipelines[id as usize].get_or_init(|| {
-            let Inner { device, info, .. } = &*self.inner;
-            Pipeline::compile(device, info.path, id)
+            let Inner { device, info, cache, compilation, .. } = &*self.inner;
+            let start = Instant::now();
+            let cache = cache.as_ref().map(|cache| &cache.kernels);
+            let pipeline = Pipeline::compile(device, info.path, id, cache);
+            let mut done = compilation.lock().unwrap_or_else(|e| e.into_inner());
+            done.kernels += 1;
+            done.time += start.elapsed();
+            pipeline
         })
     }
 }

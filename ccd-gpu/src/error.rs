@@ -22,15 +22,15 @@ pub enum Error {
          an application writes on the device: turn cones off"
     )]
     PathsUnseen,
+    /// A mesh has particles whose contacts a device alone does not find.
+    #[error(
+        "contacts of vertices of no edge with each other and with edges of no face are decided on \
+         the host, which does not see the paths that an application writes on the device"
+    )]
+    Codimensional,
     /// Geometry of contacts was asked for where the last call left no list of them on the device.
     #[error("there are no contacts on the device: call `step`, or `record`, before")]
     NoContacts,
-    /// A scheduler or a front was chosen for blocks.
-    #[error("{name} is there for trees with the traversal cut, for blocks frontier alone")]
-    OfTrees {
-        /// What was chosen.
-        name: &'static str,
-    },
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {

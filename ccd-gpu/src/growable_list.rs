@@ -93,6 +93,28 @@ impl List {
         Self::new(device, self.what, self.words, room)
     }
 
+    /// A list with room for `room`: one that was made for the same purpose, if it is there and has
+    /// as much, else a new one.
+    pub fn reusing(
+        device: &Device,
+        old: Option<&Self>,
+        what: &'static str,
+        words: u32,
+        room: u32,
+    ) -> Result<Self, Error> {
+        match old {
+            Some(old) if old.room >= room && old.words == words => Ok(old.clone()),
+            _ => Self::new(device, what, words, room),
+        }
+    }
+
+    /// Takes the place of a list for the same purpose that has less room.
+    pub fn replace_shorter(&self, other: &mut Self) {
+        if other.what == self.what && other.words == self.words && other.room < self.room {
+            *other = self.clone();
+        }
+    }
+
     /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns
     /// whether it did.
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {

@@ -14,6 +14,9 @@ use wgpu::BufferUsages as U;
 /// Lengths are multiples of 4. `fold`: workgroups of a row of the grid, at most; a larger number of
 /// workgroups is folded into rows, as it is for more than 65,535. A native kernel is refused on a
 /// device that is used through WGSL.
+///
+/// # Errors
+/// [`Error::Unavailable`] for a native kernel through WGSL; what the device refuses.
 pub fn run<K: Bind<Vec<u8>>>(
     device: &Device,
     kernel: &mut K,

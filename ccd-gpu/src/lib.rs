@@ -11,6 +11,7 @@
 //! | `session.rs`, `broad_phase/mod.rs` | what callers have: a mesh over many steps; boxes alone |
 //! | `adapter.rs`, `device.rs`, `error.rs` | which GPU and how it is used, failures |
 //! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
+//! | `kernel_cache.rs` | compiled kernels on disk |
 //! | `recorder.rs` | dispatches, bind groups, times |
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
@@ -19,7 +20,7 @@
 //! | `harness.rs` | one kernel by itself, for tests |
 //!
 //! With `RUST_LOG` and a logger, wgpu says what it does. The environment variable `CCD_ADAPTER`
-//! chooses an adapter by a part of its name.
+//! chooses an adapter by its number, its PCI id or a part of its name.
 #![deny(unsafe_code)]
 
 mod adapter;
@@ -29,6 +30,7 @@ mod device;
 mod error;
 mod growable_list;
 pub mod harness;
+mod kernel_cache;
 mod pipeline;
 mod readback;
 mod recorder;
@@ -41,7 +43,7 @@ pub use adapter::{DeviceOptions, Info, Path};
 pub use broad_phase::BroadPhase;
 pub use broad_phase::method::check_scheduling;
 pub use broad_phase::worker_counts::WorkerCounts;
-pub use device::Device;
+pub use device::{Compilation, Device};
 pub use error::Error;
 pub use growable_list::List;
 pub use recorder::Timing;

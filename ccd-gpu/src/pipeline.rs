@@ -11,8 +11,13 @@ pub struct Pipeline {
 }
 
 impl Pipeline {
-    /// Compiles a kernel, through one of the paths for shaders.
-    pub fn compile(device: &wgpu::Device, path: Path, id: Id) -> Self {
+    /// Compiles a kernel, through one of the paths for shaders, or takes it from the cache.
+    pub fn compile(
+        device: &wgpu::Device,
+        path: Path,
+        id: Id,
+        cache: Option<&wgpu::PipelineCache>,
+    ) -> Self {
         let row = id.row();
         let module = module(id);
         let shader = match path {
@@ -70,9 +75,22 @@ impl Pipeline {
                 zero_initialize_workgroup_memory: false,
                 ..Default::default()
             },
-            cache: None,
+            cache,
         });
         Self { pipeline, layout }
+    }
+}
+
+/// A cache of compiled kernels with what a driver gave before, or an empty one.
+pub fn cache(device: &wgpu::Device, stored: Option<&[u8]>) -> wgpu::PipelineCache {
+    let descriptor =
+        wgpu::PipelineCacheDescriptor { label: Some("ccd"), data: stored, fallback: true };
+    // SAFETY: the data are what `PipelineCache::get_data` gave for such an adapter and driver,
+    // whole and unchanged: `KernelFile::read` has compared length and digest. wgpu compares device
+    // and driver once more.
+    #[allow(unsafe_code, reason = "wgpu does not check what drivers keep")]
+    unsafe {
+        device.create_pipeline_cache(&descriptor)
     }
 }
 

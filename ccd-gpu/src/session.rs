@@ -1,33 +1,55 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
-use crate::broad_phase::method;
-use crate::broad_phase::pair_source::PairSource;
 use crate::broad_phase::worker_counts::WorkerCounts;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Timing;
+use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
-use crate::step::{Goal, cpu_fallback};
-use ccd_core::Coordinate;
+use crate::step::{Goal, WHOLE, cpu_fallback};
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Kind, PerKind};
+use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::precision::{Given, Points, Precision};
+use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
+use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::narrow_phase::decide;
+use std::sync::Arc;
 use std::time::Instant;
 
+mod changes;
+mod rules;
+
 /// Continuous collision detection of one mesh over many steps, on a GPU.
+///
+/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
+/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
+/// functions change what a session was made with; the next step finds what a new session would.
+///
+/// ```no_run
+/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_gpu::{Device, DeviceOptions, Session};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
+/// let mut session = Session::new(&device, mesh, Options::default())?;
+/// let report = session.step(&[[0.0f32; 3]; 4], &[[1.0; 3]; 4])?;
+/// println!("{} contacts of {:?}", report.contacts.len(), report.mesh());
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 pub struct Session {
     device: Device,
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     options: Options,
     frames: Frames,
+    codimensional: Option<Codimensional>,
     report: Report,
     left_open: PerKind,
+    gathered: Gathered,
 }
 
 /// Results where a device has them, for work that goes on there. Valid until the session's next
@@ -64,41 +86,61 @@ pub struct GeometryOnDevice<'a> {
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Candidates {
     /// Vertex, face.
     pub vf: Vec<Pair>,
     /// Two edges, the lesser id first.
     pub ee: Vec<Pair>,
+    /// A vertex of no edge, an edge of no face.
+    pub ve: Vec<Pair>,
+    /// Two vertices of no edge, the lesser id first.
+    pub vv: Vec<Pair>,
 }
 
 impl Session {
-    /// A session for `mesh` on `device`.
-    pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
-        options.check(&mesh)?;
-        method::check(options.broad_phase)?;
-        method::check_scheduling(options.broad_phase, options.scheduling)?;
-        if let Some(name) = options.pipeline.lacking("gpu") {
-            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
-        }
+    /// A session for `mesh` on `device`: a [`Mesh`], a reference to one, which is copied, or an
+    /// `Arc` of one, which is shared.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with what [`Options::check`] refuses or a GPU does not have;
+    /// what the device refuses.
+    pub fn new(
+        device: &Device,
+        mesh: impl Into<Arc<Mesh>>,
+        options: Options,
+    ) -> Result<Self, Error> {
+        Self::of(device, mesh.into(), options)
+    }
+
+    #[inline(never)]
+    fn of(device: &Device, mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
+        changes::check(&mesh, &options)?;
         Ok(Self {
             frames: Frames::new(device, &mesh, &options)?,
+            codimensional: Codimensional::new(device, &mesh, &options)?,
             device: device.clone(),
             mesh,
             options,
             report: Report::default(),
             left_open: PerKind::default(),
+            gathered: Gathered::default(),
         })
     }
 
     /// Goes on with another device, after the last one was lost.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
         self.frames.move_to(device, &self.mesh, &self.options)?;
+        self.codimensional = Codimensional::new(device, &self.mesh, &self.options)?;
         self.device = device.clone();
         Ok(())
     }
 
-    /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 
@@ -119,6 +161,9 @@ impl Session {
     }
 
     /// What each call times on the device from now on.
+    ///
+    /// # Errors
+    /// What the device refuses. Where it has no timestamps, nothing is timed.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.frames.bench.set_timing(timing)
     }
@@ -131,6 +176,9 @@ impl Session {
 
     /// What each worker did in the last call, those of one kind of pairs after those of the other;
     /// empty where the scheduler has no workers.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
         self.frames.worker_counts(&self.device)
     }
@@ -147,63 +195,136 @@ impl Session {
 
     /// Makes room for so many entries in every list, more or less than there is: less makes the
     /// next step grow them, more spares it that.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
     pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
         self.frames.reserve(&self.device, entries)
     }
 
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
-    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Contacts)?;
+    ///
+    /// # Errors
+    /// [`Error::Input`] with what is wrong with positions; what the device refuses. The session
+    /// stays usable, after [`Error::Lost`] on another device.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, Goal::Contacts)?;
+        Ok(&self.report)
+    }
+
+    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
+    ///
+    /// # Errors
+    /// Those of [`Session::step_window`].
+    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
+    /// impact in units of the whole step: the first such time at or after `t_a`. Paths are cut to
+    /// the window, and boxes swept for it alone.
+    ///
+    /// # Errors
+    /// [`ccd_core::Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of
+    /// [`Session::step`].
+    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), window, Goal::Contacts)?;
         Ok(&self.report)
     }
 
     /// The earliest time of impact of the step, without the list of contacts: cheaper than
     /// [`Session::step`]. `None`: the whole step is free.
     ///
-    /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Option<f64>, Error> {
-        let goal = self.frames.goal_of_earliest();
-        self.run(T::slices::<Points, 2>([x0, x1]), goal)?;
+    /// It is not later than the earliest contact, and rounded down to an `f32`; with a tolerance
+    /// below 1e-7, which an `f32` cannot keep, it is not rounded, and costs as much as
+    /// [`Session::step`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        let exact = self.options.tolerance < 1e-7;
+        let goal = if exact { Goal::Contacts } else { self.frames.goal_of_earliest() };
+        self.run(ends(x0, x1), WHOLE, goal)?;
+        if exact {
+            self.report.contacts.clear();
+            self.report.undecided = 0;
+        }
         Ok(self.report.toi)
+    }
+
+    /// How much of the step is certainly free of contact: 1 if all of it is, else
+    /// [`Session::earliest_toi`], which may be 0.
+    ///
+    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
+    /// and separate that they neither come nearer than at the start nor touch again.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Candidates, Error> {
-        self.list(T::slices::<Points, 2>([x0, x1]))
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.list(ends(x0, x1))
     }
 
     /// Lists candidates.
     #[inline(never)]
-    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.run(given, Goal::Candidates)?;
+    fn list(&mut self, ends: Ends) -> Result<Candidates, Error> {
+        self.run(ends, WHOLE, Goal::Candidates)?;
         let [vf, ee] = self.frames.read_candidates(&self.device, self.report.candidates)?;
-        Ok(Candidates { vf, ee })
+        let [ve, vv] =
+            self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
+        Ok(Candidates { vf, ee, ve, vv })
     }
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
-    pub fn candidates_on_device<T: Coordinate>(
-        &mut self,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<[&List; 2], Error> {
-        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Candidates)?;
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates_on_device<A, B>(&mut self, x0: &A, x1: &B) -> Result<[&List; 2], Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, Goal::Candidates)?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
     }
 
     /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per
-    /// vertex. May be written by copies and by kernels.
+    /// vertex. May be written by copies and by kernels. Another mesh may bring another buffer.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.frames.buffers.positions.paths
     }
@@ -213,8 +334,17 @@ impl Session {
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
     /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
-    /// are certified from positions on the host.
+    /// are certified from positions on the host, and for meshes with vertices of no edge that could
+    /// touch each other or an edge of no face, which are decided there. Whether what is
+    /// fixed moves is not seen.
+    ///
+    /// # Errors
+    /// [`Error::PathsUnseen`] with normal cones, [`Error::Codimensional`] for such meshes; what the
+    /// device refuses.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
+        if self.codimensional.is_some() {
+            return Err(Error::Codimensional);
+        }
         let b = self.frames.record(&self.device, &self.options, encoder)?;
         Ok(OnDevice {
             contacts: &b.contacts,
@@ -247,11 +377,26 @@ impl Session {
     }
 
     #[inline(never)]
-    fn run(&mut self, given: Given, goal: Goal) -> Result<(), Error> {
+    fn run(&mut self, ends: Ends, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+        let mut gathered = std::mem::take(&mut self.gathered);
+        let given = gathered.slices(ends).map_err(Error::from);
+        let done = given.and_then(|given| self.run_given(given, window, goal));
+        self.gathered = gathered;
+        done
+    }
+
+    fn run_given(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+        check_window(window)?;
         match given {
             Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
             Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
         }?;
+        if let Some(rules) = &self.frames.buffers.rules {
+            match given {
+                Precision::F32([x0, x1]) => rules.check_still(x0, x1),
+                Precision::F64([x0, x1]) => rules.check_still(x0, x1),
+            }?;
+        }
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
@@ -259,30 +404,33 @@ impl Session {
         contacts.clear();
         self.report = Report::default();
         self.report.contacts = contacts;
+        self.report.set_mesh(&self.mesh);
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;
-        let found = self.frames.run(&self.device, &self.options, goal, contacts)?;
+        let found = self.frames.run(&self.device, &self.options, (goal, window), contacts)?;
         self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        self.take(found, goal, given);
+        self.take(found, (goal, window), given);
+        self.take_codimensional((goal, window), given)?;
         self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take(&mut self, found: Found, goal: Goal, given: Given) {
+    fn take(&mut self, found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
+        let search = &self.options.search(window);
         let report = &mut self.report;
         self.left_open = PerKind::new(found.open[0].len() as u64, found.open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
-        report.front = self.frames.buffers.source.listed().and_then(PairSource::front);
+        report.front = self.frames.buffers.source.front();
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            let (mesh, distance) = (&self.mesh, self.options.min_distance);
+            let mesh = &self.mesh;
             match given {
-                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
-                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
+                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
             }
         }
         (report.toi, report.undecided) = cpu_fallback::summary(contacts);
@@ -299,5 +447,25 @@ impl Session {
         if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
             cpu_fallback::sort(contacts);
         }
+    }
+
+    /// Adds what belongs to nothing of a higher dimension to the report.
+    fn take_codimensional(
+        &mut self,
+        (goal, window): (Goal, [f64; 2]),
+        given: Given,
+    ) -> Result<(), Error> {
+        let Self { mesh, options, codimensional: Some(of), report, .. } = self else {
+            return Ok(());
+        };
+        of.list(mesh, options, given)?;
+        let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+        (report.candidates.ve, report.candidates.vv) = (ve, vv);
+        (report.filtered.ve, report.filtered.vv) = (ve, vv);
+        if goal != Goal::Candidates {
+            of.contacts(mesh, &options.search(window), given)
+                .for_each(|contact| report.add(contact, goal == Goal::Contacts));
+        }
+        Ok(())
     }
 }

@@ -10,6 +10,7 @@ use ccd_core::layout::{Dispatch, Frame, Params, SortPass};
 use wgpu::BufferUsages as U;
 
 /// Keys with values, twice, and the table of digits.
+#[derive(Clone)]
 pub struct Sort {
     keys: [wgpu::Buffer; 2],
     values: [wgpu::Buffer; 2],
@@ -20,6 +21,14 @@ pub struct Sort {
 impl Sort {
     /// Room for `n` pairs.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
+        Self::reusing(device, n, None)
+    }
+
+    /// The same, with the buffers of another sort as far as they are large enough.
+    pub fn reusing(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
+        if let Some(old) = old.filter(|old| old.room >= n) {
+            return Ok(old.clone());
+        }
         let words =
             |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
         let (n_tiles, n) = (n.div_ceil(sort::TILE) as u64, n as u64);
@@ -80,6 +89,9 @@ pub struct Sorter {
 
 impl Sorter {
     /// Room for `n` pairs.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
         let source =
             |what| device.buffer(what, 4 * n as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST);
@@ -95,6 +107,9 @@ impl Sorter {
     }
 
     /// Sorts; returns the sorted keys and values.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),
@@ -121,6 +136,9 @@ impl Sorter {
     }
 
     /// Sorts the last input once more; milliseconds by kernel, if the device has timestamps.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn again(&mut self) -> Result<Vec<(&'static str, f64)>, Error> {
         let Self { device, bench, sort, source, n } = self;
         let [keys, values] = sort.half(0);

@@ -1,6 +1,6 @@
 //! Every pair against every pair: what faster ways must equal.
 
-use ccd::{Aabb, Contact, EdgeEdge, Kind, Mesh, Pair, Real, VertexFace};
+use ccd::{Aabb, Contact, EdgeEdge, Kind, Mesh, Pair, Real, VertexEdge, VertexFace, VertexVertex};
 
 /// Pairs of boxes of one set that overlap, sorted.
 pub fn self_pairs<T: Real>(boxes: &[Aabb<T>]) -> Vec<Pair> {
@@ -52,6 +52,56 @@ pub fn candidates_among<T: Real>(mesh: &Mesh, [v, e, f]: &[Vec<Aabb<T>>; 3]) -> 
     let mut ee = self_pairs(e);
     ee.retain(|p| edges[p.a as usize].iter().all(|i| !edges[p.b as usize].contains(i)));
     [vf, ee]
+}
+
+/// Candidates and contacts of features that belong to nothing of a higher dimension, with a minimum
+/// distance: vertex-edge, vertex-vertex, found by looking at every pair of a mesh.
+pub fn codimensional(
+    mesh: &Mesh,
+    x0: &[[f64; 3]],
+    x1: &[[f64; 3]],
+    distance: f64,
+) -> ([Vec<Pair>; 2], Vec<Contact>) {
+    let sides = |f: &[u32; 3]| [[f[0], f[1]], [f[1], f[2]], [f[2], f[0]]];
+    let is_side = |e: &[u32; 2]| {
+        mesh.faces().iter().any(|f| sides(f).iter().any(|s| s == e || *s == [e[1], e[0]]))
+    };
+    let [boxes, ..] = swept_boxes(mesh, x0, x1);
+    let overlap = |v: u32, others: &[u32]| {
+        let all = others.iter().map(|&w| boxes[w as usize]).reduce(|a, b| a.union(&b));
+        all.is_some_and(|b| {
+            (0..3).all(|k| {
+                let a = boxes[v as usize];
+                a.min[k] <= b.max[k] + distance && b.min[k] <= a.max[k] + distance
+            })
+        })
+    };
+    let alone: Vec<u32> = (0..mesh.n_vertices() as u32)
+        .filter(|v| mesh.edges().iter().all(|e| !e.contains(v)))
+        .collect();
+    let (mut ve, mut vv, mut contacts) = (Vec::new(), Vec::new(), Vec::new());
+    let at = |v: u32| [x0, x1].map(|x| x[v as usize]);
+    for &v in &alone {
+        for (e, edge) in mesh.edges().iter().enumerate().filter(|(_, e)| !is_side(e)) {
+            if overlap(v, edge) {
+                ve.push(Pair { a: v, b: e as u32 });
+                let [v, p, q] = [at(v), at(edge[0]), at(edge[1])];
+                let query = VertexEdge { t0: [v[0], p[0], q[0]], t1: [v[1], p[1], q[1]] };
+                let verdict = ccd::vertex_edge(&query, distance);
+                contacts.extend(Contact::of(Kind::VertexEdge, ve[ve.len() - 1], verdict));
+            }
+        }
+    }
+    for (i, &v) in alone.iter().enumerate() {
+        for &w in alone[i + 1..].iter().filter(|&&w| overlap(v, &[w])) {
+            vv.push(Pair { a: v, b: w });
+            let (v, w) = (at(v), at(w));
+            let query = VertexVertex { t0: [v[0], w[0]], t1: [v[1], w[1]] };
+            let verdict = ccd::vertex_vertex(&query, distance);
+            contacts.extend(Contact::of(Kind::VertexVertex, vv[vv.len() - 1], verdict));
+        }
+    }
+    ([ve, vv], contacts)
 }
 
 /// Every contact of a step without shared vertices, each pair of features asked by itself; in the

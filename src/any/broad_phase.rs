@@ -4,6 +4,17 @@ use super::{Choice, Either, Error, Place, Turn, gpu};
 use crate::{Aabb, BroadPhaseMethod, Pair, Scheduling};
 
 /// Finds overlapping boxes, on the CPU or on a GPU: the calls of [`crate::BroadPhase`].
+///
+/// ```
+/// use ccd::any::{Backend, BroadPhase};
+/// use ccd::{Aabb, BroadPhaseMethod, Pair};
+///
+/// let boxes = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 2];
+/// let choice = Backend::Auto.choose(boxes.len())?;
+/// let mut broad_phase = BroadPhase::new(&choice, 0, BroadPhaseMethod::default())?;
+/// assert_eq!(broad_phase.self_pairs(&boxes)?.into_vec(), [Pair { a: 0, b: 1 }]);
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 pub struct BroadPhase {
     on: Either<crate::BroadPhase, gpu::BroadPhase>,
     /// Name of the adapter, if it is a GPU.
@@ -16,11 +27,18 @@ pub struct BroadPhase {
 
 impl BroadPhase {
     /// A broad phase where the choice wants it. `threads`: of the CPU.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::scheduled`].
     pub fn new(choice: &Choice, threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
         Self::scheduled(choice, threads, method, Scheduling::default())
     }
 
     /// The same with work shared out in a way of its own.
+    ///
+    /// # Errors
+    /// Those of [`crate::BroadPhase::scheduled`], and, where the choice was a GPU alone, what that
+    /// refuses.
     pub fn scheduled(
         choice: &Choice,
         threads: usize,
@@ -36,6 +54,10 @@ impl BroadPhase {
     }
 
     /// Pairs within one set, each once, lesser index first.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with those of [`crate::BroadPhase::self_pairs`], and, where the choice was
+    /// a GPU alone, what that refuses.
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
         let &mut Self { threads, method, scheduling, .. } = self;
         let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);
@@ -46,6 +68,10 @@ impl BroadPhase {
     }
 
     /// Pairs of a box of `a` with a box of `b`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with those of [`crate::BroadPhase::self_pairs`], and, where the choice was
+    /// a GPU alone, what that refuses.
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
         let &mut Self { threads, method, scheduling, .. } = self;
         let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);

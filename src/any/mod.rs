@@ -62,6 +62,13 @@ use no_gpu as gpu;
 pub const FEWEST_FOR_GPU: usize = 20_000;
 
 /// What is to run the work.
+///
+/// ```
+/// use ccd::any::Backend;
+///
+/// // Too little work for a GPU, and no error without one.
+/// assert!(Backend::Auto.choose(100).is_ok());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Backend {
@@ -77,12 +84,18 @@ pub enum Backend {
 
 impl Backend {
     /// Chooses. `size`: edges of the mesh, or boxes.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] for [`Backend::Gpu`] where there is none.
     pub fn choose(self, size: usize) -> Result<Choice, Error> {
         self.decide(size, &gpu::DeviceOptions::default())
     }
 
     /// Chooses a device where these options want it. With a named adapter, `Auto` takes it whatever
     /// it is and however little work there is.
+    ///
+    /// # Errors
+    /// Those of [`Backend::choose`].
     #[cfg(feature = "gpu")]
     pub fn choose_with(self, size: usize, options: &gpu::DeviceOptions) -> Result<Choice, Error> {
         self.decide(size, options)
@@ -106,6 +119,14 @@ impl Backend {
 }
 
 /// What was chosen to run the work; by default the CPU.
+///
+/// ```
+/// use ccd::any::Backend;
+///
+/// let choice = Backend::Auto.choose(100)?.with_notice(|why| eprintln!("{why}"));
+/// # drop(choice);
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 #[derive(Clone, Default)]
 pub struct Choice {
     /// `None`: the CPU.
@@ -166,6 +187,13 @@ impl Choice {
 }
 
 /// Where work runs.
+///
+/// ```
+/// use ccd::any::Place;
+///
+/// let place = Place::Cpu { threads: 2 };
+/// assert_eq!((place.backend(), place.to_string()), ("cpu", "2 threads".to_string()));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// So many threads of this machine.

@@ -1,7 +1,8 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{Aabb, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report, Scheduling};
+use crate::{Aabb, AsPositions, Bodies, BroadPhaseMethod, Mesh, Options, Pair, Report, Scheduling};
+use std::sync::Arc;
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -61,30 +62,57 @@ pub enum Session {}
 pub struct Candidates {
     pub vf: Vec<Pair>,
     pub ee: Vec<Pair>,
+    pub ve: Vec<Pair>,
+    pub vv: Vec<Pair>,
 }
 
 impl Session {
-    pub fn new(device: &Device, _: Mesh, _: Options) -> Result<Self, Error> {
+    pub fn new(device: &Device, _: Arc<Mesh>, _: Options) -> Result<Self, Error> {
         match *device {}
     }
 
-    pub fn step<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn earliest_toi<A: AsPositions>(&mut self, _: &A, _: &A) -> Result<Option<f64>, Error> {
         match *self {}
     }
 
-    pub fn earliest_toi<T: Coordinate>(
+    pub fn step_window<A: AsPositions>(
         &mut self,
-        _: &[[T; 3]],
-        _: &[[T; 3]],
-    ) -> Result<Option<f64>, Error> {
+        _: &A,
+        _: &A,
+        _: [f64; 2],
+    ) -> Result<&Report, Error> {
         match *self {}
     }
 
-    pub fn candidates<T: Coordinate>(
-        &mut self,
-        _: &[[T; 3]],
-        _: &[[T; 3]],
-    ) -> Result<Candidates, Error> {
+    pub fn candidates<A: AsPositions>(&mut self, _: &A, _: &A) -> Result<Candidates, Error> {
+        match *self {}
+    }
+
+    pub fn set_mesh_and_bodies(&mut self, _: Arc<Mesh>, _: Option<Bodies>) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_min_distance(&mut self, _: f64) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_options(&mut self, _: Options) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_bodies(&mut self, _: Option<Bodies>) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_sleeping(&mut self, _: u32, _: bool) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_fixed(&mut self, _: u32, _: bool) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_fixed_motion(&mut self, _: bool) -> Result<(), Error> {
         match *self {}
     }
 
@@ -92,7 +120,7 @@ impl Session {
         match *self {}
     }
 
-    pub fn mesh(&self) -> &Mesh {
+    pub fn mesh(&self) -> &Arc<Mesh> {
         match *self {}
     }
 

@@ -1,23 +1,70 @@
 //! A session on either backend.
 
+mod rules;
+
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
-use crate::{Coordinate, Mesh, Options, Report};
+use crate::positions::{AsPositions, Ends, PositionView, Precision, ends};
+use crate::{Bodies, Coordinate, Mesh, Options, Report};
+use std::sync::Arc;
 
 /// Continuous collision detection of one mesh over many steps, on the CPU or on a GPU: the calls
 /// of [`crate::Session`].
+///
+/// ```
+/// use ccd::any::{Backend, Session};
+/// use ccd::{Mesh, Options};
+///
+/// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
+/// let choice = Backend::Cpu.choose(mesh.edges().len())?;
+/// let mut session = Session::new(&choice, mesh, Options::default())?;
+/// let (before, after) = ([[0.0f32; 3]; 4], [[1.0f32; 3]; 4]);
+/// assert_eq!(session.step(&before, &after)?.mesh().n_vertices(), 4);
+/// session.set_min_distance(0.01)?;
+/// assert_eq!(session.earliest_toi(&before, &after)?, Some(0.0));
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 pub struct Session(Either<crate::Session, gpu::Session>);
 
 /// Candidates of a step: pairs of features whose swept boxes overlap.
+///
+/// ```
+/// use ccd::any::{Backend, Session};
+/// use ccd::{Mesh, Options, Pair};
+///
+/// let (choice, mesh) = (Backend::Cpu.choose(0)?, Mesh::new(4, &[[0, 1, 2]])?);
+/// let mut session = Session::new(&choice, mesh, Options::default())?;
+/// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 0.0, 0.2]];
+/// let candidates = session.candidates(&x, &x)?;
+/// assert_eq!(candidates.vf.iter().next(), Some(Pair { a: 3, b: 0 }));
+/// assert!(candidates.ee.is_empty());
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 pub struct Candidates<'a> {
     /// Vertex, face.
     pub vf: Pairs<'a>,
     /// Two edges, the lesser id first.
     pub ee: Pairs<'a>,
+    /// A vertex of no edge, an edge of no face.
+    pub ve: Pairs<'a>,
+    /// Two vertices of no edge, the lesser id first.
+    pub vv: Pairs<'a>,
 }
 
 impl Session {
     /// A session for `mesh` where the choice wants it.
-    pub fn new(choice: &Choice, mesh: Mesh, options: Options) -> Result<Self, Error> {
+    ///
+    /// # Errors
+    /// Those of [`crate::Session::new`], and, where the choice was a GPU alone, what that refuses.
+    pub fn new(
+        choice: &Choice,
+        mesh: impl Into<Arc<Mesh>>,
+        options: Options,
+    ) -> Result<Self, Error> {
+        Self::of(choice, mesh.into(), options)
+    }
+
+    #[inline(never)]
+    fn of(choice: &Choice, mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
         let choice = &choice.for_methods(options.broad_phase, options.pipeline, options.scheduling);
         let on_cpu = || crate::Session::new(mesh.clone(), options.clone());
         let on_gpu = |device: &_| gpu::Session::new(device, mesh.clone(), options.clone());
@@ -25,41 +72,203 @@ impl Session {
     }
 
     /// Every contact of a step: see [`crate::Session::step`].
-    pub fn step<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error>
+    ///
+    /// # Errors
+    /// [`Error::Input`] with those of [`crate::Session::step`], and, where the choice was a GPU
+    /// alone, what that refuses.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
     where
-        T: Coordinate,
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        match self.0.run(|on| on.step(x0, x1).map(|_| ()), on_cpu)? {
-            Turn::Done(()) => {}
-            Turn::Cpu(on) => _ = on.step(x0, x1)?,
-        }
+        self.step_of(ends(x0, x1), [0.0, 1.0])?;
         Ok(self.report())
     }
 
-    /// The earliest time of impact of a step: see [`crate::Session::earliest_toi`].
-    pub fn earliest_toi<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error>
-    where
-        T: Coordinate,
-    {
-        match self.0.run(|on| on.earliest_toi(x0, x1), on_cpu)? {
-            Turn::Done(toi) => Ok(toi),
-            Turn::Cpu(on) => Ok(on.earliest_toi(x0, x1)?),
+    #[inline(never)]
+    fn step_of(&mut self, ends: Ends, window: [f64; 2]) -> Result<(), Error> {
+        match ends {
+            Precision::F32(x) => self.step_in(x, window),
+            Precision::F64(x) => self.step_in(x, window),
         }
     }
 
-    /// All candidates of a step: see [`crate::Session::candidates`].
-    pub fn candidates<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error>
+    fn step_in<T: Coordinate>(
+        &mut self,
+        [x0, x1]: [PositionView<T>; 2],
+        window: [f64; 2],
+    ) -> Result<(), Error> {
+        match self.0.run(|on| on.step_window(&x0, &x1, window).map(|_| ()), on_cpu)? {
+            Turn::Done(()) => {}
+            Turn::Cpu(on) => _ = on.step_window(&x0, &x1, window)?,
+        }
+        Ok(())
+    }
+
+    /// The earliest time of impact of a step: see [`crate::Session::earliest_toi`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
     where
-        T: Coordinate,
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        match self.0.run(|on| on.candidates(x0, x1), on_cpu)? {
+        self.earliest_of(ends(x0, x1))
+    }
+
+    #[inline(never)]
+    fn earliest_of(&mut self, ends: Ends) -> Result<Option<f64>, Error> {
+        match ends {
+            Precision::F32(x) => self.earliest_in(x),
+            Precision::F64(x) => self.earliest_in(x),
+        }
+    }
+
+    fn earliest_in<T: Coordinate>(
+        &mut self,
+        [x0, x1]: [PositionView<T>; 2],
+    ) -> Result<Option<f64>, Error> {
+        match self.0.run(|on| on.earliest_toi(&x0, &x1), on_cpu)? {
+            Turn::Done(toi) => Ok(toi),
+            Turn::Cpu(on) => Ok(on.earliest_toi(&x0, &x1)?),
+        }
+    }
+
+    /// Every contact of a step up to a time: see [`crate::Session::step_until`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step_window`].
+    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact in a window of a step: see [`crate::Session::step_window`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`], and a window that is none.
+    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_of(ends(x0, x1), window)?;
+        Ok(self.report())
+    }
+
+    /// How much of a step is certainly free: see [`crate::Session::collision_free_step_size`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
+    }
+
+    /// All candidates of a step: see [`crate::Session::candidates`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates<'_>, Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.candidates_of(ends(x0, x1))
+    }
+
+    #[inline(never)]
+    fn candidates_of(&mut self, ends: Ends) -> Result<Candidates<'_>, Error> {
+        match ends {
+            Precision::F32(x) => self.candidates_in(x),
+            Precision::F64(x) => self.candidates_in(x),
+        }
+    }
+
+    fn candidates_in<T: Coordinate>(
+        &mut self,
+        [x0, x1]: [PositionView<T>; 2],
+    ) -> Result<Candidates<'_>, Error> {
+        match self.0.run(|on| on.candidates(&x0, &x1), on_cpu)? {
             Turn::Done(all) => {
-                Ok(Candidates { vf: Pairs::owned(all.vf), ee: Pairs::owned(all.ee) })
+                let [vf, ee, ve, vv] = [all.vf, all.ee, all.ve, all.vv].map(Pairs::owned);
+                Ok(Candidates { vf, ee, ve, vv })
             }
             Turn::Cpu(on) => {
-                let all = on.candidates(x0, x1)?;
-                Ok(Candidates { vf: Pairs::lent(all.vf), ee: Pairs::lent(all.ee) })
+                let all = on.candidates(&x0, &x1)?;
+                let ([vf, ee], [ve, vv]) = (
+                    [all.vf, all.ee].map(Pairs::lent),
+                    [all.ve, all.vv].map(|of| Pairs::owned(of.to_vec())),
+                );
+                Ok(Candidates { vf, ee, ve, vv })
             }
+        }
+    }
+
+    /// From now on steps of another mesh: see [`crate::Session::set_mesh`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] with bodies that do not fit, and, where the choice was a GPU alone, what
+    /// that refuses. The session stays as it was.
+    pub fn set_mesh(&mut self, mesh: impl Into<Arc<Mesh>>) -> Result<(), Error> {
+        self.change_mesh(mesh.into(), None)
+    }
+
+    /// The same with other bodies, or without any.
+    ///
+    /// # Errors
+    /// Those of [`Session::set_mesh`].
+    pub fn set_mesh_and_bodies(
+        &mut self,
+        mesh: impl Into<Arc<Mesh>>,
+        bodies: impl Into<Option<Bodies>>,
+    ) -> Result<(), Error> {
+        self.change_mesh(mesh.into(), Some(bodies.into()))
+    }
+
+    #[inline(never)]
+    fn change_mesh(
+        &mut self,
+        mesh: Arc<Mesh>,
+        bodies: Option<Option<Bodies>>,
+    ) -> Result<(), Error> {
+        let bodies = bodies.unwrap_or_else(|| self.options().bodies.clone());
+        let on_gpu = |on: &mut gpu::Session| on.set_mesh_and_bodies(mesh.clone(), bodies.clone());
+        match self.0.run(on_gpu, on_cpu)? {
+            Turn::Done(()) => Ok(()),
+            Turn::Cpu(on) => Ok(on.set_mesh_and_bodies(mesh, bodies)?),
+        }
+    }
+
+    /// From now on another minimum distance: see [`crate::Session::set_min_distance`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad distance, and, where the choice was a GPU alone, what that
+    /// refuses. The session stays as it was.
+    pub fn set_min_distance(&mut self, min_distance: f64) -> Result<(), Error> {
+        match self.0.run(|on| on.set_min_distance(min_distance), on_cpu)? {
+            Turn::Done(()) => Ok(()),
+            Turn::Cpu(on) => Ok(on.set_min_distance(min_distance)?),
+        }
+    }
+
+    /// From now on other options: see [`crate::Session::set_options`]. What a GPU does not have is
+    /// refused there; a new session would go to the CPU for it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with options that are refused, and, where the choice was a GPU alone, what
+    /// that refuses. The session stays as it was.
+    pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
+        match self.0.run(|on| on.set_options(options.clone()), on_cpu)? {
+            Turn::Done(()) => Ok(()),
+            Turn::Cpu(on) => Ok(on.set_options(options)?),
         }
     }
 
@@ -71,8 +280,8 @@ impl Session {
         }
     }
 
-    /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
         match &self.0 {
             Either::Cpu(on) => on.mesh(),
             Either::Gpu { on, .. } => on.mesh(),

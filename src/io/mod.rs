@@ -1,27 +1,45 @@
-//! Readers of what the command takes: meshes (PLY, OBJ) and query files. Feature `io`.
+//! Readers of what the command takes: meshes (PLY, OBJ, OFF, STL, glTF), positions over time (NPY,
+//! NPZ, PC2, MDD) and query files. Feature `io`. What is read of each format is said in
+//! `docs/formats.md`.
 
+mod gltf;
+mod npy;
 mod obj;
+mod off;
 mod ply;
+mod point_cache;
 mod queries;
+mod stl;
+mod weld;
 
-pub use queries::{Queries, Query, read_queries};
+pub use point_cache::PointCache;
+pub use queries::{Queries, Query, read_queries, read_queries_of};
 
 use crate::Mesh;
 use std::path::{Path, PathBuf};
 
+/// Ends of the names of files that [`read_frame`] reads.
+pub const MESH_EXTENSIONS: [&str; 6] = ["ply", "obj", "off", "stl", "gltf", "glb"];
+
 /// One frame of a mesh as a file holds it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frame {
-    /// Vertex positions in the file's unit; every `float` is exact in `f64`.
+    /// Vertex positions in the file's unit, in the order of the file; every `float` is exact in
+    /// `f64`.
     pub positions: Vec<[f64; 3]>,
     /// Triangles; polygons are cut into fans from their first vertex.
     pub faces: Vec<[u32; 3]>,
     /// Edges that the file lists besides its faces.
     pub edges: Vec<[u32; 2]>,
+    /// For each triangle the face of the file that it is cut from, counted from 0.
+    pub polygons: Vec<u32>,
 }
 
 impl Frame {
     /// The topology of the frame.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::with_edges`].
     pub fn mesh(&self) -> Result<Mesh, crate::Error> {
         Mesh::with_edges(self.positions.len(), &self.faces, &self.edges)
     }
@@ -30,9 +48,47 @@ impl Frame {
     pub fn positions_f32(&self) -> Vec<[f32; 3]> {
         self.positions.iter().map(|p| p.map(|x| x as f32)).collect()
     }
+
+    /// Appends a polygon as a fan of triangles.
+    fn push_polygon(&mut self, corners: &[u32]) {
+        let polygon = self.polygons.last().map_or(0, |last| last + 1);
+        for i in 1..corners.len() - 1 {
+            self.faces.push([corners[0], corners[i], corners[i + 1]]);
+            self.polygons.push(polygon);
+        }
+    }
+
+    /// Refuses what no step takes, by the numbers of the file.
+    fn check(&self) -> Result<(), ReadErrorKind> {
+        let limit = crate::Error::MAX_COORDINATE;
+        for (at, p) in self.positions.iter().enumerate() {
+            // Written so that NaN fails.
+            if let Some(axis) = (0..3).find(|&axis| !(p[axis].abs() <= limit)) {
+                let (name, value) = (["x", "y", "z"][axis], p[axis]);
+                let what = format!("{name} = {value}; it must be finite and at most {limit:e}");
+                return Err(ReadErrorKind::Element { element: "vertex", at, what });
+            }
+        }
+        let n = self.positions.len();
+        let faces = self.faces.iter().zip(&self.polygons);
+        let faces = faces.map(|(face, &at)| ("face", at as usize, &face[..]));
+        let edges = self.edges.iter().enumerate().map(|(at, edge)| ("edge", at, &edge[..]));
+        for (element, at, corners) in faces.chain(edges) {
+            if let Some(v) = corners.iter().find(|&&v| v as usize >= n) {
+                let what = format!("refers to vertex {v}; the {n} vertices are counted from 0");
+                return Err(ReadErrorKind::Element { element, at, what });
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Why a file could not be read.
+///
+/// ```
+/// let error = ccd::io::read_frame("nowhere.ply".as_ref()).unwrap_err();
+/// assert!(error.to_string().starts_with("nowhere.ply: "));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {kind}", path.display())]
 pub struct ReadError {
@@ -42,16 +98,19 @@ pub struct ReadError {
     pub kind: ReadErrorKind,
 }
 
-/// What is wrong with a file.
+/// What is wrong with a file. Texts quote at most 200 characters of it.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadErrorKind {
     /// It cannot be opened or read.
     #[error("{0}")]
     Io(#[from] std::io::Error),
-    /// Its name ends neither in `.ply` nor in `.obj`.
-    #[error("unknown kind of file; expected .ply or .obj")]
-    Extension,
+    /// Its name ends in nothing that is read.
+    #[error("unknown kind of file; expected {expected}")]
+    Extension {
+        /// What it may end in.
+        expected: &'static str,
+    },
     /// A line cannot be understood.
     #[error("line {line}: {what}")]
     Line {
@@ -61,9 +120,9 @@ pub enum ReadErrorKind {
         what: String,
     },
     /// An element cannot be used.
-    #[error("{element} {at}: {what}")]
+    #[error("{element} {} (counted from 1): {what}", at + 1)]
     Element {
-        /// `"vertex"`, `"face"` or `"edge"`.
+        /// `"vertex"`, `"face"`, `"edge"` or `"frame"`.
         element: &'static str,
         /// Index of the element from 0.
         at: usize,
@@ -73,27 +132,63 @@ pub enum ReadErrorKind {
     /// The header lacks something.
     #[error("header: {0}")]
     Header(String),
-    /// The PLY reader stopped.
+    /// The reader of the format stopped.
     #[error("{0}")]
-    Ply(#[from] ply_rs_bw::parser::ParseError),
+    Format(String),
     /// The content is not a usable mesh.
     #[error("{0}")]
     Mesh(#[from] crate::Error),
 }
 
-/// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type) or an
-/// `.obj` file.
+/// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type), an
+/// `.obj`, `.off` or `.stl` file, or the scene of a `.gltf` or `.glb` file.
+///
+/// Vertices of STL and glTF files, which repeat a vertex for every triangle or normal, are merged
+/// where they have exactly the same position (in glTF: within one node), and numbered as they first
+/// appear.
+///
+/// ```no_run
+/// use std::path::Path;
+///
+/// let before = ccd::io::read_frame(Path::new("before.ply"))?;
+/// let after = ccd::io::read_frame(Path::new("after.ply"))?;
+/// let mut session = ccd::Session::new(before.mesh()?, ccd::Options::default())?;
+/// println!("{:?}", session.earliest_toi(&before.positions, &after.positions)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`ReadError`] with the file and [`ReadErrorKind`] with what is wrong with it.
+/// What cannot be understood is refused with its line or element, as is a coordinate that is not
+/// finite or beyond [`crate::Error::MAX_COORDINATE`], or a face of a vertex that is not there.
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
-    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-    let frame = match extension.as_deref() {
+    let frame = match extension(path).as_deref() {
         Some("ply") => ply::read(path),
         Some("obj") => obj::read(path),
-        _ => Err(ReadErrorKind::Extension),
+        Some("off") => off::read(path),
+        Some("stl") => stl::read(path),
+        Some("gltf" | "glb") => gltf::read(path),
+        _ => Err(ReadErrorKind::Extension { expected: ".ply, .obj, .off, .stl, .gltf or .glb" }),
     };
-    frame.map_err(|kind| ReadError { path: path.to_owned(), kind })
+    let checked = frame.and_then(|frame| frame.check().map(|()| frame));
+    checked.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
-/// Appends a polygon as a fan of triangles.
-fn push_polygon(faces: &mut Vec<[u32; 3]>, corners: &[u32]) {
-    faces.extend((1..corners.len() - 1).map(|i| [corners[0], corners[i], corners[i + 1]]));
+/// What the name of a file ends in, in lower case.
+fn extension(path: &Path) -> Option<String> {
+    path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
+}
+
+/// As much of a file's text as fits into a message.
+fn quote(text: &str) -> String {
+    match text.char_indices().nth(200) {
+        Some((end, _)) => format!("{}..", &text[..end - 2]),
+        None => text.to_owned(),
+    }
+}
+
+/// A number of a file.
+fn number(word: &str) -> Result<f64, String> {
+    let x: f64 = word.parse().map_err(|_| format!("`{}` is not a number", quote(word)))?;
+    if x.is_finite() { Ok(x) } else { Err(format!("`{}` is not a finite number", quote(word))) }
 }

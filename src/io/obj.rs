@@ -12,7 +12,7 @@
 //!   programs and means nothing outside of rational surfaces in others.
 //! - `f` and `l`: words `v`, `v/vt`, `v//vn` or `v/vt/vn`; the last two numbers are not used.
 
-use super::{Frame, ReadErrorKind, push_polygon};
+use super::{Frame, ReadErrorKind, number, quote};
 use std::io::BufRead;
 use std::path::Path;
 
@@ -65,6 +65,8 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     // What is there of a statement that goes on in the next line, and where it began.
     let (mut begun, mut first) = (Vec::new(), 0);
     let (mut line, mut any) = (0, false);
+    // The greatest vertex that is used so far, counted from 1, and where: it may come later.
+    let mut most = (0, 0);
     loop {
         chunk.clear();
         if reader.read_until(b'\n', &mut chunk)? == 0 {
@@ -85,14 +87,25 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
                 begun.push(b' ');
                 continue;
             }
-            any |= statement(&begun, &mut frame)
-                .map_err(|what| ReadErrorKind::Line { line: first, what })?;
+            let bad = |what| ReadErrorKind::Line { line: first, what };
+            let (n_faces, n_edges) = (frame.faces.len(), frame.edges.len());
+            any |= statement(&begun, &mut frame).map_err(bad)?;
+            let faces = frame.faces[n_faces..].iter().flatten();
+            let used = faces.chain(frame.edges[n_edges..].iter().flatten()).max();
+            if let Some(&v) = used.filter(|&&v| v >= most.0) {
+                most = (v.saturating_add(1), first);
+            }
             begun.clear();
         }
     }
     if !begun.is_empty() {
         let what = "goes on (`\\`), but the file ends".into();
         return Err(ReadErrorKind::Line { line: first, what });
+    }
+    let n_vertices = frame.positions.len();
+    if most.0 as usize > n_vertices {
+        let what = format!("vertex index {} names no vertex (there are {n_vertices})", most.0);
+        return Err(ReadErrorKind::Line { line: most.1, what });
     }
     if !any {
         return Err(ReadErrorKind::Header("the file holds no statement of OBJ".into()));
@@ -111,13 +124,13 @@ fn statement(text: &[u8], frame: &mut Frame) -> Result<bool, String> {
     let Some((&keyword, words)) = words.split_first() else { return Ok(false) };
     match keyword {
         "v" => frame.positions.push(vertex(words)?),
-        "f" => push_polygon(&mut frame.faces, &corners(words, 3, frame.positions.len())?),
+        "f" => frame.push_polygon(&corners(words, 3, frame.positions.len())?),
         "l" => {
             let corners = corners(words, 2, frame.positions.len())?;
             frame.edges.extend(corners.windows(2).map(|w| [w[0], w[1]]));
         }
         _ if PASSED_OVER.contains(&keyword) => {}
-        _ => return Err(format!("`{}` is no statement of OBJ", start(keyword))),
+        _ => return Err(format!("`{}` is no statement of OBJ", quote(keyword))),
     }
     Ok(true)
 }
@@ -131,10 +144,11 @@ fn vertex(words: &[&str]) -> Result<[f64; 3], String> {
         n => return Err(format!("a vertex has 3, 4, 6 or 7 numbers, not {n}")),
     }
     for (x, word) in x.iter_mut().zip(words) {
-        *x = word.parse().map_err(|_| format!("`{}` is not a number", start(word)))?;
-        if !x.is_finite() {
-            return Err(format!("`{}` is not a finite number", start(word)));
-        }
+        *x = number(word)?;
+    }
+    let limit = crate::Error::MAX_COORDINATE;
+    if let Some(k) = (0..3).find(|&k| x[k].abs() > limit) {
+        return Err(format!("`{}` is beyond {limit:e}", quote(words[k])));
     }
     if words.len() == 4 && x[3] != 1.0 {
         return Err(format!("the weight of a vertex is {}; only 1 is read", x[3]));
@@ -152,7 +166,7 @@ fn corners(words: &[&str], least: usize, n_vertices: usize) -> Result<Vec<u32>, 
 
 /// The vertex of `word` (`7`, `7/1`, `7//2`, `7/1/2`, `-1`), counted from 0.
 fn vertex_index(word: &str, n_vertices: usize) -> Result<u32, String> {
-    let bad = || format!("`{}` is not a vertex index", start(word));
+    let bad = || format!("`{}` is not a vertex index", quote(word));
     let mut parts = word.split('/');
     let i: i64 = parts.next().and_then(|v| v.parse().ok()).ok_or_else(bad)?;
     for (k, unused) in parts.enumerate() {
@@ -167,9 +181,4 @@ fn vertex_index(word: &str, n_vertices: usize) -> Result<u32, String> {
         Some(Ok(at)) if i != 0 => Ok(at),
         _ => Err(format!("vertex index {i} names no vertex (there are {n_vertices} so far)")),
     }
-}
-
-/// As much of a word as fits into a message.
-fn start(word: &str) -> String {
-    word.chars().take(20).collect()
 }

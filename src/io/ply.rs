@@ -1,6 +1,6 @@
 //! PLY through `ply-rs-bw`, straight into positions and triangles.
 
-use super::{Frame, ReadErrorKind, push_polygon};
+use super::{Frame, ReadErrorKind, quote};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{Header, Property, PropertyAccess, PropertyAccessResult};
 use std::io::BufRead;
@@ -96,7 +96,7 @@ impl PropertyAccess for Ignored {
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let file = std::fs::File::open(path)?;
     let mut reader = Reader::new(std::io::BufReader::with_capacity(1 << 16, file));
-    let header = Parser::<Ignored>::new().read_header(&mut reader)?;
+    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(stopped)?;
     let mut frame = Frame::default();
     if !header.elements.contains_key("vertex") {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));
@@ -139,7 +139,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
                     if corners.len() < 3 {
                         return Err(bad(format!("has {} vertices, fewer than 3", corners.len())));
                     }
-                    push_polygon(&mut frame.faces, &corners);
+                    frame.push_polygon(&corners);
                 }
             }
             "edge" => {
@@ -162,6 +162,10 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(frame)
 }
 
+fn stopped(e: ply_rs_bw::parser::ParseError) -> ReadErrorKind {
+    ReadErrorKind::Format(quote(&e.to_string()))
+}
+
 fn index(i: i64) -> Result<u32, String> {
     u32::try_from(i).map_err(|_| format!("vertex index {i} is not in 0 .. 2^32"))
 }
@@ -171,7 +175,8 @@ fn payload<E: PropertyAccess>(
     element: &ply_rs_bw::ply::ElementDef,
     header: &Header,
 ) -> Result<Vec<E>, ReadErrorKind> {
-    let items = Parser::<E>::new().read_payload_for_element(reader, element, header)?;
+    let items = Parser::<E>::new().read_payload_for_element(reader, element, header);
+    let items = items.map_err(stopped)?;
     if items.len() != element.count {
         let what = format!("the file ends here; the header promises {}", element.count);
         let name = if element.name == "face" { "face" } else { "vertex" };

@@ -1,11 +1,13 @@
-//! Query files: eight rows a query (four points at `t0`, four at `t1`), coordinates as fractions,
-//! the last column the answer.
+//! Query files: eight rows a query (four points at `t0`, four at `t1`), coordinates as fractions in
+//! six columns, and in a seventh, if there is one, the answer.
 //!
 //! The format of Wang et al., "A Large-Scale Benchmark and an Inclusion-Based Algorithm for
-//! Continuous Collision Detection".
+//! Continuous Collision Detection"; without answers it is that of the scenes of Belgrod et al.,
+//! "Time of Impact Dataset for Continuous Collision Detection and a Scalable Conservative
+//! Algorithm".
 
-use super::{ReadError, ReadErrorKind};
-use crate::{EdgeEdge, VertexFace};
+use super::{ReadError, ReadErrorKind, quote};
+use crate::{EdgeEdge, Kind, VertexFace};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -25,47 +27,85 @@ pub enum Query {
 pub struct Queries {
     /// The queries in the order of the file.
     pub queries: Vec<Query>,
-    /// Whether each is a contact, as the file says.
+    /// Whether each is a contact, as the file says; empty if it does not.
     pub answers: Vec<bool>,
 }
 
 /// Reads a query file. Whether it holds vertex-face or edge-edge queries is told by its path: the
 /// name of the file, or of the nearest folder, that contains `vertex-face`, `vf`, `edge-edge` or
 /// `ee`.
+///
+/// ```no_run
+/// use ccd::io::{Query, read_queries};
+/// use std::path::Path;
+///
+/// let file = read_queries(Path::new("queries/vertex-face/0.csv"))?;
+/// for (query, answer) in file.queries.iter().zip(&file.answers) {
+///     let Query::VertexFace(query) = query else { continue };
+///     println!("{:?}, the file says {answer}", ccd::vertex_face(query, 0.0));
+/// }
+/// # Ok::<(), ccd::io::ReadError>(())
+/// ```
+///
+/// # Errors
+/// As [`read_queries_of`], and a path that does not tell.
 pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
-    read(path).map_err(|kind| ReadError { path: path.to_owned(), kind })
+    match kind_of(path) {
+        Some(kind) => read_queries_of(path, kind),
+        None => {
+            let what = "the path names neither vertex-face (vf) nor edge-edge (ee) queries";
+            let kind = ReadErrorKind::Header(what.into());
+            Err(ReadError { path: path.to_owned(), kind })
+        }
+    }
 }
 
-fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
-    let edge_edge = is_edge_edge(path).ok_or_else(|| {
-        ReadErrorKind::Header(
-            "the path names neither vertex-face (vf) nor edge-edge (ee) queries".into(),
-        )
-    })?;
+/// Reads a file of queries of one kind.
+///
+/// # Errors
+/// A kind of other pairs; a row with other columns than six or seven, or than the first; a fraction that is no `f64`
+/// exactly; an end within a query.
+pub fn read_queries_of(path: &Path, kind: Kind) -> Result<Queries, ReadError> {
+    read(path, kind).map_err(|kind| ReadError { path: path.to_owned(), kind })
+}
+
+fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
+    let query = match kind {
+        Kind::VertexFace => |t0, t1| Query::VertexFace(VertexFace { t0, t1 }),
+        Kind::EdgeEdge => |t0, t1| Query::EdgeEdge(EdgeEdge { t0, t1 }),
+        _ => {
+            let what = "query files hold vertex-face or edge-edge queries, of four points";
+            return Err(ReadErrorKind::Header(what.into()));
+        }
+    };
     let file = std::fs::File::open(path)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(file);
     let mut out = Queries::default();
     let mut points = [[0.0; 3]; 8];
     let mut n_rows = 0;
     let mut record = csv::StringRecord::new();
-    let mut answer = false;
+    let (mut answer, mut n_columns) = (false, 0);
     loop {
         let line = n_rows + 1;
         let bad = |what: String| ReadErrorKind::Line { line, what };
         if !reader.read_record(&mut record).map_err(|e| bad(e.to_string()))? {
             break;
         }
-        if record.len() != 7 {
-            return Err(bad(format!("has {} columns, expected 7", record.len())));
+        n_columns = if n_rows == 0 { record.len() } else { n_columns };
+        if record.len() != n_columns || !(n_columns == 6 || n_columns == 7) {
+            let expected = if n_rows == 0 { "6 or 7".into() } else { n_columns.to_string() };
+            return Err(bad(format!("has {} columns, expected {expected}", record.len())));
         }
         for axis in 0..3 {
             points[n_rows % 8][axis] =
                 fraction(&record[2 * axis], &record[2 * axis + 1]).map_err(bad)?;
         }
-        let row_answer = match record[6].trim() {
-            "0" => false,
-            "1" => true,
-            other => return Err(bad(format!("the answer is `{other}`, expected 0 or 1"))),
+        let row_answer = match record.get(6).map(str::trim) {
+            None | Some("0") => false,
+            Some("1") => true,
+            Some(other) => {
+                return Err(bad(format!("the answer is `{}`, expected 0 or 1", quote(other))));
+            }
         };
         if n_rows % 8 != 0 && row_answer != answer {
             return Err(bad("the rows of one query have different answers".into()));
@@ -75,12 +115,10 @@ fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
         if n_rows % 8 == 0 {
             let t0 = [points[0], points[1], points[2], points[3]];
             let t1 = [points[4], points[5], points[6], points[7]];
-            out.queries.push(if edge_edge {
-                Query::EdgeEdge(EdgeEdge { t0, t1 })
-            } else {
-                Query::VertexFace(VertexFace { t0, t1 })
-            });
-            out.answers.push(answer);
+            out.queries.push(query(t0, t1));
+            if n_columns == 7 {
+                out.answers.push(answer);
+            }
         }
     }
     if n_rows % 8 != 0 {
@@ -91,21 +129,22 @@ fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
 }
 
 /// Nearest component of the path first.
-fn is_edge_edge(path: &Path) -> Option<bool> {
+fn kind_of(path: &Path) -> Option<Kind> {
     path.iter().rev().find_map(|part| {
         let part = part.to_string_lossy().to_ascii_lowercase();
         let stem = part.strip_suffix(".csv").unwrap_or(&part);
         let ee = stem.contains("edge-edge") || stem.ends_with("ee");
         let vf = stem.contains("vertex-face") || stem.ends_with("vf");
-        (ee != vf).then_some(ee)
+        (ee != vf).then_some(if ee { Kind::EdgeEdge } else { Kind::VertexFace })
     })
 }
 
 /// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another
 /// query.
 fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
-    let parse =
-        |s: &str| s.trim().parse::<BigInt>().map_err(|_| format!("`{s}` is not an integer"));
+    let parse = |s: &str| {
+        s.trim().parse::<BigInt>().map_err(|_| format!("`{}` is not an integer", quote(s)))
+    };
     let (n, d) = (parse(numerator)?, parse(denominator)?);
     if d.is_zero() {
         return Err("the denominator is 0".into());
@@ -117,6 +156,9 @@ fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
         {
             Ok(value)
         }
-        _ => Err(format!("{numerator}/{denominator} is not a double-precision number")),
+        _ => {
+            let fraction = quote(&format!("{numerator}/{denominator}"));
+            Err(format!("{fraction} is not a double-precision number"))
+        }
     }
 }

@@ -6,6 +6,7 @@ use ccd::gpu::bind::{DecideEdgeEdge, DecideVertexFace};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
 use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
+use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
@@ -47,6 +48,7 @@ fn check_rooms(device: &Device) {
     let pairs: Vec<Pair> = (0..n).map(|i| Pair { a: i % 2, b: i % 2 }).collect();
     for kind in [0, 1] {
         let frame = Frame { flags: Frame::FLAG_KEEP, ..Frame::default() };
+        let frame = frame.searching(&Search::whole(0.0));
         let dispatch = Dispatch { room_in: n, room_out: n, ..Dispatch::default() };
         let p = Params { frame, dispatch, own: Decision { room_open } };
         let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];

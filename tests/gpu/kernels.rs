@@ -12,6 +12,7 @@ use ccd::gpu::{Device, harness};
 use ccd_core::broad_phase::{candidate, morton_key};
 use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Path, split};
 use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::compare;
 use ccd_testkit::generate::{Random, triangle_soup};
 
@@ -170,10 +171,16 @@ fn check_sweep(device: &Device) {
 fn check_shorten(device: &Device) {
     let paths = paths(&triangle_soup(200, 0.3, 2), false);
     let n = paths.len() as u32;
-    let frame = Frame { count: [n, 0, 0], ..Frame::default() };
-    for (key, until) in
-        [(0.25f32.to_bits(), 0.25), (0, 0.0), (decide::NEVER, 1.0), (1.0f32.to_bits(), 1.0)]
-    {
+    for (key, from, last, until) in [
+        (0.25f32.to_bits(), 0.0, 1.0, 0.25),
+        (0, 0.0, 1.0, 0.0),
+        (decide::NEVER, 0.0, 1.0, 1.0),
+        (1.0f32.to_bits(), 0.0, 1.0, 1.0),
+        (decide::NEVER, 0.125, 0.75, 0.75),
+        (0.5f32.to_bits(), 0.25, 0.75, 0.5),
+    ] {
+        let window = Search { from, until: last, ..Search::whole(0.0) };
+        let frame = Frame { count: [n, 0, 0], ..Frame::default() }.searching(&window);
         // The lesser of the times of both kinds counts.
         let (time, never) = (bytes(&[key, 0, 0, 0]), bytes(&[decide::NEVER; 4]));
         let (of_vf, of_ee) = if key == 0 { (never, time) } else { (time, never) };
@@ -182,10 +189,12 @@ fn check_shorten(device: &Device) {
         let done = run(device, kernel, &plain(frame), n.div_ceil(256));
         for (p, got) in paths.iter().zip(read::<Path>(&done.shortened)) {
             for k in 0..3 {
-                let want = p.t0[k] as f64 + (p.t1[k] as f64 - p.t0[k] as f64) * until;
+                let at = |t: f64| p.t0[k] as f64 + (p.t1[k] as f64 - p.t0[k] as f64) * t;
+                let off = |x: f32, t: f64| (x as f64 - at(t)).abs();
                 assert!(
-                    got.t0[k] == p.t0[k] && (got.t1[k] as f64 - want).abs() <= 4e-7 * 2.0,
-                    "{p:?} until {until}: {got:?}"
+                    off(got.t0[k], from) <= if from == 0.0 { 0.0 } else { 4e-7 * 2.0 }
+                        && off(got.t1[k], until) <= 4e-7 * 2.0,
+                    "{p:?} from {from} until {until}: {got:?}"
                 );
             }
         }

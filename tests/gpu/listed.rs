@@ -103,7 +103,7 @@ fn check_listed(device: &Device) {
 fn check_steps(device: &Device) {
     let soup = generate::triangle_soup(150, 0.2, 5);
     let body: Vec<u32> = (0..soup.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
-    let bodies = Some(Bodies::new(&body, &[true, false, true], true));
+    let bodies = Some(Bodies::new(&body, &[true, false, true], true).with_fixed_motion(true));
     let sheet = generate::crumpled_sheet(20, 3);
     for broad_phase in methods(device) {
         let options = Options::default().with_broad_phase(broad_phase);

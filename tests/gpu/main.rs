@@ -7,6 +7,8 @@
 
 mod builder_twin;
 mod builders;
+mod changes;
+mod codimensional;
 mod descent;
 mod emulated;
 mod failures;
@@ -20,8 +22,12 @@ mod oriented;
 mod pairs;
 mod poison;
 mod queries;
+mod rules;
 mod scalars;
 mod scenes;
+mod search;
+mod search_blocks;
+mod search_trees;
 mod sequences;
 mod sorts;
 mod stealing;
@@ -31,6 +37,7 @@ mod trees;
 mod triangles;
 mod twin;
 mod units;
+mod windows;
 mod workers;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
@@ -105,8 +112,10 @@ fn main() {
             pairs::TESTS,
             trees::TESTS,
             builders::TESTS,
+            changes::TESTS,
             kept_order::TESTS,
             listed::TESTS,
+            rules::TESTS,
             triangles::TESTS,
             intervals::TESTS,
             descent::TESTS,
@@ -116,8 +125,10 @@ fn main() {
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
+            codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,
+            windows::TESTS,
             sequences::TESTS,
             tangential::TESTS,
             units::TESTS,

@@ -173,6 +173,7 @@ pub fn filtered(
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     use ccd::Kind;
     use ccd_core::narrow_phase::decide;
+    use ccd_core::narrow_phase::search::Search;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
             .iter()
@@ -184,7 +185,8 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
     let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
-    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
+    let wanted = Search::whole(0.0);
+    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], &wanted).verdict
 }
 
 fn is_quadratic(method: BroadPhaseMethod) -> bool {

@@ -11,6 +11,7 @@ use ccd_core::layout::{
     split,
 };
 use ccd_core::model::quantization::{Scan, Table};
+use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::{compare, data};
 use std::path::{Path, PathBuf};
 
@@ -96,7 +97,8 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         path_error: table.error,
         distance_bits: split(0.0),
         ..Frame::default()
-    };
+    }
+    .searching(&Search::whole(0.0));
     let dispatch = Dispatch { room_in: count, room_out: count, ..Dispatch::default() };
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);

@@ -195,7 +195,7 @@ fn check_layouts(device: &Device) {
         fill(probe::PARAMS_WORDS, 0x100),
         fill(8, 0x1008),
         fill(4, 0x2004),
-        fill(6, 0x3006),
+        fill(7, 0x3007),
         fill(2, 0x4002),
     ]
     .concat();
@@ -227,11 +227,12 @@ pub fn check_decorations() {
             "Blocks" => &[0, 128, 132, 136, 140],
             "SortPass" | "Queries" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
-            "Expansion" => &[0, 4, 8, 12],
+            "Expansion" => &[0, 4, 8, 12, 20],
             "NodeDescent" => &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68],
+            "BlockDescent" => &[0, 72],
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Building" => &[0, 4, 8, 12, 16],
-            "Plain" | "Decision" | "ContactSort" => &[0],
+            "Plain" | "Decision" | "ContactSort" | "Worlds" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };
         let found = offsets(kernel.name);

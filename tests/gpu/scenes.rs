@@ -141,7 +141,8 @@ fn check_bodies(device: &Device) {
     let far: Vec<u32> = body.iter().map(|b| (b / 2) | ((b % 2) << 31)).collect();
     check_step(device, &step, Options::default().with_bodies(Bodies::new(&far, &[], false)));
     for self_contact in [false, true] {
-        let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
+        let bodies =
+            Some(Bodies::new(&body, &[true, false, true], self_contact).with_fixed_motion(true));
         check_step(device, &step, Options::default().with_bodies(bodies));
     }
 }
@@ -194,16 +195,7 @@ fn check_degenerate(device: &Device) {
         let found: BTreeSet<_> = gpu.contacts.iter().map(key).collect();
         let (mut n_missing, mut n_open) = (0, 0);
         for c in cpu.contacts.iter().filter(|c| !found.contains(&key(c))) {
-            let ids = match c.kind {
-                Kind::VertexFace => ccd_core::narrow_phase::decide::vertex_face_ids(
-                    Pair { a: c.a, b: c.b },
-                    mesh.faces(),
-                ),
-                Kind::EdgeEdge => ccd_core::narrow_phase::decide::edge_edge_ids(
-                    Pair { a: c.a, b: c.b },
-                    mesh.edges(),
-                ),
-            };
+            let ids = c.vertices(&mesh);
             let (p, q) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
             let answer = if c.kind == Kind::VertexFace {
                 oracle::vertex_face(&p, &q)

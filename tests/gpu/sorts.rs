@@ -83,13 +83,13 @@ fn check_order(device: &Device) {
                 let kind = random.below(2);
                 let (a, b) =
                     (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
-                Touch { kind, state: i % 2, a, b, toi: [i, !i] }
+                Touch { kind, state: i % 2, a, b, toi: [i, !i], approach: i % 3 }
             })
             .collect();
         let mut list = bytes(&[n, 0, 0, 0]);
         list.extend(bytes(&touches));
         // What stands behind the last contact is left from another frame.
-        list.resize(16 + room as usize * 24, 0x11);
+        list.resize(16 + room as usize * size_of::<Touch>(), 0x11);
         let mut want = touches.clone();
         want.sort_by_key(|t| (t.kind, t.a, t.b));
         let frame = Frame { count, ..Frame::default() };

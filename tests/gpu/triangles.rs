@@ -80,7 +80,7 @@ fn check_kernels(device: &Device) {
     let near = near_tests::NearTests::new(&sets, &triangles, |_| true).unwrap();
     let expand = |flags, rooms: [u32; 2]| {
         let (n_vf, orphans) = (near.n_vf, near.orphans);
-        let own = Expansion { flags, room_ee: rooms[1], n_vf, orphans };
+        let own = Expansion { flags, room_ee: rooms[1], n_vf, orphans, rules: 0 };
         let (n_pairs, n_near) = (pairs.len() as u32, near.tests.len() as u32);
         let mut made = ExpandTriangles {
             triangles: bytes(&records),
@@ -176,7 +176,8 @@ fn check_bodies(device: &Device) {
     let step = triangle_soup(150, 0.25, 5);
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     for (self_contact, orphans) in [(false, true), (true, false), (true, true)] {
-        let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
+        let bodies =
+            Some(Bodies::new(&body, &[true, false, true], self_contact).with_fixed_motion(true));
         let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
         let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
         check_candidates(device, &step, &features, &options);
@@ -192,7 +193,7 @@ fn check_bodies(device: &Device) {
     sheet.x1.extend(&other.x0);
     let body: Vec<u32> = (0..2 * n).map(|v| v / n).collect();
     for self_contact in [false, true] {
-        let bodies = Some(Bodies::new(&body, &[false, true], self_contact));
+        let bodies = Some(Bodies::new(&body, &[false, true], self_contact).with_fixed_motion(true));
         let features = Options::default().with_bodies(bodies);
         let options = features.clone().with_pipeline(Pipeline::TRIANGLES);
         check_candidates(device, &sheet, &features, &options);

@@ -72,14 +72,39 @@ impl Twin {
             (0..boxes.len()).map(|i| set_of(i as u32) << 30 | code(&boxes[i], &scene)).collect();
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         order.sort_by_key(|&i| keys[i as usize]);
-        let mut nodes = vec![Aabb::EMPTY; next as usize];
         let mut leaves = vec![Leaf { vertices: [0; 3], id: Leaf::NONE }; slots[0][3] as usize];
         for set in 0..3 {
             for k in 0..count[set] {
                 let i = order[(start[set] + k) as usize];
                 let slot = (slots[0][set] + k) as usize;
-                nodes[slot] = boxes[i as usize];
                 leaves[slot] = Leaf { vertices: leaf(set, i - start[set]), id: i - start[set] };
+            }
+        }
+        let nodes = vec![Aabb::EMPTY; next as usize];
+        let mut twin = Self { frame, tree, boxes, keys, order, nodes, leaves };
+        twin.fit();
+        twin
+    }
+
+    /// Trees over the same boxes, each of which has moved, in the order that there is.
+    pub fn moved(&self, mut to: impl FnMut(&Aabb) -> Aabb) -> Self {
+        let boxes = self.boxes.iter().map(&mut to).collect();
+        let (keys, order) = (self.keys.clone(), self.order.clone());
+        let (nodes, leaves) = (self.nodes.clone(), self.leaves.clone());
+        let mut twin =
+            Self { frame: self.frame, tree: self.tree, boxes, keys, order, nodes, leaves };
+        twin.fit();
+        twin
+    }
+
+    /// Boxes of all nodes, in the order that there is.
+    fn fit(&mut self) {
+        let Self { frame, tree, boxes, order, nodes, .. } = self;
+        let slots = &tree.slots;
+        for set in 0..3 {
+            for k in 0..frame.count[set] {
+                let i = order[(frame.start[set] + k) as usize];
+                nodes[(slots[0][set] + k) as usize] = boxes[i as usize];
             }
         }
         for level in 1..MAX_LEVELS {
@@ -94,7 +119,6 @@ impl Twin {
                 }
             }
         }
-        Self { frame, tree, boxes, keys, order, nodes, leaves }
     }
 
     /// Parameters of a pass over pairs of nodes.

@@ -1,10 +1,12 @@
 //! Properties that hold for every input, on random ones; and the exact oracle, brute force and
 //! dense sampling as judges. Here: single queries.
 
+mod codimensional;
 mod geometry;
 mod separation;
 mod steps;
 mod swept_oriented;
+mod worlds;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_testkit::oracle::{self, Answer};

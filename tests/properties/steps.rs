@@ -127,13 +127,14 @@ fn fixed_bodies_do_not_touch_each_other() {
     let step = triangle_soup(200, 0.2, 11);
     let body: Vec<u32> = (0..600).map(|v| v / 3).collect();
     let fixed: Vec<bool> = (0..200).map(|b| b % 2 == 0).collect();
-    let options = Options::default().with_bodies(Bodies::new(&body, &fixed, true));
+    let options =
+        Options::default().with_bodies(Bodies::new(&body, &fixed, true).with_fixed_motion(true));
     let report = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
     let all = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
     let edge_body = |e: u32| body[step.mesh.edges()[e as usize][0] as usize];
     let bodies_of = |c: &Contact| match c.kind {
         Kind::VertexFace => (body[c.a as usize], c.b),
-        Kind::EdgeEdge => (edge_body(c.a), edge_body(c.b)),
+        _ => (edge_body(c.a), edge_body(c.b)),
     };
     let both_fixed = |c: &&Contact| {
         let (a, b) = bodies_of(c);

@@ -18,7 +18,7 @@ fn boxes(mesh: &Mesh, step: &Step, kind: Kind, a: u32, b: u32) -> [Obb<f64>; 2] 
             let face = Obb::of_moving_triangle(&[p[0], q[0], r[0]], &[p[1], q[1], r[1]]);
             [Obb::around(&path(a)), face]
         }
-        Kind::EdgeEdge => [edge(a), edge(b)],
+        _ => [edge(a), edge(b)],
     }
 }
 

@@ -1,5 +1,6 @@
 //! The checks that a change must pass, in the order of what fails fastest.
 
+use crate::optional::{has_target, skipped};
 use std::path::Path;
 use std::process::Command;
 
@@ -20,6 +21,9 @@ pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     let test = readme_test_command(root)?;
     command(root, &test.split_whitespace().collect::<Vec<_>>())?;
+    // After the tests, which compile most of what they need.
+    crate::wasm::run(root)?;
+    crate::python::run(root)?;
     command_with(
         root,
         &["cargo", "doc", "--workspace", "--no-deps"],
@@ -29,15 +33,11 @@ pub fn run(root: &Path) -> Result<(), String> {
 
 /// Builds `ccd-core` where there is no standard library: a use of one would not compile.
 fn bare_metal(root: &Path) -> Result<(), String> {
-    let installed = Command::new("rustup")
-        .args(["target", "add", BARE_METAL])
-        .status()
-        .is_ok_and(|s| s.success());
-    if !installed {
-        println!(
-            "SKIPPED: the target {BARE_METAL} cannot be installed here, \
-             so ccd-core was not shown to be no_std"
-        );
+    if !has_target(BARE_METAL) {
+        skipped(&format!(
+            "the target {BARE_METAL} cannot be installed here, so ccd-core was not shown to be \
+             no_std"
+        ));
         return Ok(());
     }
     for features in ["", "alloc"] {
@@ -63,7 +63,7 @@ pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
     command_with(root, words, &[])
 }
 
-fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
+pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
     println!("$ {}", words.join(" "));
     let status = Command::new(words[0])
         .args(&words[1..])

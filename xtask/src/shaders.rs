@@ -6,7 +6,9 @@
 
 #[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
-use std::path::{Path, PathBuf};
+use std::path::Path;
+#[cfg(any(feature = "shaders", test))]
+use std::path::PathBuf;
 use std::process::Command;
 
 /// Where the products are.
@@ -72,25 +74,15 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
     Ok(())
 }
 
-/// What of a check cannot be done here, each with the reason: that of the nightly, that of Tint.
-pub fn missing(root: &Path) -> Result<[Option<String>; 2], String> {
+/// Why shaders cannot be rebuilt here, if they cannot.
+pub fn missing(root: &Path) -> Result<Option<String>, String> {
     let toolchain = toolchain(root)?;
-    let nightly = (!installed(&toolchain)).then(|| {
+    Ok((!installed(&toolchain)).then(|| {
         format!(
             "shaders were not rebuilt, {toolchain} is not installed (rustup toolchain install with \
              the components of ccd-shaders/rust-toolchain.toml)"
         )
-    });
-    let tint = (!dawn(root).is_dir()).then(|| {
-        "Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)"
-            .to_owned()
-    });
-    Ok([nightly, tint])
-}
-
-/// Dawn's bindings for Node, of which Tint is a part.
-fn dawn(root: &Path) -> PathBuf {
-    root.join("target/tint/node_modules/webgpu")
+    }))
 }
 
 fn toolchain(root: &Path) -> Result<String, String> {
@@ -114,9 +106,7 @@ pub use build::run;
 
 #[cfg(feature = "shaders")]
 mod build {
-    use super::{
-        ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, dawn, hash_of_inputs, missing, toolchain,
-    };
+    use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs, missing, toolchain};
     use ccd_core::kernel::TABLE;
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
@@ -125,17 +115,12 @@ mod build {
 
     /// Builds all products. `check`: compares them with the committed ones instead of writing them.
     pub fn run(root: &Path, check: bool) -> Result<(), String> {
-        let [no_nightly, no_tint] = missing(root)?;
-        match no_nightly {
-            Some(why) if check => println!("skipped: {why}"),
+        match missing(root)? {
+            Some(why) if check => crate::optional::skipped(&why),
             Some(why) => return Err(why),
             None => build(root, check)?,
         }
-        match no_tint {
-            Some(why) => println!("skipped: {why}"),
-            None => check_with_tint(root)?,
-        }
-        Ok(())
+        crate::tint::run(root)
     }
 
     fn build(root: &Path, check: bool) -> Result<(), String> {
@@ -145,37 +130,6 @@ mod build {
         build_modules(root, &toolchain, &modules)?;
         let products = translate(root, &modules, &toolchain)?;
         if check { compare(root, &products) } else { write(root, &products) }
-    }
-
-    /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not
-    /// in their language; native ones have no WGSL.
-    fn check_with_tint(root: &Path) -> Result<(), String> {
-        let dawn = dawn(root);
-        let manifest = std::fs::read_to_string(root.join(MANIFEST)).map_err(|e| e.to_string())?;
-        let manifest: Value = serde_json::from_str(&manifest).map_err(|e| e.to_string())?;
-        let kernels: Vec<&Value> = manifest["kernels"].as_array().into_iter().flatten().collect();
-        let portable = kernels.iter().filter(|k| k["wide"] == false && k["native"] == false);
-        let files: Vec<_> = portable
-            .filter_map(|k| k["name"].as_str())
-            .map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl")))
-            .collect();
-        let status = Command::new("node")
-            .arg(root.join("xtask/src/tint.mjs"))
-            .arg(dawn)
-            .args(&files)
-            .status();
-        match status {
-            Ok(status) if status.success() => {
-                println!(
-                    "Tint accepts {} of {} kernels, all portable ones that do without f64",
-                    files.len(),
-                    kernels.len()
-                );
-                Ok(())
-            }
-            Ok(_) => Err("Tint refuses a kernel".into()),
-            Err(e) => Err(format!("cannot run node, which runs Tint: {e}")),
-        }
     }
 
     /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code

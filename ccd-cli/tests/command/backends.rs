@@ -17,7 +17,9 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
     for precision in ["f32", "f64"] {
         let check = ["check", a.as_str(), &b];
         let by_triangles = [&check[..], &["--pipeline", "triangles", "--cones", "on"]].concat();
-        for command in [&check[..], &["sequence", &a, &b, &a], &by_triangles] {
+        let sequence = ["sequence", a.as_str(), &b, &a];
+        let by_workers = [&sequence[..], &["--scheduler", "static", "--front", "on"]].concat();
+        for command in [&check[..], &sequence, &by_workers, &by_triangles] {
             let args = [command, &["--precision", precision]].concat();
             let (cpu, want) = rows(&[&args[..], &["--backend", "cpu"]].concat());
             assert!(want.lines().count() > 20, "{want}");
@@ -43,7 +45,7 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
     std::fs::write(&far, format!("v 1e200 {} {}\n{rest}", words[2], words[3])).unwrap();
     check_refused(
         &["check", &a, far.to_str().unwrap(), "--backend", "gpu"],
-        "far.obj: vertex 0 at t1 has x = 10",
+        "far.obj: line 1: `1e200` is beyond 1e100",
     );
     let [a, b] = [1.0f32, 2.5].map(|x| {
         let path = dir.path().join(format!("{x}.bin"));
@@ -110,7 +112,48 @@ pub fn info_says_what_there_is() {
     let name = value["adapter"]["name"].as_str().unwrap();
     assert_eq!(value["shaders"], "wgsl");
     assert!(value["adapters"].as_array().unwrap().iter().any(|a| a["name"] == name), "{value}");
-    assert!(json(&ccd(&["info", "--json", "--adapter", name]))["adapter"]["name"] == name);
+    for by in [name, "0"] {
+        let one = json(&ccd(&["info", "--json", "--adapter", by]));
+        let all = one["adapters"].as_array().unwrap();
+        let want = if by == "0" { &all[0]["name"] } else { &value["adapter"]["name"] };
+        assert_eq!(&one["adapter"]["name"], want);
+    }
+    assert!(said.contains("there are   0: "), "{said}");
+}
+
+/// A second process takes kernels from the file that the first one left; without a folder to keep
+/// them it compiles.
+pub fn kernels_are_kept() {
+    let dir = tempfile::tempdir().unwrap();
+    let [a, b] = crumpled_sheet(dir.path(), 12);
+    let run = |cache: &Path| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
+        command.args(["check", &a, &b, "--backend", "gpu"]).env_remove("XDG_RUNTIME_DIR");
+        let output =
+            command.env("XDG_CACHE_HOME", cache).env("HOME", "/dev/null").output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert_eq!(text(&output.stderr), "", "nothing is said that was not asked for");
+        let said = text(&output.stdout);
+        let line =
+            said.lines().find(|line| line.starts_with("kernels")).expect("a line").to_owned();
+        assert!(line.contains("compiled in "), "{line}");
+        line.contains("earlier run")
+    };
+    let cache = dir.path().join("cache");
+    assert!(!run(&cache));
+    let files = || std::fs::read_dir(cache.join("ccd")).unwrap().map(|e| e.unwrap().path());
+    let kept: Vec<_> = files().collect();
+    assert_eq!(kept.len(), 1, "one file, and no part of one: {kept:?}");
+    assert!(run(&cache));
+    let whole = std::fs::read(&kept[0]).unwrap();
+    std::fs::write(&kept[0], &whole[..whole.len() - 1]).unwrap();
+    assert!(!run(&cache), "a file that is cut is not used");
+    assert!(run(&cache), "and is replaced");
+    // Where its folder cannot be made nothing is kept, and nothing is said.
+    let other = dir.path().join("other");
+    std::fs::create_dir(&other).unwrap();
+    std::fs::write(other.join("ccd"), "").unwrap();
+    assert!(!run(&other) && !run(&other));
 }
 
 /// Two frames of a crumpled grid of `n x n` vertices: contacts everywhere, none of them degenerate.
@@ -149,13 +192,12 @@ fn check_same_contacts(found: &str, want: &str, wgsl: bool, input: &str) {
         return;
     }
     let rows = |text: &str| -> Vec<(String, f64)> {
-        // The column of the time, in either kind of file, is the last but one.
-        let split = |line: &str| line.rsplit(',').map(str::to_owned).collect::<Vec<_>>();
-        text.lines()
-            .skip(1)
-            .map(split)
-            .map(|c| (format!("{:?}", (&c[0], &c[2..])), c[1].parse().unwrap()))
-            .collect()
+        // The columns before the time say which contact it is; what is behind depends on it.
+        let head = text.lines().next().unwrap().split(',');
+        let at = head.clone().position(|name| name == "toi").unwrap();
+        let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+        let row = |c: Vec<String>| (format!("{:?}", (&c[..at], &c[at + 1..at + 7])), c[at].parse());
+        text.lines().skip(1).map(split).map(row).map(|(name, toi)| (name, toi.unwrap())).collect()
     };
     let (found, want) = (rows(found), rows(want));
     assert_eq!(found.len(), want.len(), "{input}");

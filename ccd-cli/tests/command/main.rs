@@ -4,6 +4,8 @@ mod backends;
 mod bench;
 mod meshes;
 mod methods;
+mod outputs;
+mod parts;
 mod refusals;
 mod rows;
 mod streams;
@@ -36,11 +38,21 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("sequences_are_folders_and_patterns", streams::sequences_are_folders_and_patterns),
     ("bodies_select_contacts", streams::bodies_select_contacts),
     ("shells_and_man_have_something_to_read", streams::shells_and_man_have_something_to_read),
+    ("contacts_say_where_they_are", outputs::contacts_say_where_they_are),
+    ("candidates_are_listed", outputs::candidates_are_listed),
+    ("pairs_of_boxes_are_written", outputs::pairs_of_boxes_are_written),
+    ("people_are_told_what_it_means", outputs::people_are_told_what_it_means),
+    ("the_demo_writes_its_frames", outputs::the_demo_writes_its_frames),
+    ("parts_are_joined_to_the_whole", parts::parts_are_joined_to_the_whole),
+    ("slurm_says_which_part", parts::slurm_says_which_part),
+    ("positions_over_time_are_a_sequence", parts::positions_over_time_are_a_sequence),
+    ("verdicts_on_queries_are_written", rows::verdicts_on_queries_are_written),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[
     ("info_says_what_there_is", backends::info_says_what_there_is),
     ("the_gpu_finds_what_the_cpu_finds", backends::the_gpu_finds_what_the_cpu_finds),
+    ("kernels_are_kept", backends::kernels_are_kept),
     ("bench_checks_its_answers_on_the_gpu", bench::bench_checks_its_answers_on_the_gpu),
 ];
 

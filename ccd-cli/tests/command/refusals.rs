@@ -31,7 +31,7 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
     );
     check_refused(
         &["check", a, &write("other.obj", &full.replace("f 5 6 7", "f 5 7 6"))],
-        "face 2",
+        "triangle 3 (counted from 1)",
     );
     check_refused(&["check", a, &write("more.obj", &format!("{full}v 0 0 0\n"))], "8 vertices");
     check_refused(
@@ -40,7 +40,17 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
     );
     check_refused(
         &["check", a, &write("far.obj", &full.replace("v 1 0 1", "v 1 1e200 1"))],
-        "far.obj: vertex 3 at t1 has y = 10",
+        "far.obj: line 4: `1e200` is beyond 1e100",
+    );
+    check_refused(
+        &[
+            "check",
+            a,
+            &write("wide.obj", &full.replace("v 1 0 1", "v 1 1e99 1")),
+            "--precision",
+            "f32",
+        ],
+        "wide.obj: vertex 4 (counted from 1): y = inf in f32",
     );
     // What text cannot say, bytes can.
     let ply = |name: &str, y: f64| {
@@ -54,17 +64,17 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
     let point = ply("point.ply", 0.0);
     check_refused(
         &["check", &point, &ply("nan.ply", f64::NAN)],
-        "nan.ply: vertex 0 at t1 has y = NaN",
+        "nan.ply: vertex 1 (counted from 1): y = NaN",
     );
     check_refused(
         &["check", &point, &ply("inf.ply", f64::INFINITY)],
-        "inf.ply: vertex 0 at t1 has y = inf",
+        "inf.ply: vertex 1 (counted from 1): y = inf",
     );
     check_refused(
         &["check", &write("index.obj", &full.replace("f 5 6 7", "f 5 6 70")), a],
-        "face 2 refers to vertex 69",
+        "index.obj: line 10: vertex index 70 names no vertex",
     );
-    check_refused(&["check", a, &write("dir.txt", "x")], ".ply or .obj");
+    check_refused(&["check", a, &write("dir.txt", "x")], ".ply, .obj, .off, .stl, .gltf or .glb");
     check_refused(&["sequence", a], "two frames or more");
     check_refused(&["queries", &write("none.csv", "1,1\n")], "vertex-face");
     check_refused(&["check", a, a, "--contacts", "/nowhere/out.csv"], "/nowhere/out.csv");

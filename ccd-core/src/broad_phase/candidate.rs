@@ -4,6 +4,7 @@
 //! Written for one pair and for lanes of pairs: a backend says only how it compares ids and
 //! numbers. What it does with rows of eight or blocks of 32 is its own.
 
+use super::pair_rules::{classes_meet, is_excluded};
 use crate::kernel::memory::at;
 use crate::layout::{Frame, Leaf, split};
 use crate::math::aabb::Aabb;
@@ -39,13 +40,15 @@ pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
     b[0].is_one_of(a[0], a[1]) | b[1].is_one_of(a[0], a[1])
 }
 
-/// Whether features of two bodies are looked at: not if both are fixed, and of one body only with
-/// `self_contact`.
+/// Whether features of two bodies are looked at, as far as their words say: not if both stand
+/// still, and of one body only with self-contact. What [`pair_rules`](super::pair_rules) says
+/// besides is asked where there is a table.
 ///
-/// A body is twice its number, plus one if it is fixed: [`crate::model::bodies::Bodies::words`].
+/// A word is four times the number of a body, plus two with self-contact, plus one if it stands
+/// still: [`crate::model::rules::Rules::words`].
 #[inline(always)]
-pub fn bodies_meet(a: u32, b: u32, self_contact: bool) -> bool {
-    (a / 2 != b / 2 || self_contact) && a & b & 1 == 0
+pub fn bodies_meet(a: u32, b: u32) -> bool {
+    (a / 4 != b / 4 || a & 2 != 0) && a & b & 1 == 0
 }
 
 /// Whether two boxes overlap by more than `slack` on every axis: then also those that they were
@@ -61,7 +64,8 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
 /// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
 /// and a face, 1: two edges.
 ///
-/// `bodies`: a word per vertex. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+/// `bodies`: a word per vertex, then, with [`Frame::FLAG_RULES`], the table of rules.
+/// `keys`: per vertex the bounds of its exact box, see [`bound_key`].
 #[inline(always)]
 pub fn wanted(
     frame: &Frame,
@@ -81,9 +85,17 @@ pub fn wanted(
         }
     }
     if frame.has(Frame::FLAG_BODIES) {
-        let self_contact = frame.has(Frame::FLAG_SELF_CONTACT);
-        if !bodies_meet(at(bodies, p[0] as usize), at(bodies, q[0] as usize), self_contact) {
+        let (body_a, body_b) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
+        if !bodies_meet(body_a, body_b) {
             return false;
+        }
+        if frame.has(Frame::FLAG_RULES) {
+            let table = frame.count[0] as usize;
+            if !classes_meet(body_a, body_b, bodies, table)
+                || is_excluded(kind, a.id, b.id, bodies, table)
+            {
+                return false;
+            }
         }
     }
     if frame.has(Frame::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], frame.slack) {
@@ -171,14 +183,10 @@ mod tests {
                 && share_vertex([1, 2], [9, 1])
                 && !share_vertex([1, 2], [3, 4])
         );
-        let [a, b, fixed, other_fixed] = [2, 4, 7, 9];
+        let [a, b, fixed, other_fixed] = [4, 8, 15, 19];
+        assert!(bodies_meet(a, b) && bodies_meet(a, fixed) && bodies_meet(b + 2, b + 2));
         assert!(
-            bodies_meet(a, b, false) && bodies_meet(a, fixed, false) && bodies_meet(a, a, true)
-        );
-        assert!(
-            !bodies_meet(a, a, false)
-                && !bodies_meet(fixed, other_fixed, true)
-                && !bodies_meet(fixed, fixed, true)
+            !bodies_meet(a, a) && !bodies_meet(fixed, other_fixed) && !bodies_meet(fixed, fixed)
         );
     }
 

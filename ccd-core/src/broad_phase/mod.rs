@@ -2,6 +2,7 @@
 //! candidates.
 
 pub mod block_bvh;
+pub mod block_workers;
 pub mod candidate;
 pub mod key_intervals;
 pub mod morton_key;
@@ -10,6 +11,7 @@ pub mod node_numbering;
 pub mod oriented_nodes;
 pub mod oriented_refit;
 pub mod pair_descent;
+pub mod pair_rules;
 pub mod pair_workers;
 pub mod placement;
 pub mod ploc;
@@ -24,3 +26,4 @@ pub mod swept_box;
 mod test_trees;
 pub mod uniform_grid;
 pub mod wide_nodes;
+pub mod worlds;

@@ -10,11 +10,12 @@
 //!  the next   tasks  [p p p p p p]
 //! ```
 //!
-//! A worker is a workgroup with a stack in its own memory. It takes tasks when its stack has fewer
-//! pairs than it has threads; it ends when it finds none, when too many others have, or after so
-//! many turns, so that no driver thinks that it hangs. Nobody waits for another, nothing but
-//! counters passes between workgroups inside a dispatch, and of those nothing but the order of work
-//! depends: what is on a list is read by the next dispatch.
+//! A worker is a workgroup with a stack in its own memory. A thread expands a pair of binary trees,
+//! 32 threads one of blocks ([`block_workers`](super::block_workers)). A worker takes tasks when
+//! its stack has fewer pairs than a turn has room for; it ends when it finds none, when too many
+//! others have, or after so many turns, so that no driver thinks that it hangs. Nobody waits for
+//! another, nothing but counters passes between workgroups inside a dispatch, and of those nothing
+//! but the order of work depends: what is on a list is read by the next dispatch.
 //!
 //! There is a power of two of workers, because a division by what is not known is a check, and a
 //! failed check would leave before a barrier. Counters of all rounds stand in one buffer,
@@ -94,6 +95,14 @@ pub fn thieves(own: &NodeDescent) -> Workers {
     Workers { n: 1 << own.workers, batches: own.batches, batch: own.batch }
 }
 
+/// Whose deque hand `hand` of worker `me` of `n`, a power of two, looks at in a turn: those after
+/// one that changes from turn to turn, maybe its own.
+#[inline(always)]
+pub fn victim(n: u32, me: u32, turn: u32, hand: u32) -> u32 {
+    let at_random = (me + turn).wrapping_mul(0x9e37_79b9) >> 8;
+    (me + 1 + at_random + hand) & (n - 1)
+}
+
 /// Tasks that worker `me` of `2^workers` has if all are dealt out: `me`, `me + 2^workers` ..
 #[inline(always)]
 pub fn share(tasks: u32, me: u32, workers: u32) -> u32 {
@@ -116,6 +125,9 @@ pub fn is_over(n_idle: u32, workers: u32, percent: u32) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scheduling::stealing::HANDS;
+    use std::collections::BTreeSet;
+    use std::vec::Vec;
 
     #[test]
     fn shares_are_all_tasks() {
@@ -131,6 +143,21 @@ mod tests {
     fn a_piece_is_never_empty() {
         let of = [(0, 1), (5, 1), (80_000, 1), (u32::MAX, 1), (5, THREADS)];
         assert_eq!(of.map(|(n, least)| piece(n, 11, least)), [1, 1, 9, 128, 128]);
+    }
+
+    #[test]
+    fn thieves_look_at_all_others() {
+        for n in [1, 2, 16, 2048] {
+            for (me, turn) in [(0, 0), (n / 2, 7), (n - 1, 4096)] {
+                let mut seen: Vec<u32> = (0..HANDS).map(|hand| victim(n, me, turn, hand)).collect();
+                seen.sort_unstable();
+                seen.dedup();
+                assert_eq!(seen.len() as u32, n.min(HANDS), "{n} workers, worker {me}");
+                assert!(seen.iter().all(|&other| other < n));
+            }
+            let seen: BTreeSet<u32> = (0..4 * n).map(|turn| victim(n, 0, turn, 0)).collect();
+            assert!(2 * seen.len() as u32 >= n, "{n} workers: {} are seen", seen.len());
+        }
     }
 
     #[test]

@@ -37,12 +37,14 @@ pub fn end_error<R: Real>(largest: R) -> R {
     largest * (R::UNIT * R::splat(16.0)) + R::MIN_NORMAL * R::splat(8.0)
 }
 
-/// A path up to time `until` in `[0, 1]`; its end is off by [`end_error`].
+/// A path from time `from` to time `until` in `[0, 1]`; its end, and its start unless that is the
+/// path's own, are off by [`end_error`].
 #[inline(always)]
-pub fn shorten(path: &Path, until: f32) -> Path {
+pub fn shorten(path: &Path, from: f32, until: f32) -> Path {
     let (p, q) = (path.t0, path.t1);
-    let end = end([p[0], p[1], p[2]], [q[0], q[1], q[2]], until);
-    Path { t0: p, t1: [end[0], end[1], end[2], 0.0] }
+    let (p, q) = ([p[0], p[1], p[2]], [q[0], q[1], q[2]]);
+    let (start, end) = (if from > 0.0 { end(p, q, from) } else { p }, end(p, q, until));
+    Path { t0: [start[0], start[1], start[2], 0.0], t1: [end[0], end[1], end[2], 0.0] }
 }
 
 /// Box of the path from `p` to `q`, in the precision of the coordinates.

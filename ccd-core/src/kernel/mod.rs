@@ -221,6 +221,22 @@ macro_rules! kernels {
                 = steal_pairs_oriented(128 threads, 18 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
+            /// All pairs of blocks of the level where a descent begins: tasks, or the first front.
+            FirstBlockPairs
+                = first_block_pairs(128 threads, 3 barriers, f32, Params<BlockDescent>)
+                { boxes: Read, first: Read,
+                  control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Pairs of blocks of a front to those that still end there, pairs of blocks of boxes,
+            /// and tasks.
+            ResumeBlockFront
+                = resume_block_front(128 threads, 3 barriers, f32, Params<BlockDescent>)
+                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Workers that descend pairs of blocks.
+            BlockWorkers = block_workers(128 threads, 6 barriers, f32, Params<BlockDescent>)
+                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Workers that descend pairs of blocks and steal them from each other.
+            StealBlockPairs = steal_block_pairs(128 threads, 19 barriers, f32, Params<BlockDescent>)
+                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
             /// The axis along which boxes vary most.
             SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
                 { boxes: Read, survey: Write }
@@ -246,6 +262,15 @@ macro_rules! kernels {
             /// Pairs of nodes to pairs of their children.
             NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
+            /// Bounds of each of many worlds, in six words each.
+            WorldBounds = world_bounds(256 threads, 0 barriers, f32, Params<Worlds>)
+                { boxes: Read, worlds: Read, bounds: Write }
+            /// Sort keys of boxes of many worlds, and their numbers.
+            WorldKeys = world_keys(256 threads, 0 barriers, f32, Params<Worlds>)
+                { boxes: Read, worlds: Read, bounds: Read, keys: Write, order: Write }
+            /// Pairs of nodes to pairs of their children that have a world in common.
+            NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, worlds: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
@@ -381,7 +406,10 @@ impl Id {
     /// Whether it runs on the native path alone: workgroups pass data to each other inside a
     /// dispatch, by acquire and release at the scope of the device, which WGSL does not have.
     pub const fn native(self) -> bool {
-        matches!(self, Id::StealStress | Id::StealPairs | Id::StealPairsOriented)
+        matches!(
+            self,
+            Id::StealStress | Id::StealPairs | Id::StealPairsOriented | Id::StealBlockPairs
+        )
     }
 }
 
@@ -397,7 +425,11 @@ const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes
 const _: () = assert!(Id::PairWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::StealPairs.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::ResumeFront.threads() == crate::broad_phase::pair_workers::THREADS);
+const _: () = assert!(Id::BlockWorkers.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::BlockWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
+const _: () = assert!(Id::StealBlockPairs.threads() == crate::broad_phase::pair_workers::THREADS);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::NodePairsOfWorlds.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterEdgeEdge.threads() == crate::broad_phase::block_bvh::THREADS);

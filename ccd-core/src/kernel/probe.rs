@@ -9,7 +9,7 @@ use crate::math::real::{Num, Real};
 /// Words that [`params`] writes.
 pub const PARAMS_WORDS: usize = size_of::<Params<Blocks>>() / 4;
 /// Words that [`params`] and [`records`] write.
-pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 6 + 2;
+pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 7 + 2;
 
 /// Writes the fields in their order.
 #[inline(always)]
@@ -36,16 +36,24 @@ pub fn params(p: &Params<Blocks>, out: &mut [u32]) {
     put(out, 21, frame.margin_bits[1]);
     put(out, 22, frame.scale_bits[0]);
     put(out, 23, frame.scale_bits[1]);
-    put(out, 24, dispatch.n);
-    put(out, 25, dispatch.first);
-    put(out, 26, dispatch.room_in);
-    put(out, 27, dispatch.room_out);
+    put(out, 24, frame.tolerance.to_bits());
+    put(out, 25, frame.from.to_bits());
+    put(out, 26, frame.until.to_bits());
+    for k in 0..2 {
+        put(out, 27 + k, frame.tolerance_bits[k]);
+        put(out, 29 + k, frame.from_bits[k]);
+        put(out, 31 + k, frame.until_bits[k]);
+    }
+    put(out, 33, dispatch.n);
+    put(out, 34, dispatch.first);
+    put(out, 35, dispatch.room_in);
+    put(out, 36, dispatch.room_out);
     for level in 0..MAX_LEVELS {
         for k in 0..4 {
-            put(out, 28 + 4 * level + k, own.slots[level][k]);
+            put(out, 37 + 4 * level + k, own.slots[level][k]);
         }
     }
-    let n = 28 + 4 * MAX_LEVELS;
+    let n = 37 + 4 * MAX_LEVELS;
     put(out, n, own.kind);
     put(out, n + 1, own.level);
     put(out, n + 2, own.step);
@@ -72,8 +80,9 @@ pub fn records(path: &Path, leaf: &Leaf, touch: &Touch, pair: &Pair, out: &mut [
     put(out, n + 3, touch.b);
     put(out, n + 4, touch.toi[0]);
     put(out, n + 5, touch.toi[1]);
-    put(out, n + 6, pair.a);
-    put(out, n + 7, pair.b);
+    put(out, n + 6, touch.approach);
+    put(out, n + 7, pair.a);
+    put(out, n + 8, pair.b);
 }
 
 /// Names of what [`scalars`] computes, in order.

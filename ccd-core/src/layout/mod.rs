@@ -4,14 +4,20 @@
 mod params;
 
 pub use params::{
-    Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals, NodeDescent,
-    Params, Placing, Plain, Queries, SortPass, Stealing,
+    BlockDescent, Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals,
+    NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing, Worlds,
 };
 
 use crate::math::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
+///
+/// ```
+/// use ccd_core::layout::Pair;
+///
+/// assert_eq!(Pair::ordered(7, 3), Pair { a: 3, b: 7 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Pod, Zeroable)]
 #[repr(C)]
 pub struct Pair {
@@ -248,6 +254,7 @@ pub struct NearTest {
 /// | `a` | 8..12 |
 /// | `b` | 12..16 |
 /// | `toi` | 16..24 |
+/// | `approach` | 24..28 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Touch {
@@ -261,6 +268,8 @@ pub struct Touch {
     pub b: u32,
     /// Time of impact: the bits of an `f64`, low word first.
     pub toi: [u32; 2],
+    /// The word of [`Approach`](crate::narrow_phase::approach::Approach).
+    pub approach: u32,
 }
 
 /// How a contact of a device's list meets at its time of impact, as
@@ -323,6 +332,6 @@ pub const MAX_LEVELS: usize = 8;
 const _: () = assert!(size_of::<WideNode>() == 64 && size_of::<Cluster>() == 32);
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Triangle>() == 32 && size_of::<NearTest>() == 16);
-const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);
+const _: () = assert!(size_of::<Touch>() == 28 && size_of::<Pair>() == 8);
 const _: () = assert!(size_of::<TouchGeometry>() == 64);
 const _: () = assert!(size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -1,6 +1,8 @@
 //! What kernels are told besides their buffers.
 
-use super::MAX_LEVELS;
+use super::{MAX_LEVELS, split};
+use crate::math::real::Real;
+use crate::narrow_phase::search::Search;
 use bytemuck::{Pod, Zeroable};
 
 /// What kernels are told besides their buffers: what is the same for a whole frame, what one
@@ -34,7 +36,10 @@ impl<A: Pod> Params<A> {
 /// | `start` | 16..32 | | `distance_bits` | 48..56 |
 /// | `margin` | 32..36 | | `origin` | 56..80 |
 /// | `path_error` | 36..40 | | `margin_bits` | 80..88 |
-/// | | | | `scale_bits` | 88..96 |
+/// | `tolerance` | 96..100 | | `scale_bits` | 88..96 |
+/// | `from` | 100..104 | | `tolerance_bits` | 108..116 |
+/// | `until` | 104..108 | | `from_bits` | 116..124 |
+/// | | | | `until_bits` | 124..132 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
@@ -62,6 +67,18 @@ pub struct Frame {
     /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`,
     /// low word first. See [`Table`](crate::model::quantization::Table).
     pub scale_bits: [u32; 2],
+    /// How early a certain time of impact may be; rounded down.
+    pub tolerance: f32,
+    /// First time that matters; rounded down.
+    pub from: f32,
+    /// Last time that matters; rounded up.
+    pub until: f32,
+    /// The same three as bits of `f64`, low words first.
+    pub tolerance_bits: [u32; 2],
+    /// First time that matters.
+    pub from_bits: [u32; 2],
+    /// Last time that matters.
+    pub until_bits: [u32; 2],
 }
 
 impl Frame {
@@ -69,14 +86,32 @@ impl Frame {
     pub const FLAG_TOPOLOGY: u32 = 1;
     /// Bodies select pairs.
     pub const FLAG_BODIES: u32 = 2;
-    /// Features of one body are a pair, too.
-    pub const FLAG_SELF_CONTACT: u32 = 4;
+    /// There is a table of rules, see [`pair_rules`](crate::broad_phase::pair_rules).
+    pub const FLAG_RULES: u32 = 4;
     /// Paths are exact: there are no wider ones.
     pub const FLAG_EXACT: u32 = 8;
     /// Contacts are kept; else only the earliest time of impact.
     pub const FLAG_KEEP: u32 = 16;
     /// Overlap that rounding may have made is looked at again, by the keys of the exact bounds.
     pub const FLAG_CONFIRM: u32 = 32;
+    /// Features may leave a contact that is there at the first time.
+    pub const FLAG_LEAVES: u32 = 64;
+    /// The first or the last time is no `f32`.
+    pub const FLAG_WINDOW_ROUNDED: u32 = 128;
+
+    /// With what its kernels look for besides the distance.
+    pub fn searching(mut self, search: &Search<f64>) -> Self {
+        let Search { tolerance, from, until, leaves, .. } = *search;
+        (self.tolerance, self.from) = (tolerance.round_down(), from.round_down());
+        self.until = until.round_up();
+        [self.tolerance_bits, self.from_bits, self.until_bits] =
+            [split(tolerance), split(from), split(until)];
+        self.flags &= !(Self::FLAG_LEAVES | Self::FLAG_WINDOW_ROUNDED);
+        self.flags |= if leaves { Self::FLAG_LEAVES } else { 0 };
+        let exact = self.from as f64 == from && self.until as f64 == until;
+        self.flags |= if exact { 0 } else { Self::FLAG_WINDOW_ROUNDED };
+        self
+    }
 
     /// Whether a flag is set.
     #[inline(always)]
@@ -225,6 +260,16 @@ impl NodeDescent {
     pub const TASKS_COUNTED: u32 = 1;
 }
 
+/// What the descent of pairs of blocks by workers is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct BlockDescent {
+    /// What is told of any pairs of nodes.
+    pub of_pairs: NodeDescent,
+    /// First node of either side on each level, as in [`Blocks`].
+    pub slots: [[u32; 2]; MAX_LEVELS],
+}
+
 /// What the builders of binary trees are told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -290,6 +335,8 @@ pub struct Expansion {
     pub n_vf: u32,
     /// Which are orphans: from the first of these on, up to the second.
     pub orphans: [u32; 2],
+    /// Where the table of rules begins behind the regions.
+    pub rules: u32,
 }
 
 impl Expansion {
@@ -305,6 +352,15 @@ impl Expansion {
     }
 }
 
+/// What the kernels that sort boxes of many worlds are told; see
+/// [`worlds`](crate::broad_phase::worlds).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Worlds {
+    /// Bits of a key that are a world.
+    pub bits: u32,
+}
+
 /// What the keys of contacts depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -313,12 +369,13 @@ pub struct ContactSort {
     pub pass: u32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 96);
+const _: () = assert!(size_of::<Frame>() == 132);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
 const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
-const _: () = assert!(size_of::<Expansion>() == 20 && size_of::<Stealing>() == 24);
+const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
-const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
-const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
+const _: () = assert!(size_of::<Worlds>() == 4);
+const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
+const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

@@ -10,6 +10,15 @@ use bytemuck::{Pod, Zeroable};
 /// |---|---|---|
 /// | `min` | 0..12 | length |
 /// | `max` | 12..24 | length |
+///
+/// ```
+/// use ccd_core::Aabb;
+///
+/// let unit = Aabb { min: [0.0f32; 3], max: [1.0; 3] };
+/// // Boxes are closed: these touch.
+/// assert!(!unit.separated(&Aabb { min: [1.0; 3], max: [2.0; 3] }));
+/// assert!(unit.separated(&Aabb { min: [1.1; 3], max: [2.0; 3] }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Aabb<T = f32> {

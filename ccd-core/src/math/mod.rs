@@ -1,6 +1,8 @@
 //! Numbers, vectors, boxes and space-filling codes that everything else is written with.
 
 pub mod aabb;
+#[cfg(any(feature = "alloc", test))]
+pub mod expansion;
 pub mod morton;
 pub mod obb;
 pub mod real;

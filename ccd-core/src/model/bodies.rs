@@ -1,71 +1,258 @@
 //! The bodies that vertices belong to, and which pairs of them are looked at.
 
+use super::contact::Kind;
+use super::exclusions::Exclusions;
+use super::groups::Groups;
 use super::mesh::Mesh;
-use crate::broad_phase::candidate::bodies_meet;
 use crate::model::error::Error;
 use alloc::vec::Vec;
 
 /// Which body each vertex belongs to, which bodies stand still, and which pairs are wanted.
 ///
-/// A pair of features is left out if both bodies are fixed, or if both are the same body and
-/// `self_contact` is off.
+/// A pair of features is left out if
+/// - both are of one body, and that has no self-contact;
+/// - both bodies stand still: each is fixed or sleeps;
+/// - their bodies are two, and their [`Groups`] do not meet, or the pair of bodies is excluded;
+/// - their bodies are in different worlds;
+/// - the pair of features itself is excluded.
+///
+/// Rules are made of a default by setters, and say nothing but which pairs are left out: all that
+/// is left is found as without them.
+///
+/// ```
+/// use ccd_core::model::bodies::Bodies;
+/// use ccd_core::model::groups::Groups;
+///
+/// let floor = Groups { memberships: 1, filter: 2 };
+/// let bodies = Bodies::new(&[0, 0, 1, 2], &[], true)
+///     .with_fixed(0, true)
+///     .with_groups(0, floor)
+///     .with_groups(1, Groups { memberships: 4, filter: !0 })
+///     .with_excluded_bodies(&[[1, 2]]);
+/// // The floor is looked at against group 2 alone, of which body 1 is none.
+/// assert!(!bodies.wants(0, 2) && bodies.wants(0, 3) && !bodies.wants(2, 3));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bodies {
     body_of_vertex: Vec<u32>,
-    words: Vec<u32>,
-    any_fixed: bool,
-    self_contact: bool,
+    /// Bodies by name, which may need all bits of a word; their places here are their numbers.
+    names: Vec<u32>,
+    number_of_vertex: Vec<u32>,
+    of: Vec<Body>,
+    /// Numbers of bodies, the lesser first; in order.
+    excluded_bodies: Vec<[u32; 2]>,
+    /// Kind, ids; in order.
+    excluded_features: Vec<(Kind, [u32; 2])>,
+    fixed_may_move: bool,
+    /// A body that a rule names and no vertex belongs to.
+    unknown: Option<u32>,
+}
+
+/// The rules of one body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Body {
+    pub self_contact: bool,
+    pub fixed: bool,
+    pub sleeping: bool,
+    pub groups: Groups,
+    pub world: u32,
+}
+
+impl Body {
+    /// Whether it is not to move.
+    pub fn is_still(&self) -> bool {
+        self.fixed || self.sleeping
+    }
 }
 
 impl Bodies {
-    /// Bodies are numbered by `body_of_vertex`; those whose entry in `fixed` is true do not move
+    /// Worlds are numbered below this: their numbers stand in the upper bits of sort keys.
+    pub const MAX_WORLDS: u32 = 1 << 16;
+
+    /// Bodies are named by `body_of_vertex`; those whose entry in `fixed` is true do not move
     /// (missing entries are false). With `self_contact` off, no pair within one body is looked at.
     pub fn new(body_of_vertex: &[u32], fixed: &[bool], self_contact: bool) -> Self {
-        // Numbered anew, because the caller's numbers may need all bits of a word.
         let mut names = body_of_vertex.to_vec();
         names.sort_unstable();
         names.dedup();
-        let is_fixed = |name: u32| fixed.get(name as usize).copied().unwrap_or(false);
-        let word = |&name: &u32| {
-            (names.partition_point(|&n| n < name) as u32) << 1 | is_fixed(name) as u32
-        };
-        Self {
-            words: body_of_vertex.iter().map(word).collect(),
-            body_of_vertex: body_of_vertex.to_vec(),
-            any_fixed: fixed.contains(&true),
+        let of = |&name: &u32| Body {
             self_contact,
+            fixed: fixed.get(name as usize).copied().unwrap_or(false),
+            sleeping: false,
+            groups: Groups::ALL,
+            world: 0,
+        };
+        let number = |name: &u32| names.partition_point(|n| n < name) as u32;
+        Self {
+            number_of_vertex: body_of_vertex.iter().map(number).collect(),
+            of: names.iter().map(of).collect(),
+            body_of_vertex: body_of_vertex.to_vec(),
+            names,
+            excluded_bodies: Vec::new(),
+            excluded_features: Vec::new(),
+            fixed_may_move: false,
+            unknown: None,
         }
     }
 
-    /// Per vertex twice a number of its body, plus one if that does not move: what candidates are
-    /// chosen by.
-    pub fn words(&self) -> &[u32] {
-        &self.words
+    /// With pairs of features within a body looked at or not.
+    #[must_use]
+    pub fn with_self_contact(mut self, body: u32, self_contact: bool) -> Self {
+        self.change(body, |of| of.self_contact = self_contact);
+        self
     }
 
-    /// Whether features of one body are looked at.
-    pub fn self_contact(&self) -> bool {
-        self.self_contact
+    /// With a body fixed or not: two bodies that stand still are no pair, and one that moves in a
+    /// step is an error, see [`Bodies::with_fixed_motion`].
+    #[must_use]
+    pub fn with_fixed(mut self, body: u32, fixed: bool) -> Self {
+        self.change(body, |of| of.fixed = fixed);
+        self
     }
 
-    /// Whether the body of vertex `v` does not move.
+    /// The body of each vertex, by the numbers given.
+    pub fn body_of_vertex(&self) -> &[u32] {
+        &self.body_of_vertex
+    }
+
+    /// With a body asleep or not: while it sleeps it is as one that is fixed.
+    #[must_use]
+    pub fn with_sleeping(mut self, body: u32, sleeping: bool) -> Self {
+        self.change(body, |of| of.sleeping = sleeping);
+        self
+    }
+
+    /// With the groups of a body, by which it is looked at against other bodies.
+    #[must_use]
+    pub fn with_groups(mut self, body: u32, groups: Groups) -> Self {
+        self.change(body, |of| of.groups = groups);
+        self
+    }
+
+    /// Without these pairs of bodies, besides those before; a body with itself: without its
+    /// self-contact.
+    #[must_use]
+    pub fn with_excluded_bodies(mut self, pairs: &[[u32; 2]]) -> Self {
+        for &[a, b] in pairs {
+            match [self.number(a), self.number(b)] {
+                [Some(i), Some(j)] if i == j => self.of[i].self_contact = false,
+                [Some(i), Some(j)] => {
+                    self.excluded_bodies.push([i.min(j) as u32, i.max(j) as u32]);
+                }
+                [None, _] => self.unknown = Some(a),
+                [_, None] => self.unknown = Some(b),
+            }
+        }
+        self.excluded_bodies.sort_unstable();
+        self.excluded_bodies.dedup();
+        self
+    }
+
+    /// Without these pairs of features, besides those before: a vertex and a face, or two edges in
+    /// any order, by their ids in the mesh.
+    #[must_use]
+    pub fn with_excluded_features(mut self, kind: Kind, pairs: &[[u32; 2]]) -> Self {
+        let ordered = |&[a, b]: &[u32; 2]| match kind {
+            Kind::EdgeEdge | Kind::VertexVertex => [a.min(b), a.max(b)],
+            _ => [a, b],
+        };
+        self.excluded_features.extend(pairs.iter().map(|pair| (kind, ordered(pair))));
+        self.excluded_features.sort_unstable();
+        self.excluded_features.dedup();
+        self
+    }
+
+    /// Without the pairs of features of these lists, besides those before.
+    ///
+    /// ```
+    /// use ccd_core::model::bodies::Bodies;
+    /// use ccd_core::model::exclusions::Exclusions;
+    /// use ccd_core::model::mesh::Mesh;
+    ///
+    /// // One body, whose neighbouring features are nearer than some minimum distance.
+    /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
+    /// let near = Exclusions::of_neighbours(&mesh, 1);
+    /// let bodies = Bodies::new(&[0; 5], &[], true).with_exclusions(&near);
+    /// assert!(bodies.check(&mesh).is_ok());
+    /// # Ok::<(), ccd_core::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_exclusions(self, of: &Exclusions) -> Self {
+        self.with_excluded_features(Kind::VertexFace, &of.vf)
+            .with_excluded_features(Kind::EdgeEdge, &of.ee)
+    }
+
+    /// With the world of each body, by its name (missing entries are 0), below
+    /// [`Bodies::MAX_WORLDS`]: many independent scenes in one call. Bodies of two worlds are never
+    /// looked at, wherever they are.
+    ///
+    /// The methods `blocks` of both backends leave such pairs out from the roots on; all others
+    /// find them, and drop them one by one.
+    #[must_use]
+    pub fn with_worlds(mut self, worlds: &[u32]) -> Self {
+        for (of, &name) in self.of.iter_mut().zip(&self.names) {
+            of.world = worlds.get(name as usize).copied().unwrap_or(0);
+        }
+        self
+    }
+
+    /// With the world of one body, see [`Bodies::with_worlds`].
+    #[must_use]
+    pub fn with_world(mut self, body: u32, world: u32) -> Self {
+        self.change(body, |of| of.world = world);
+        self
+    }
+
+    /// With bodies that are fixed or asleep allowed to move, as a caller drives them: no step is
+    /// refused for it. Two of them are no pair still.
+    #[must_use]
+    pub fn with_fixed_motion(mut self, may_move: bool) -> Self {
+        self.fixed_may_move = may_move;
+        self
+    }
+
+    /// Whether bodies that are fixed or asleep may move.
+    pub fn fixed_may_move(&self) -> bool {
+        self.fixed_may_move
+    }
+
+    /// Whether the body of vertex `v` stands still: is fixed or sleeps.
     #[inline]
     pub fn is_fixed(&self, v: u32) -> bool {
-        self.words[v as usize] & 1 == 1
+        self.of_vertex(v).is_still()
     }
 
-    /// Whether any body does not move.
-    pub fn any_fixed(&self) -> bool {
-        self.any_fixed
+    /// The world of vertex `v`.
+    pub fn world(&self, v: u32) -> u32 {
+        self.of_vertex(v).world
     }
 
     /// Whether features of the bodies of vertices `v` and `w` are to be tested against each other.
-    #[inline]
     pub fn wants(&self, v: u32, w: u32) -> bool {
-        bodies_meet(self.words[v as usize], self.words[w as usize], self.self_contact)
+        let (a, b) = (self.of_vertex(v), self.of_vertex(w));
+        let [i, j] = [v, w].map(|v| self.number_of_vertex[v as usize]);
+        if a.is_still() && b.is_still() {
+            return false;
+        }
+        if i == j {
+            return a.self_contact;
+        }
+        let excluded = self.excluded_bodies.binary_search(&[i.min(j), i.max(j)]).is_ok();
+        a.world == b.world && a.groups.meet(b.groups) && !excluded
     }
 
-    /// Checks that there is a body for every vertex and that no element joins two.
+    /// Whether a pair of features is excluded by itself; of edges the lesser first.
+    pub fn excludes(&self, kind: Kind, a: u32, b: u32) -> bool {
+        self.excluded_features.binary_search(&(kind, [a, b])).is_ok()
+    }
+
+    /// Checks that there is a body for every vertex, that no element joins two, and that rules name
+    /// what there is.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::BodyCount`], [`Error::MixedBodies`], [`Error::NoBody`], [`Error::NoFeature`],
+    /// [`Error::TooMany`] of worlds.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         if self.body_of_vertex.len() != mesh.n_vertices() {
             return Err(Error::BodyCount {
@@ -82,7 +269,102 @@ impl Bodies {
             }
         };
         mesh.faces().iter().enumerate().try_for_each(|(at, f)| mixed("face", at, f))?;
-        mesh.edges().iter().enumerate().try_for_each(|(at, e)| mixed("edge", at, e))
+        mesh.edges().iter().enumerate().try_for_each(|(at, e)| mixed("edge", at, e))?;
+        if let Some(body) = self.unknown {
+            return Err(Error::NoBody { body });
+        }
+        if let Some(world) = self.of.iter().map(|of| of.world).find(|&w| w >= Self::MAX_WORLDS) {
+            let (count, limit) = (world as u64 + 1, Self::MAX_WORLDS as u64);
+            return Err(Error::TooMany { element: "worlds", count, limit });
+        }
+        let there = |element, id: u32, n: usize| match (id as usize) < n {
+            true => Ok(()),
+            false => Err(Error::NoFeature { element, id, n }),
+        };
+        let (n_edges, n_faces) = (mesh.edges().len(), mesh.faces().len());
+        self.excluded_features.iter().try_for_each(|&(kind, [a, b])| match kind {
+            Kind::VertexFace => {
+                there("vertex", a, mesh.n_vertices())?;
+                there("face", b, n_faces)
+            }
+            Kind::EdgeEdge => {
+                there("edge", a, n_edges)?;
+                there("edge", b, n_edges)
+            }
+            Kind::VertexEdge => {
+                there("vertex", a, mesh.n_vertices())?;
+                there("edge", b, n_edges)
+            }
+            Kind::VertexVertex => {
+                there("vertex", a, mesh.n_vertices())?;
+                there("vertex", b, mesh.n_vertices())
+            }
+        })
+    }
+
+    /// Sets whether a body sleeps.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoBody`] if no vertex belongs to it.
+    pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), Error> {
+        let at = self.number(body).ok_or(Error::NoBody { body })?;
+        self.of[at].sleeping = sleeping;
+        Ok(())
+    }
+
+    /// Sets whether a body is fixed.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoBody`] if no vertex belongs to it.
+    pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), Error> {
+        let at = self.number(body).ok_or(Error::NoBody { body })?;
+        self.of[at].fixed = fixed;
+        Ok(())
+    }
+
+    /// The name of the body of vertex `v`.
+    pub fn name(&self, v: u32) -> u32 {
+        self.body_of_vertex[v as usize]
+    }
+
+    #[cfg(feature = "serde")]
+    pub(super) fn names(&self) -> &[u32] {
+        &self.names
+    }
+
+    /// A body that a rule names and no vertex belongs to.
+    #[cfg(feature = "serde")]
+    pub(super) fn unknown(&self) -> Option<u32> {
+        self.unknown
+    }
+
+    pub(super) fn numbers(&self) -> &[u32] {
+        &self.number_of_vertex
+    }
+
+    pub(super) fn all(&self) -> &[Body] {
+        &self.of
+    }
+
+    pub(super) fn excluded(&self) -> (&[[u32; 2]], &[(Kind, [u32; 2])]) {
+        (&self.excluded_bodies, &self.excluded_features)
+    }
+
+    fn of_vertex(&self, v: u32) -> &Body {
+        &self.of[self.number_of_vertex[v as usize] as usize]
+    }
+
+    fn number(&self, name: u32) -> Option<usize> {
+        self.names.binary_search(&name).ok()
+    }
+
+    fn change(&mut self, name: u32, change: impl FnOnce(&mut Body)) {
+        match self.number(name) {
+            Some(at) => change(&mut self.of[at]),
+            None => self.unknown = Some(name),
+        }
     }
 }
 
@@ -95,11 +377,29 @@ mod tests {
         let bodies = Bodies::new(&[0, 0, 1, 2], &[false, true, true], false);
         assert!(bodies.wants(0, 2) && bodies.wants(3, 1));
         assert!(!bodies.wants(0, 1) && !bodies.wants(2, 3));
-        assert_eq!(Bodies::new(&[u32::MAX, 7], &[], true).words(), [2, 0]);
         let mesh = Mesh::new(4, &[[0, 1, 2]]).unwrap();
         assert_eq!(
             bodies.check(&mesh),
             Err(Error::MixedBodies { element: "face", at: 0, bodies: [0, 1] })
         );
+    }
+
+    #[test]
+    fn rules_that_name_nothing_are_errors() {
+        let mesh = Mesh::new(3, &[[0, 1, 2]]).unwrap();
+        let of = || Bodies::new(&[7, 7, 7], &[], true);
+        assert_eq!(of().check(&mesh), Ok(()));
+        assert_eq!(of().with_fixed(0, true).check(&mesh), Err(Error::NoBody { body: 0 }));
+        assert_eq!(
+            of().with_excluded_bodies(&[[7, 8]]).check(&mesh),
+            Err(Error::NoBody { body: 8 })
+        );
+        assert_eq!(
+            of().with_excluded_features(Kind::VertexFace, &[[2, 1]]).check(&mesh),
+            Err(Error::NoFeature { element: "face", id: 1, n: 1 })
+        );
+        let far = of().with_worlds(&[0, 0, 0, 0, 0, 0, 0, 1 << 16]).check(&mesh);
+        assert!(matches!(far, Err(Error::TooMany { element: "worlds", .. })), "{far:?}");
+        assert_eq!(of().set_sleeping(3, true), Err(Error::NoBody { body: 3 }));
     }
 }

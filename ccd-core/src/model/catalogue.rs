@@ -229,6 +229,12 @@ impl BroadPhaseMethod {
 }
 
 /// Every method of a backend with its default settings, trees in every combination of theirs.
+///
+/// ```
+/// use ccd_core::model::catalogue::every;
+///
+/// assert!(every("cpu").any(|method| method.to_string() == "tree-ploc-half-aabb"));
+/// ```
 pub fn every(backend: &str) -> impl Iterator<Item = BroadPhaseMethod> {
     let plain = |row: &Row<BroadPhaseMethod>| !matches!(row.value, BroadPhaseMethod::Tree(_));
     let methods = BroadPhaseMethod::ROWS.iter().filter(move |row| plain(row)).map(|row| row.value);

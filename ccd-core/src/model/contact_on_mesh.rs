@@ -1,7 +1,7 @@
 //! A contact on its mesh: its vertices, and how they meet at the time of impact.
 
 use crate::layout::Pair;
-use crate::model::contact::Contact;
+use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
 use crate::model::precision::{Coordinate, Given, Points, Precision};
 use crate::narrow_phase::contact_geometry::{ContactGeometry, contact_geometry};
@@ -9,7 +9,8 @@ use crate::narrow_phase::decide::gather;
 
 impl Contact {
     /// Its vertices: `v f0 f1 f2`, the vertex and those of the face as the mesh has them, or
-    /// `ea0 ea1 eb0 eb1`, those of both edges.
+    /// `ea0 ea1 eb0 eb1`, those of both edges; `v e0 e1 e1` and `v w w w` of particles and rods,
+    /// with their last one repeated.
     ///
     /// # Panics
     /// If the contact is none of this mesh and names features that it does not have.
@@ -71,5 +72,13 @@ fn geometry(contact: &Contact, mesh: &Mesh, given: Given) -> ContactGeometry {
         Precision::F32([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
         Precision::F64([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
     };
-    contact_geometry(contact.kind.patch(), &t0, &t1, contact.toi, 0.0)
+    let mut found = contact_geometry(contact.kind.patch(), &t0, &t1, contact.toi, 0.0);
+    // A last vertex that is repeated has all of its weight in its first place.
+    let weights = &mut found.weights;
+    match contact.kind {
+        Kind::VertexFace | Kind::EdgeEdge => {}
+        Kind::VertexEdge => (weights[2], weights[3]) = (weights[2] + weights[3], 0.0),
+        Kind::VertexVertex => *weights = [1.0, 1.0, 0.0, 0.0],
+    }
+    found
 }

@@ -4,6 +4,16 @@
 use crate::layout::Pair;
 
 /// Number of pairs and the sum of their hashes.
+///
+/// ```
+/// use ccd_core::layout::Pair;
+/// use ccd_core::model::digest::Digest;
+///
+/// let pairs = [Pair { a: 1, b: 2 }, Pair { a: 0, b: 7 }];
+/// let digest = Digest::of(1, pairs.into_iter());
+/// assert_eq!(digest, Digest::of(1, pairs.into_iter().rev()));
+/// assert_ne!(digest, Digest::of(0, pairs.into_iter()));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Digest {
     /// How many pairs.

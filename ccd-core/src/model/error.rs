@@ -1,7 +1,21 @@
 //! What can be wrong with input: what, where, and the value.
 
+use crate::narrow_phase::query::LEAST_TOLERANCE;
+
 /// Why input was refused. Nothing was computed from it.
+///
+/// ```
+/// use ccd_core::Error;
+/// use ccd_core::model::mesh::Mesh;
+///
+/// let error = Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]).unwrap_err();
+/// assert!(matches!(error, Error::Index { at: 1, vertex: 7, .. }));
+/// let text = "face 1 refers to vertex 7, but there are 3 vertices (0 to 2)";
+/// assert_eq!(error.to_string(), text);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate is NaN, infinite, or beyond [`Error::MAX_COORDINATE`].
@@ -35,6 +49,46 @@ pub enum Error {
         /// Positions that were given.
         found: usize,
     },
+    /// Positions in bytes with a stride that is shorter than a position.
+    Stride {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The stride given, in bytes.
+        stride: usize,
+        /// Bytes of a position.
+        least: usize,
+    },
+    /// Positions beyond the bytes that they are to be read from.
+    Bytes {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// The first vertex whose position does not end within the bytes.
+        vertex: usize,
+        /// Where it would end.
+        end: usize,
+        /// Bytes that there are.
+        found: usize,
+    },
+    /// A vertex of a body for which there is no matrix.
+    Pose {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the vertex.
+        vertex: usize,
+        /// Its body.
+        body: u32,
+        /// How many matrices there are.
+        n_poses: usize,
+    },
+    /// A matrix of a body that is not affine.
+    Projection {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the matrix.
+        body: usize,
+        /// Its last row, which must be 0, 0, 0, 1.
+        row: [f64; 4],
+    },
     /// More elements than 32-bit ids can name.
     TooMany {
         /// What there are too many of.
@@ -48,6 +102,18 @@ pub enum Error {
     MinDistance {
         /// The value given.
         value: f64,
+    },
+    /// A tolerance of times of impact that is out of its range, or NaN.
+    Tolerance {
+        /// The value given.
+        value: f64,
+    },
+    /// Times that are no window of a step: not `0 <= from <= until <= 1`.
+    Window {
+        /// The first time.
+        from: f64,
+        /// The last time.
+        until: f64,
     },
     /// A box with a NaN or with `min > max`.
     Box {
@@ -75,6 +141,30 @@ pub enum Error {
         at: usize,
         /// The two bodies.
         bodies: [u32; 2],
+    },
+    /// A rule for a body that no vertex belongs to.
+    NoBody {
+        /// Its name.
+        body: u32,
+    },
+    /// A rule for a feature that the mesh does not have.
+    NoFeature {
+        /// `"vertex"`, `"edge"` or `"face"`.
+        element: &'static str,
+        /// Its id.
+        id: u32,
+        /// How many there are.
+        n: usize,
+    },
+    /// A vertex moves in a step, and its body is fixed or sleeps.
+    FixedMoves {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A filter of pairs where pairs are found on a device, which cannot call it.
+    Filter {
+        /// The backend.
+        backend: &'static str,
     },
     /// A method that this backend does not have.
     Method {
@@ -155,11 +245,41 @@ impl core::fmt::Display for Error {
             Error::VertexCount { time, expected, found } => {
                 write!(f, "t{time} has {found} vertices, the mesh has {expected}")
             }
+            Error::Stride { time, stride, least } => {
+                write!(f, "t{time} has a stride of {stride} bytes; a position takes {least}")
+            }
+            Error::Bytes { time, vertex, end, found } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} ends at byte {end}, but there are {found} bytes"
+                )
+            }
+            Error::Pose { time, vertex, body, n_poses } => {
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} is of body {body}, \
+                     but there are {n_poses} matrices (0 to {})",
+                    n_poses.saturating_sub(1)
+                )
+            }
+            Error::Projection { time, body, row } => {
+                write!(
+                    f,
+                    "the matrix of body {body} at t{time} has the last row {row:?}; \
+                     it must be 0, 0, 0, 1"
+                )
+            }
             Error::TooMany { element, count, limit } => {
                 write!(f, "{count} {element}: at most {limit} are possible")
             }
             Error::MinDistance { value } => {
                 write!(f, "minimum distance is {value}; it must be finite and not negative")
+            }
+            Error::Tolerance { value } => {
+                write!(f, "tolerance is {value}; it must be from {LEAST_TOLERANCE:e} to 1")
+            }
+            Error::Window { from, until } => {
+                write!(f, "times from {from} to {until}; they must be in order, and in [0, 1]")
             }
             Error::Box { at, axis, min, max } => {
                 write!(f, "box {at} has {} from {min} to {max}", axis_name(axis))
@@ -169,6 +289,24 @@ impl core::fmt::Display for Error {
             }
             Error::MixedBodies { element, at, bodies } => {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
+            }
+            Error::NoBody { body } => write!(f, "a rule for body {body}, which has no vertex"),
+            Error::NoFeature { element, id, n } => {
+                write!(f, "a rule for {element} {id}; the mesh has {n}")
+            }
+            Error::FixedMoves { vertex } => {
+                write!(
+                    f,
+                    "vertex {vertex} moves, and its body is fixed or sleeps: wake it, or allow \
+                     bodies that stand still to be moved"
+                )
+            }
+            Error::Filter { backend } => {
+                write!(
+                    f,
+                    "the {backend} cannot call a filter: exclude bodies or features by lists, or \
+                     use the CPU"
+                )
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
             Error::NoPairsOfNodes { method } => {
@@ -201,6 +339,9 @@ impl core::fmt::Display for Error {
 impl core::error::Error for Error {}
 
 /// Checks that every coordinate is finite and at most [`Error::MAX_COORDINATE`].
+///
+/// # Errors
+/// [`Error::Coordinate`] with the first one that is not.
 pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), Error> {
     for (vertex, p) in x.iter().enumerate() {
         for (axis, c) in p.iter().enumerate() {
@@ -217,6 +358,9 @@ pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), E
 
 /// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are
 /// 31 bits.
+///
+/// # Errors
+/// [`Error::TooMany`] and [`Error::Box`].
 pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> Result<(), Error> {
     let (count, limit) = (boxes.len() as u64, Error::MAX_ELEMENTS);
     if count > limit {
@@ -236,6 +380,9 @@ pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> R
 }
 
 /// Checks a minimum distance.
+///
+/// # Errors
+/// [`Error::MinDistance`] unless it is from 0 to [`Error::MAX_COORDINATE`].
 pub fn check_min_distance(value: f64) -> Result<(), Error> {
     if value >= 0.0 && value <= Error::MAX_COORDINATE {
         Ok(())
@@ -244,7 +391,24 @@ pub fn check_min_distance(value: f64) -> Result<(), Error> {
     }
 }
 
+/// Checks a tolerance of times of impact.
+pub fn check_tolerance(value: f64) -> Result<(), Error> {
+    // Written so that NaN fails.
+    let fine = value >= LEAST_TOLERANCE && value <= 1.0;
+    if fine { Ok(()) } else { Err(Error::Tolerance { value }) }
+}
+
+/// Checks the first and the last time of a window of a step.
+pub fn check_window([from, until]: [f64; 2]) -> Result<(), Error> {
+    // Written so that NaN fails.
+    let fine = from >= 0.0 && from <= until && until <= 1.0;
+    if fine { Ok(()) } else { Err(Error::Window { from, until }) }
+}
+
 /// Checks a setting that must be from `least` to `greatest`.
+///
+/// # Errors
+/// [`Error::Setting`].
 pub fn check_setting(
     name: &'static str,
     value: u32,

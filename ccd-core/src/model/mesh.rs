@@ -1,9 +1,12 @@
 //! Mesh topology: faces, and the undirected edges in a canonical order.
 
+use crate::Real;
 use crate::layout::Pair;
 use crate::model::contact::Kind;
 use crate::model::error::Error;
 use crate::narrow_phase::decide::{edge_edge_ids, vertex_face_ids};
+use crate::narrow_phase::distance::Distance;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
@@ -12,7 +15,18 @@ use alloc::vec::Vec;
 /// of the upper triangle of an adjacency matrix column by column, which published collision data
 /// uses. Their ids do not depend on the order of faces. A degenerate face (a vertex twice) is kept
 /// and counted; its sides that join a vertex with itself are no edges.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+///
+/// A session takes a `Mesh`, a `&Mesh` (a copy), or an `Arc<Mesh>`, which many sessions can share.
+/// Its `Debug` says how many vertices, edges and faces there are, not which.
+///
+/// ```
+/// use ccd_core::model::mesh::Mesh;
+///
+/// let square = Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?;
+/// assert_eq!(square.edges(), [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]);
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
+#[derive(Clone, Default, PartialEq, Eq)]
 pub struct Mesh {
     n_vertices: usize,
     faces: Vec<[u32; 3]>,
@@ -21,13 +35,24 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    pub(crate) const EMPTY: Self =
+        Self { n_vertices: 0, faces: Vec::new(), edges: Vec::new(), n_degenerate: 0 };
+
     /// A mesh of `n_vertices` vertices and these faces; edges are derived.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
         Self::with_edges(n_vertices, faces, &[])
     }
 
     /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges
     /// count once.
+    ///
+    /// # Errors
+    /// [`Error::Index`] with the first face or edge that names a vertex that is not there;
+    /// [`Error::TooMany`].
     pub fn with_edges(
         n_vertices: usize,
         faces: &[[u32; 3]],
@@ -77,16 +102,39 @@ impl Mesh {
         &self.edges
     }
 
-    /// The vertices of a pair of features: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+    /// The vertices of a pair of features: `v f0 f1 f2`, `ea0 ea1 eb0 eb1`, `v e0 e1 e1` or
+    /// `v w w w`: a feature of few vertices has its last one repeated.
     #[inline]
     pub fn vertices_of(&self, kind: Kind, pair: Pair) -> [u32; 4] {
         match kind {
             Kind::VertexFace => vertex_face_ids(pair, &self.faces),
             Kind::EdgeEdge => edge_edge_ids(pair, &self.edges),
+            Kind::VertexEdge => {
+                let [e0, e1] = self.edges[pair.b as usize];
+                [pair.a, e0, e1, e1]
+            }
+            Kind::VertexVertex => [pair.a, pair.b, pair.b, pair.b],
+        }
+    }
+
+    /// How far a pair of features is from each other at positions `x`, between two bounds.
+    ///
+    /// # Panics
+    /// If a position or a feature of these ids is missing.
+    pub fn distance<T: Real>(&self, kind: Kind, pair: Pair, x: &[[T; 3]]) -> Distance {
+        let at = self.vertices_of(kind, pair).map(|v| x[v as usize].map(Real::to_f64));
+        match kind {
+            Kind::VertexFace => Distance::vertex_face(at),
+            Kind::EdgeEdge => Distance::edge_edge(at),
+            Kind::VertexEdge => Distance::vertex_edge([at[0], at[1], at[2]]),
+            Kind::VertexVertex => Distance::vertex_vertex([at[0], at[1]]),
         }
     }
 
     /// Checks that there is a position for every vertex at both ends of a step.
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`].
     pub fn check_positions<T>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
         let expected = self.n_vertices;
         for (time, found) in [(0, x0.len()), (1, x1.len())] {
@@ -100,6 +148,21 @@ impl Mesh {
     /// Faces and given edges that name a vertex twice.
     pub fn n_degenerate(&self) -> usize {
         self.n_degenerate
+    }
+}
+
+impl core::fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let mut numbers = f.debug_struct("Mesh");
+        numbers.field("n_vertices", &self.n_vertices).field("n_edges", &self.edges.len());
+        numbers.field("n_faces", &self.faces.len()).finish_non_exhaustive()
+    }
+}
+
+/// A copy.
+impl From<&Mesh> for Arc<Mesh> {
+    fn from(mesh: &Mesh) -> Self {
+        Arc::new(mesh.clone())
     }
 }
 

@@ -4,7 +4,18 @@
 use super::error::{Error, check_setting};
 
 /// How a broad phase finds overlapping boxes; all methods give the same set.
+///
+/// ```
+/// use ccd_core::model::catalogue::Catalogued;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_core::model::options::Options;
+///
+/// let options = Options::default().with_broad_phase(BroadPhaseMethod::SweepAndPrune);
+/// assert_eq!(options.broad_phase.row().name, "sweep-and-prune");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum BroadPhaseMethod {
     /// Every box against every other: what all else is compared with.
@@ -35,6 +46,8 @@ pub enum BroadPhaseMethod {
 /// assert_eq!(tree, TreeOptions::default());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct TreeOptions {
     /// How it is built.
@@ -46,7 +59,16 @@ pub struct TreeOptions {
 }
 
 /// How a binary tree over boxes is built.
+///
+/// ```
+/// use ccd_core::model::method::Builder;
+///
+/// assert_eq!(Builder::PLOC, Builder::Ploc { radius: 16 });
+/// assert!(Builder::NEAREST_PAIR.check(1_000_000).is_err());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Builder {
     /// From sorted Morton codes, every node by itself [Karras 2012].
@@ -76,6 +98,9 @@ impl Builder {
     pub const MAX_RADIUS: u32 = 128;
 
     /// Refuses more boxes than the builder is to be used for.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`].
     pub fn check(self, n_boxes: u64) -> Result<(), Error> {
         match self {
             Self::NearestPair { limit } if n_boxes > limit as u64 => Err(Error::TooMany {
@@ -89,7 +114,15 @@ impl Builder {
 }
 
 /// How pairs are found in a binary tree.
+///
+/// ```
+/// use ccd_core::model::method::{Descent, Traversal};
+///
+/// assert_eq!(Traversal::SIMULTANEOUS, Traversal::Simultaneous(Descent::Both));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Traversal {
     /// A query per box, in the order of input, by a function that calls itself.
@@ -123,6 +156,8 @@ impl Traversal {
 
 /// How a pair of nodes that overlap is expanded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[repr(u32)]
 pub enum Descent {
     /// The larger of the two into its children.
@@ -134,6 +169,8 @@ pub enum Descent {
 
 /// What bounds the nodes of a binary tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Volume {
     /// Boxes along the axes.
@@ -170,6 +207,9 @@ impl BroadPhaseMethod {
     });
 
     /// Checks settings that have a range.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] with the first that is not.
     pub fn check(self) -> Result<(), Error> {
         let Self::Tree(tree) = self else { return Ok(()) };
         if let Builder::Ploc { radius } = tree.builder {

@@ -3,19 +3,30 @@
 #[cfg(feature = "alloc")]
 pub mod bodies;
 pub mod catalogue;
+#[cfg(feature = "alloc")]
+pub mod codimensional;
 pub mod contact;
 #[cfg(feature = "alloc")]
 mod contact_on_mesh;
+#[cfg(feature = "serde")]
+mod data;
 pub mod digest;
 pub mod error;
+#[cfg(feature = "alloc")]
+pub mod exclusions;
+pub mod groups;
 #[cfg(feature = "alloc")]
 pub mod mesh;
 pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
 pub mod pipeline;
+pub mod positions;
 pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
+#[cfg(feature = "alloc")]
+pub mod rules;
 pub mod scheduling;
+pub mod toi;

@@ -1,11 +1,13 @@
 //! What a step looks for and how.
 
 use super::bodies::Bodies;
-use super::error::{Error, check_min_distance};
+use super::error::{Error, check_min_distance, check_tolerance};
 use super::mesh::Mesh;
 use super::method::BroadPhaseMethod;
 use super::pipeline::Pipeline;
 use super::scheduling::Scheduling;
+use crate::narrow_phase::query::{LEAST_TOLERANCE, TOI_TOLERANCE};
+use crate::narrow_phase::search::Search;
 
 /// What a step looks for and how.
 ///
@@ -15,7 +17,9 @@ use super::scheduling::Scheduling;
 /// let options = Options::default().with_min_distance(0.001).with_threads(1);
 /// assert_eq!(options.min_distance, 0.001);
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Options {
     /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or
@@ -35,9 +39,38 @@ pub struct Options {
     /// How the work of the broad phase is shared out, and where it begins; results do not depend on
     /// it. A session of a backend that does not have it is refused.
     pub scheduling: Scheduling,
+    /// How early a certain time of impact may be, in units of the step, from
+    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be told as exactly is undecided.
+    pub tolerance: f64,
+    /// Whether two features that are in contact at the start of a step may leave it: where they
+    /// certainly separate, that contact is none, and what counts is the next one of the same two
+    /// features. A line search can leave contacts by it.
+    ///
+    /// At every time before the time of impact of such a pair its distance is above the minimum
+    /// distance or at least what it is at the start. What cannot be certified to separate stays a
+    /// contact at the start, among it everything that touches where the minimum distance is 0: see
+    /// [`approach`](crate::narrow_phase::approach).
+    pub leave_contact: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            min_distance: 0.0,
+            threads: 0,
+            bodies: None,
+            broad_phase: BroadPhaseMethod::default(),
+            pipeline: Pipeline::default(),
+            scheduling: Scheduling::default(),
+            tolerance: TOI_TOLERANCE,
+            leave_contact: false,
+        }
+    }
 }
 
 impl Options {
+    /// The least [`Options::tolerance`]: differences of times are exact to four digits there.
+    pub const LEAST_TOLERANCE: f64 = LEAST_TOLERANCE;
     /// Most threads of a session or of a broad phase.
     pub const MAX_THREADS: usize = 1024;
 
@@ -83,9 +116,34 @@ impl Options {
         self
     }
 
+    /// With this [`Options::tolerance`].
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// With this [`Options::leave_contact`].
+    #[must_use]
+    pub fn with_leave_contact(mut self, leave_contact: bool) -> Self {
+        self.leave_contact = leave_contact;
+        self
+    }
+
+    /// What queries of a step look for, from time `from` to `until`.
+    pub fn search(&self, [from, until]: [f64; 2]) -> Search<f64> {
+        let Self { min_distance, tolerance, leave_contact: leaves, .. } = *self;
+        Search { min_distance, tolerance, from, until, leaves }
+    }
+
     /// Checks the options for steps of `mesh`.
+    ///
+    /// # Errors
+    /// [`Error::MinDistance`]; [`Error::Setting`] and [`Error::NoPairsOfNodes`] for a method and
+    /// its scheduling; what [`Bodies::check`] refuses.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
+        check_tolerance(self.tolerance)?;
         self.broad_phase.check()?;
         self.scheduling.check(self.broad_phase)?;
         self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))

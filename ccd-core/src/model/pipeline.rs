@@ -2,7 +2,17 @@
 //! [`catalogue`](super::catalogue).
 
 /// What pairs a step looks for first; contacts do not depend on it.
+///
+/// ```
+/// use ccd_core::model::options::Options;
+/// use ccd_core::model::pipeline::Pipeline;
+///
+/// let options = Options::default().with_pipeline(Pipeline::TRIANGLES);
+/// assert_ne!(options.pipeline, Pipeline::Features);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Pipeline {
     /// Pairs of features: vertices against faces, edges against edges.
@@ -22,6 +32,8 @@ pub enum Pipeline {
 /// assert!(few.orphans && few.cones);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct TriangleOptions {
     /// Skip triangles that share a vertex, and test what only they would test from a list made once

@@ -2,6 +2,7 @@
 //! once, by the crate that has it, and not by every crate that calls it.
 
 use crate::math::real::Real;
+use crate::model::positions::{Ends, PositionView};
 
 /// Something in one of the two precisions.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +45,10 @@ pub trait Coordinate: Real + sealed::Sealed {
     /// one that is not.
     #[doc(hidden)]
     fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N>;
+
+    /// The same for positions at both ends of a step.
+    #[doc(hidden)]
+    fn ends(of: [PositionView<'_, Self>; 2]) -> Ends<'_>;
 }
 
 macro_rules! coordinate {
@@ -55,6 +60,11 @@ macro_rules! coordinate {
             fn slices<'a, R: Record, const N: usize>(
                 of: [&'a [R::Of<Self>]; N],
             ) -> Slices<'a, R, N> {
+                $precision(of)
+            }
+
+            #[inline]
+            fn ends(of: [PositionView<'_, Self>; 2]) -> Ends<'_> {
                 $precision(of)
             }
         }

@@ -53,6 +53,9 @@ impl Scan {
 
     /// Fails with the first coordinate of these positions, all of which were taken, that is not
     /// accepted.
+    ///
+    /// # Errors
+    /// [`Error::Coordinate`].
     pub fn check<T: Real>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
         if self.finite {
             return Ok(());

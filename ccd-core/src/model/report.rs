@@ -1,10 +1,13 @@
 //! What a step found, and where its time went.
 
-use super::contact::{Contact, Kind, PerKind};
+use super::contact::{Contact, Kind, PerKind, State};
+use super::mesh::Mesh;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 /// Where the time of a step went, in milliseconds of wall clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Times {
     /// Checking input, boxes, and the table that filters read.
@@ -24,7 +27,16 @@ pub struct Times {
 /// [`Report::filtered`]. The numbers are the same on every backend and by every method; where only
 /// the earliest time was asked for, a CPU counts its last pass, over a shorter time, a GPU all of
 /// the step.
+///
+/// ```
+/// use ccd_core::model::report::TriangleCounts;
+///
+/// let mut counts = TriangleCounts::default();
+/// (counts.pairs, counts.represented, counts.orphans) = (4, 20, 2);
+/// assert_eq!((counts.all_tests(), counts.box_tests()), (60, 22));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TriangleCounts {
     /// Pairs of triangles whose swept boxes overlap, of bodies that are looked at.
@@ -64,7 +76,15 @@ impl TriangleCounts {
 }
 
 /// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
+///
+/// ```
+/// use ccd_core::model::report::FrontCounts;
+///
+/// let both = FrontCounts::new(100, 90, 1600).plus(FrontCounts::new(50, 0, 800));
+/// assert_eq!((both.pairs, both.begun, both.bytes), (150, 90, 2400));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct FrontCounts {
     /// Pairs of nodes that are kept; 0: the next step begins at the roots.
@@ -88,7 +108,26 @@ impl FrontCounts {
 }
 
 /// What a step found.
+///
+/// A report holds on to the mesh of its step, so that what its contacts mean can be looked up while
+/// the session is borrowed, and after it has gone on to another mesh.
+///
+/// ```
+/// # use ccd_core::model::report::Report;
+/// # use ccd_core::model::contact::Kind;
+/// fn wake(report: &Report, mut wake_vertex: impl FnMut(u32)) {
+///     for c in &report.contacts {
+///         match c.kind {
+///             Kind::VertexFace => report.mesh().faces()[c.b as usize].map(&mut wake_vertex),
+///             _ => continue,
+///         };
+///         wake_vertex(c.a);
+///     }
+/// }
+/// # wake(&Report::default(), |_| unreachable!());
+/// ```
 #[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Report {
     /// All contacts, sorted by kind, then `a`, then `b`; empty if only the earliest time was asked
@@ -110,12 +149,44 @@ pub struct Report {
     pub rebuilt: bool,
     /// Where the time went.
     pub times: Times,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    mesh: Option<Arc<Mesh>>,
 }
 
+/// What a report has whose step is not known.
+static NO_MESH: Mesh = Mesh::EMPTY;
+
 impl Report {
+    /// Takes a contact that comes after all others in their order; keeps it, or only its time.
+    pub fn add(&mut self, contact: Contact, keep: bool) {
+        self.toi = Some(self.toi.map_or(contact.toi, |toi| toi.min(contact.toi)));
+        if keep {
+            self.undecided += (contact.state == State::Undecided) as u64;
+            self.contacts.push(contact);
+        }
+    }
+
+    /// The mesh of the step, to which the ids of [`Report::contacts`] refer. One without vertices
+    /// if no session made the report, as where it was read as data.
+    pub fn mesh(&self) -> &Mesh {
+        self.mesh.as_deref().unwrap_or(&NO_MESH)
+    }
+
+    /// From now on a report of steps of this mesh.
+    #[doc(hidden)]
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>) {
+        self.mesh = Some(mesh.clone());
+    }
+
     /// Contacts by kind.
     pub fn n_contacts(&self) -> PerKind {
-        let vf = self.contacts.partition_point(|c| c.kind == Kind::VertexFace) as u64;
-        PerKind::new(vf, self.contacts.len() as u64 - vf)
+        let mut counts = PerKind::default();
+        let mut before = 0;
+        for kind in Kind::ALL {
+            let end = self.contacts.partition_point(|c| c.kind <= kind) as u64;
+            *counts.of(kind) = end - before;
+            before = end;
+        }
+        counts
     }
 }

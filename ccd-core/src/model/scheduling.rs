@@ -22,6 +22,8 @@ use super::method::{BroadPhaseMethod, Traversal, TreeOptions};
 /// assert!(stealing.check(BroadPhaseMethod::SweepAndPrune).is_err());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Scheduling {
     /// `None`: as the method does it by itself. That is [`Scheduler::SelfScheduling`] on a CPU, but
@@ -33,7 +35,16 @@ pub struct Scheduling {
 
 /// How pairs of nodes that are to be expanded, of which nobody knows beforehand how many are below
 /// them, are shared out among workers: threads of a CPU, workgroups of a GPU.
+///
+/// ```
+/// use ccd_core::model::catalogue::Catalogued;
+/// use ccd_core::model::scheduling::Scheduler;
+///
+/// assert_eq!(Scheduler::named("stealing"), Some(Scheduler::Stealing));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Scheduler {
     /// The upper levels are expanded into some thousand tasks; workers take the next one from a
@@ -67,6 +78,8 @@ impl Scheduler {
 
 /// Where the descent of a step begins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Front {
     /// At the pair of roots.
@@ -84,6 +97,8 @@ impl Front {
 
 /// What becomes of a front that is too deep; see [`FrontOptions`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Shrink {
     /// It is dropped: the next step begins at the roots, and leaves a new one.
@@ -100,7 +115,16 @@ pub enum Shrink {
 ///
 /// Pairs that meet are replaced by those below them; pairs that separate stay where they are, so
 /// that a front only gets deeper. One that is too deep is more work than it saves.
+///
+/// ```
+/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling, Shrink};
+///
+/// let lifted = FrontOptions::default().growth(200).shrink(Shrink::Lift).memory(64);
+/// assert_ne!(Scheduling::default().front(Front::On(lifted)), Scheduling::default());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FrontOptions {
     /// Steps `p` after which the number of pairs is compared with that of `p` steps before, at
@@ -166,6 +190,9 @@ impl Scheduling {
 
     /// Checks settings that have a range, and that the method descends pairs of nodes if anything
     /// was chosen.
+    ///
+    /// # Errors
+    /// [`Error::Setting`]; [`Error::NoPairsOfNodes`].
     pub fn check(self, method: BroadPhaseMethod) -> Result<(), Error> {
         if let Some(Scheduler::Balanced { idle }) = self.scheduler {
             check_setting("idle workers in percent", idle, 1, 100)?;

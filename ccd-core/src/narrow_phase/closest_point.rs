@@ -43,6 +43,11 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
     if det > zero && within {
         return sub(a, [b[0] * s + c[0] * r, b[1] * s + c[1] * r, b[2] * s + c[2] * r]);
     }
+    closest_of_sides(a, b, c, patch)
+}
+
+/// The same among the sides of the patch.
+pub(super) fn closest_of_sides<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3] {
     let a_b = sub(a, b);
     let sides = match patch {
         Patch::Triangle => {

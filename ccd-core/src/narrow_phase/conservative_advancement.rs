@@ -45,25 +45,23 @@ pub enum Advance<R> {
 
 /// Directions tried before giving up: what is still open then is told as [`Advance::Stuck`].
 const MAX_DIRECTIONS: usize = 96;
-/// Steps in time below which advancing ends: 2^-28, a part of the tolerance of a time of impact.
-const MIN_STEP: f32 = 3.725_290_3e-9;
-/// How long after a certified time, a hundredth of the tolerance, a contact ends the search.
-pub const SHORTLY: f32 = 1e-8;
+/// Steps in time below which advancing ends: 2^-8 of the tolerance of a time of impact.
+const MIN_STEP: f32 = 0.003_906_25;
+/// How long after a certified time, as a part of the tolerance, a contact ends the search.
+pub const SHORTLY: f32 = 0.01;
 
 /// Advances from `from` towards `until` while the features certainly stay further than
-/// `min_distance >= 0` apart.
+/// `min_distance >= 0` apart, by steps that suit the `tolerance` of a time of impact.
 pub fn advance<R: Real>(
     m: &Motion<R>,
     patch: Patch,
     from: R,
     until: R,
     min_distance: R,
+    tolerance: R,
 ) -> Advance<R> {
-    let field = Field {
-        corners: [m.corners(patch, 0), m.corners(patch, 1)],
-        slack: m.corner_error(),
-        min_distance,
-    };
+    let field = Field::new(m, patch, min_distance);
+    let min_step = tolerance * R::splat(MIN_STEP);
     // Free of contact up to `reach >= t`; `now` separates at `t`.
     let (mut t, mut reach, mut goal) = (from, from, from);
     let mut now = Separation::nothing();
@@ -90,8 +88,8 @@ pub fn advance<R: Real>(
                 return Advance::Clear;
             }
             let gained = reach - t;
-            let stops = gained <= R::splat(MIN_STEP);
-            let shortly = (reach + R::splat(SHORTLY)).min(until);
+            let stops = gained <= min_step;
+            let shortly = (reach + tolerance * R::splat(SHORTLY)).min(until);
             if stops && min_distance > R::splat(0.0) && within(m, patch, shortly, min_distance) {
                 break;
             }
@@ -117,11 +115,23 @@ pub fn advance<R: Real>(
             next = step * shorter(now.least_at(t), then.least_at(goal));
         }
         goal = (t + next).max(reach).min(until);
-        if !first && !(goal - t > R::splat(MIN_STEP)) {
+        if !first && !(goal - t > min_step) {
             break;
         }
     }
     Advance::Stuck(reach)
+}
+
+/// Whether no direction that [`advance`] tries separates features that touch or nearly do, at time
+/// `t`: it would be stuck there.
+#[inline(always)]
+pub fn stuck_at<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> bool {
+    let field = Field::new(m, patch, R::splat(0.0));
+    let w = nearest(m, patch, t);
+    !(field.towards(w).clear_at(t)
+        || field.towards(along_axis(w, 1)).clear_at(t)
+        || field.towards(along_axis(w, 2)).clear_at(t)
+        || field.towards(along_axis(w, 3)).clear_at(t))
 }
 
 /// What separates two features, but for the direction.
@@ -147,6 +157,13 @@ pub struct Separation<R> {
 }
 
 impl<R: Real> Field<R> {
+    /// Of a motion over `patch`.
+    #[inline(always)]
+    pub fn new(m: &Motion<R>, patch: Patch, min_distance: R) -> Self {
+        let corners = [m.corners(patch, 0), m.corners(patch, 1)];
+        Self { corners, slack: m.corner_error(), min_distance }
+    }
+
     /// Along `w`, of any length.
     #[inline(always)]
     fn towards(&self, w: [R; 3]) -> Separation<R> {
@@ -195,7 +212,7 @@ impl<R: Real> Separation<R> {
 
     /// Whether the direction separates at time `t`.
     #[inline(always)]
-    fn clear_at(&self, t: R) -> bool {
+    pub fn clear_at(&self, t: R) -> bool {
         let zero = R::splat(0.0);
         self.excess(0, t) > zero
             && self.excess(1, t) > zero
@@ -216,7 +233,7 @@ impl<R: Real> Separation<R> {
 
     /// The least excess of all corners, to guess by.
     #[inline(always)]
-    fn least_at(&self, t: R) -> R {
+    pub(super) fn least_at(&self, t: R) -> R {
         (self.excess(0, t).min(self.excess(1, t))).min(self.excess(2, t).min(self.excess(3, t)))
     }
 
@@ -255,7 +272,13 @@ pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bo
 /// An upper bound of the distance of the features at time `t`.
 #[inline(always)]
 pub fn greatest_distance<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> R {
-    let x = nearest(m, patch, t);
+    length_up(m, nearest(m, patch, t))
+}
+
+/// An upper bound of the distance of the features at the time at which `x` is what [`nearest`]
+/// gives.
+#[inline(always)]
+pub fn length_up<R: Real>(m: &Motion<R>, x: [R; 3]) -> R {
     // Twice for the interpolation besides the differences, twice for the length of an error in
     // three components.
     dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0))
@@ -264,7 +287,7 @@ pub fn greatest_distance<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> R {
 
 /// The vector from the second feature to the first at time `t`, up to rounding.
 #[inline(always)]
-fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
+pub fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
     closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch)
 }
 

@@ -35,13 +35,16 @@ pub struct Cubic<R> {
     band: R,
     /// What makes the largest coefficient 1.
     scale: R,
+    /// Width, in time, to which an end of an interval is refined.
+    width: R,
 }
 
 /// Steps of the guarded iteration; each at least halves the bracket when it is a bisection, and 44
-/// halvings reach [`WIDTH`]. Running out leaves a wider interval, never a wrong one.
+/// halvings reach [`WIDTH`] or a sixteenth of the least tolerance. Running out leaves a wider
+/// interval, never a wrong one.
 const MAX_STEPS: usize = 64;
-/// Width, in time, to which an end of an interval is refined: 2^-42, far below the 1e-6 that a
-/// caller is promised.
+/// Width, in time, to which an end of an interval is refined unless a caller wants less: 2^-42, far
+/// below the 1e-6 that callers are promised by default.
 const WIDTH: f32 = 2.273_736_8e-13;
 
 /// Coefficients are taken from this many times the smallest normal number up to the inverse of
@@ -69,7 +72,21 @@ impl<R: Real> Cubic<R> {
             c,
             band: error + largest * rounding,
             scale: if fine { one / largest } else { R::splat(0.0) },
+            width: R::splat(WIDTH),
         }
+    }
+
+    /// The same, for intervals that need to be at most `tolerance` wide where the cubic is steep.
+    #[inline]
+    pub fn refined(self, tolerance: R) -> Self {
+        // A sixteenth: what is between the ends is the band and up to three widths.
+        Self { width: self.width.min(tolerance * R::splat(0.0625)), ..self }
+    }
+
+    /// Whether the cubic may vanish at `t`.
+    #[inline(always)]
+    pub fn may_vanish_at(&self, t: R) -> bool {
+        !(self.value(t).abs() > self.band)
     }
 
     /// Value at `t` in `[0, 1]`.
@@ -150,11 +167,11 @@ impl<R: Real> Cubic<R> {
         Interval { lo, hi, crosses }
     }
 
-    /// The last time, up to [`WIDTH`], at which `f` is still certainly on the side where it is at
+    /// The last time, up to the width, at which `f` is still certainly on the side where it is at
     /// `from`.
     fn enter_band(&self, from: R, to: R, negative: bool) -> R {
         let sign = if negative { R::splat(-1.0) } else { R::splat(1.0) };
-        let (width, half) = (R::splat(WIDTH), R::splat(0.5));
+        let (width, half) = (self.width, R::splat(0.5));
         let q = self.derivative();
         let (mut low, mut high) = (from, to);
         let mut t = half * (low + high);
@@ -192,7 +209,7 @@ impl<R: Real> Cubic<R> {
     /// allows for, so it does not come back.
     fn leave_band(&self, from: R, to: R, negative: bool) -> R {
         let sign = if negative { R::splat(-1.0) } else { R::splat(1.0) };
-        let mut step = R::splat(2.0 * WIDTH);
+        let mut step = self.width + self.width;
         for _ in 0..MAX_STEPS {
             let t = from + step;
             if !(t < to) {

@@ -6,8 +6,9 @@ use crate::kernel::memory::at;
 use crate::layout::{Frame, Pair, Path, join, split};
 use crate::math::real::Real;
 use crate::model::contact::Kind;
-use crate::narrow_phase::query::{Verdict, solve};
+use crate::narrow_phase::query::{Verdict, search};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::search::{Answer, Search};
 
 /// A verdict in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +17,34 @@ pub struct Verdicts {
     pub touches: bool,
     /// 1 if not decided.
     pub undecided: u32,
+    /// The word of [`Approach`](crate::narrow_phase::approach::Approach).
+    pub approach: u32,
     /// Time of impact: bits of an `f64`, low word first.
     pub toi: [u32; 2],
+}
+
+/// What a frame has its `f32` kernels look for: times that hold those that are wanted.
+#[inline(always)]
+pub fn search_of(frame: &Frame) -> Search<f32> {
+    Search {
+        min_distance: frame.min_distance,
+        tolerance: frame.tolerance,
+        from: frame.from,
+        until: frame.until,
+        leaves: frame.has(Frame::FLAG_LEAVES),
+    }
+}
+
+/// What it has its `f64` kernels look for.
+#[inline(always)]
+pub fn wide_search_of(frame: &Frame) -> Search<f64> {
+    Search {
+        min_distance: join(frame.distance_bits),
+        tolerance: join(frame.tolerance_bits),
+        from: join(frame.from_bits),
+        until: join(frame.until_bits),
+        leaves: frame.has(Frame::FLAG_LEAVES),
+    }
 }
 
 /// Rounds that workgroup `own` of `groups` needs for its share of `n` items.
@@ -62,40 +89,43 @@ pub fn widen(toi: f32) -> [u32; 2] {
 }
 
 #[inline(always)]
-fn verdicts<R>(verdict: Verdict<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
-    match verdict {
-        Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
-        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: bits(toi) },
-        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: bits(toi) },
+fn verdicts<R>(answer: Answer<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
+    let approach = answer.approach.word();
+    match answer.verdict {
+        Verdict::Miss => Verdicts { touches: false, undecided: 0, approach, toi: [0; 2] },
+        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, approach, toi: bits(toi) },
+        Verdict::Undecided { toi } => {
+            Verdicts { touches: true, undecided: 1, approach, toi: bits(toi) }
+        }
     }
+}
+
+/// An answer in `f32` of which less is taken as certain where `f64` may know more: hits in a window
+/// whose ends are no `f32`, which may be outside of it, and contacts at the start that were not
+/// left.
+#[inline(always)]
+fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
+    let v = verdicts(answer, widen);
+    let at_start = v.toi[0] == widen(frame.from)[0] && v.toi[1] == widen(frame.from)[1];
+    let open = frame.has(Frame::FLAG_WINDOW_ROUNDED) || frame.has(Frame::FLAG_LEAVES) && at_start;
+    let undecided = if v.touches && open { 1 } else { v.undecided };
+    Verdicts { undecided, ..v }
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f32`.
 #[inline(always)]
 pub fn vertex_face(pair: Pair, frame: &Frame, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
     let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
-    verdicts(
-        solve(
-            &Motion::vertex_face(&x0, &x1, frame.path_error),
-            Patch::Triangle,
-            frame.min_distance,
-        ),
-        widen,
-    )
+    let motion = Motion::vertex_face(&x0, &x1, frame.path_error);
+    narrow_verdicts(search(&motion, Patch::Triangle, &search_of(frame)), frame)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f32`.
 #[inline(always)]
 pub fn edge_edge(pair: Pair, frame: &Frame, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
     let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
-    verdicts(
-        solve(
-            &Motion::edge_edge(&x0, &x1, frame.path_error),
-            Patch::Parallelogram,
-            frame.min_distance,
-        ),
-        widen,
-    )
+    let motion = Motion::edge_edge(&x0, &x1, frame.path_error);
+    narrow_verdicts(search(&motion, Patch::Parallelogram, &search_of(frame)), frame)
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f64`.
@@ -108,10 +138,8 @@ pub fn vertex_face_wide(
     faces: &[[u32; 3]],
 ) -> Verdicts {
     let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), frame, paths, wide);
-    verdicts(
-        solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(frame.distance_bits)),
-        split,
-    )
+    let motion = Motion::vertex_face(&x0, &x1, 0.0);
+    verdicts(search(&motion, Patch::Triangle, &wide_search_of(frame)), split)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f64`.
@@ -124,10 +152,8 @@ pub fn edge_edge_wide(
     edges: &[[u32; 2]],
 ) -> Verdicts {
     let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), frame, paths, wide);
-    verdicts(
-        solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(frame.distance_bits)),
-        split,
-    )
+    let motion = Motion::edge_edge(&x0, &x1, 0.0);
+    verdicts(search(&motion, Patch::Parallelogram, &wide_search_of(frame)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.
@@ -179,20 +205,17 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     [a0, a1, b0, b1]
 }
 
-/// The verdict on a pair of features with these vertices, in the precision `R`, from exact
+/// The answer for a pair of features with these vertices, in the precision `R`, from exact
 /// positions at both times.
 pub fn pair<T: Copy + Into<R>, R: Real>(
     kind: Kind,
     ids: [u32; 4],
     x: [&[[T; 3]]; 2],
-    min_distance: R,
-) -> Verdict<R> {
+    wanted: &Search<R>,
+) -> Answer<R> {
     let patch = kind.patch();
-    solve(
-        &Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0)),
-        patch,
-        min_distance,
-    )
+    let motion = Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0));
+    search(&motion, patch, wanted)
 }
 
 #[cfg(test)]

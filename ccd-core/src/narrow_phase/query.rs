@@ -5,25 +5,36 @@
 //! `d > 0`, contact means a distance of at most `d`.
 
 use crate::math::real::Real;
-use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, within};
+use crate::narrow_phase::approach::{Approach, Departure};
+use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, stuck_at, within};
 use crate::narrow_phase::containment::{Inside, inside};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::cubic_roots::Cubic;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::search::{Answer, Search};
 
-/// How early an unflagged time of impact may be, in units of the step.
+/// How early a certain time of impact may be, in units of the step, unless a search says another
+/// tolerance.
 pub const TOI_TOLERANCE: f64 = 1e-6;
-/// Half of it, as kernels use it.
-const HALF_TOLERANCE: f32 = 5e-7;
+/// The least tolerance that a search may ask for.
+pub const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// The answer of a query.
+///
+/// ```
+/// use ccd_core::Verdict;
+///
+/// // What a conservative caller may advance to.
+/// assert_eq!(Verdict::Undecided { toi: 0.25 }.toi(), Some(0.25));
+/// assert_eq!(Verdict::<f64>::Miss.toi(), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(u32)]
 pub enum Verdict<R> {
     /// Certainly no contact during the step.
     Miss,
-    /// Certainly contact; `toi` is not later than the first contact and at most [`TOI_TOLERANCE`]
-    /// earlier.
+    /// Certainly contact; `toi` is not later than the first contact and at most the tolerance
+    /// earlier: [`TOI_TOLERANCE`] by default.
     Hit {
         /// Time of impact in `[0, 1]`.
         toi: R,
@@ -83,26 +94,57 @@ widen!(EdgeEdge);
 ///
 /// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or
 /// underflows in `R` is undecided, not wrong.
+///
+/// ```
+/// use ccd_core::{Verdict, VertexFace, vertex_face};
+///
+/// // A vertex falls through a triangle: half of the way down.
+/// let t0 = [[0.2, 1.0, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0f64]];
+/// let mut t1 = t0;
+/// t1[0][1] = -1.0;
+/// let Verdict::Hit { toi } = vertex_face(&VertexFace { t0, t1 }, 0.0) else { panic!() };
+/// assert!(toi <= 0.5 && toi > 0.5 - 1e-6);
+/// // A distance of 0.5 is reached earlier.
+/// let near = vertex_face(&VertexFace { t0, t1 }, 0.5).toi();
+/// assert!(near.is_some_and(|toi| toi <= 0.25 && toi > 0.25 - 1e-6));
+/// ```
 pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
     solve(&Motion::vertex_face(&q.t0, &q.t1, R::splat(0.0)), Patch::Triangle, min_distance)
 }
 
 /// Decides an edge-edge query in the arithmetic of `R`. See [`vertex_face`] for what is accepted.
+///
+/// ```
+/// use ccd_core::{EdgeEdge, Verdict, edge_edge};
+///
+/// let t0 = [[-1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];
+/// let t1 = [[-1.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];
+/// assert_eq!(edge_edge(&EdgeEdge { t0, t1 }, 0.0), Verdict::Miss);
+/// ```
 pub fn edge_edge<R: Real>(q: &EdgeEdge<R>, min_distance: R) -> Verdict<R> {
     solve(&Motion::edge_edge(&q.t0, &q.t1, R::splat(0.0)), Patch::Parallelogram, min_distance)
 }
 
-/// Decides a query that is already in relative form; input errors of `m` are part of every bound.
+/// Decides a query that is already in relative form, over the whole step and up to
+/// [`TOI_TOLERANCE`]; input errors of `m` are part of every bound.
 pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
-    let (m, min_distance) = in_unit(m, min_distance);
-    let plane = Coplanarity::new(&m);
-    if plane.clearance(min_distance) > R::splat(0.0) {
-        return Verdict::Miss;
-    }
+    search(m, patch, &Search::whole(min_distance)).verdict
+}
+
+/// Decides a query that is already in relative form; input errors of `m` are part of every bound.
+///
+/// The verdict is about times from [`Search::from`] to [`Search::until`]: a time of impact is the
+/// first of a contact among these.
+pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    let (m, min_distance) = in_unit(m, search.min_distance);
     if min_distance > R::splat(0.0) {
-        at_distance(&m, patch, min_distance)
+        at_distance(&m, patch, &Search { min_distance, ..*search })
     } else {
-        touching(&m, patch, &plane)
+        let verdict = touching(&m, patch, search);
+        // It certainly is apart until the time of impact, and certainly touches after it.
+        let nears = matches!(verdict, Verdict::Hit { toi } if toi > search.from);
+        let approach = if nears { Approach::Approaching } else { Approach::Unknown };
+        Answer { verdict, approach }
     }
 }
 
@@ -118,7 +160,7 @@ const UNIT_RANGE: f32 = 65_536.0;
 /// that vanishes becomes the smallest normal number; that is more, and too little for a certain
 /// contact.
 #[inline(always)]
-fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
+pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
     let [a, b, c] = m.magnitudes();
     let size = a.max(b).max(c);
     let fine = size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE);
@@ -132,12 +174,26 @@ fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
 }
 
 /// Contact as coplanarity and containment: `min_distance = 0`.
-fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Verdict<R> {
+fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict<R> {
+    let zero = R::splat(0.0);
+    let plane = Coplanarity::new(m);
+    if plane.clearance(zero) > zero {
+        return Verdict::Miss;
+    }
     // The bound is of 3 f; 0.34 is a third, rounded up.
-    let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34));
+    let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34)).refined(search.tolerance);
+    // What rests on each other: no interval that may hold a zero starts later, and nothing would
+    // certify that they do not touch there.
+    if cubic.may_vanish_at(search.from) && stuck_at(m, patch, search.from) {
+        return Verdict::Undecided { toi: search.from };
+    }
     let (ends, n_pieces) = cubic.pieces();
     for i in 0..n_pieces {
-        let at = cubic.zero_in_piece(ends[i], ends[i + 1]);
+        let (from, to) = (ends[i].max(search.from), ends[i + 1].min(search.until));
+        if !(from <= to) {
+            continue;
+        }
+        let at = cubic.zero_in_piece(from, to);
         if at.is_empty() {
             continue;
         }
@@ -145,11 +201,16 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Ver
         if matches!(place, Inside::Outside) {
             continue;
         }
-        let narrow = at.hi - at.lo <= R::splat(HALF_TOLERANCE);
-        if matches!(place, Inside::Inside) && at.crosses && narrow {
+        let touches = matches!(place, Inside::Inside) && at.crosses;
+        let early = search.tolerance * R::splat(0.99);
+        if touches && at.hi - at.lo <= early {
             return Verdict::Hit { toi: at.lo };
         }
-        if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, R::splat(0.0)) {
+        if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, zero, search.tolerance) {
+            // What touches in the interval does after this time.
+            if touches && at.hi - toi <= early {
+                return Verdict::Hit { toi };
+            }
             return Verdict::Undecided { toi };
         }
     }
@@ -157,22 +218,70 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Ver
 }
 
 /// Contact as a distance of at most `min_distance > 0`.
-fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
-    let one = R::splat(1.0);
-    let toi = match advance(m, patch, R::splat(0.0), one, min_distance) {
-        Advance::Clear => return Verdict::Miss,
-        Advance::Stuck(toi) => toi,
-    };
-    // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small
-    // enough.
-    let later = [SHORTLY, 0.0, 1.8 * HALF_TOLERANCE];
-    for i in 0..3 {
-        let t = (toi + R::splat(later[i])).min(one);
-        if within(m, patch, t, min_distance) {
-            return Verdict::Hit { toi };
+pub(super) fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    let Search { min_distance, tolerance, until, .. } = *search;
+    let mut from = search.from;
+    let near = within(m, patch, from, min_distance);
+    if !near && Coplanarity::new(m).clearance(min_distance) > R::splat(0.0) {
+        return Answer::of(Verdict::Miss);
+    }
+    let mut toi = from;
+    let mut approach = Approach::Unknown;
+    // From the start, and once more after a contact there was left.
+    for round in 0..2 {
+        if round > 0 || !near {
+            match advance(m, patch, from, until, min_distance, tolerance) {
+                Advance::Clear => return Answer::of(Verdict::Miss),
+                Advance::Stuck(t) => toi = t,
+            }
+        }
+        if toi > search.from {
+            break;
+        }
+        let departure = Departure::new(m, patch, from, until, min_distance);
+        approach = departure.approach;
+        if !search.leaves || !matches!(approach, Approach::Separating) {
+            break;
+        }
+        if departure.again <= until {
+            (from, toi) = (departure.again, departure.again);
+        } else if departure.safe >= until {
+            return Answer::of(Verdict::Miss);
+        } else {
+            // Nothing is known after that; at the start itself, if it is not safe at all.
+            if departure.safe > search.from {
+                approach = Approach::Unknown;
+            }
+            return Answer { verdict: Verdict::Undecided { toi: departure.safe }, approach };
         }
     }
-    Verdict::Undecided { toi }
+    conclude(m, patch, search, toi, approach)
+}
+
+/// A contact that is not excluded from `toi` on. A hit needs a witness: a time shortly after it at
+/// which the distance certainly is small enough.
+#[inline(always)]
+fn conclude<R: Real>(
+    m: &Motion<R>,
+    patch: Patch,
+    search: &Search<R>,
+    toi: R,
+    at_start: Approach,
+) -> Answer<R> {
+    let later = [SHORTLY, 0.0, 0.8];
+    // Where rounding may make it later by an eighth of the tolerance, that time alone.
+    let lasts = search.tolerance >= R::UNIT * R::splat(8.0);
+    let reach = if lasts { search.tolerance } else { R::splat(0.0) };
+    for i in 0..3 {
+        let t = (toi + reach * R::splat(later[i])).min(search.until);
+        if within(m, patch, t, search.min_distance) {
+            let nears = toi > search.from;
+            let approach = if nears { Approach::Approaching } else { at_start };
+            return Answer { verdict: Verdict::Hit { toi }, approach };
+        }
+    }
+    let approach = if toi > search.from { Approach::Unknown } else { at_start };
+    Answer { verdict: Verdict::Undecided { toi }, approach }
 }
 
 #[cfg(test)]

@@ -78,6 +78,7 @@ fn entry(i: u32, contacts: &[u32]) -> Touch {
         a: at(contacts, first + 2),
         b: at(contacts, first + 3),
         toi: [at(contacts, first + 4), at(contacts, first + 5)],
+        approach: at(contacts, first + 6),
     }
 }
 

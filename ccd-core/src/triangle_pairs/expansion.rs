@@ -16,6 +16,7 @@
 //! overlap, so that these tests are made for the same pairs of triangles.
 
 use crate::broad_phase::candidate::{bodies_meet, is_corner, share_vertex};
+use crate::broad_phase::pair_rules::classes_meet;
 use crate::kernel::memory::at;
 use crate::layout::{Expansion, Frame, NearTest, Pair, Triangle};
 use crate::math::aabb::Aabb;
@@ -45,7 +46,8 @@ impl Expanded {
 }
 
 /// Expands a pair of triangles whose boxes overlap. `regions`: the certified region of each
-/// triangle, read with [`Expansion::FLAG_REGIONS`] alone; `boxes`: of all features.
+/// triangle, read with [`Expansion::FLAG_REGIONS`] alone, then the table of rules, with
+/// [`Frame::FLAG_RULES`]; `boxes`: of all features.
 #[inline(always)]
 pub fn expand(
     pair: Pair,
@@ -56,9 +58,10 @@ pub fn expand(
     boxes: &[Aabb<f32>],
 ) -> Expanded {
     let (s, t) = (at(triangles, pair.a as usize), at(triangles, pair.b as usize));
-    if frame.has(Frame::FLAG_BODIES)
-        && !bodies_meet(s.body, t.body, frame.has(Frame::FLAG_SELF_CONTACT))
-    {
+    if frame.has(Frame::FLAG_BODIES) && !bodies_meet(s.body, t.body) {
+        return Expanded::NOTHING;
+    }
+    if frame.has(Frame::FLAG_RULES) && !classes_meet(s.body, t.body, regions, own.rules as usize) {
         return Expanded::NOTHING;
     }
     if own.has(Expansion::FLAG_ORPHANS) && adjacent(&s.corners, &t.corners) {

@@ -42,9 +42,9 @@ fn check_advance<R: Real>(random: &mut Random) -> usize {
     let w = random.vector();
     let ahead = |v: [f64; 3]| [0, 1, 2].map(|k| if w[k] < 0.0 { -v[k].abs() } else { v[k].abs() });
     let (b, c) = (ahead(random.vector()), ahead(random.vector()));
-    let (zero, one) = (R::splat(0.0), R::splat(1.0));
+    let (zero, one, tolerance) = (R::splat(0.0), R::splat(1.0), R::splat(1e-6));
     let free = |part: f64| {
-        advance(&ends::<R>(b, c, w, part, 1e-3), Patch::Parallelogram, zero, one, zero)
+        advance(&ends::<R>(b, c, w, part, 1e-3), Patch::Parallelogram, zero, one, zero, tolerance)
             == Advance::Clear
     };
     assert!(!free(0.999), "{b:?} {c:?} {w:?} touch");

@@ -123,9 +123,9 @@ fn advancement_stops_before_a_contact() {
     for _ in 0..8_000 {
         let q = touch(&mut random);
         let ways = choices(&mut random);
-        let (m, one) = (q.motion(), Adversarial(1.0));
+        let (m, zero, one) = (q.motion(), Adversarial(0.0), Adversarial(1.0));
         let (got, _) =
-            under(&ways, false, || advance(&m, q.patch, Adversarial(0.0), one, Adversarial(0.0)));
+            under(&ways, false, || advance(&m, q.patch, zero, one, zero, Adversarial(1e-6)));
         let stops = matches!(got, Advance::Stuck(t) if t.0 <= q.t + LATE);
         assert!(stops, "contact at {}, but {got:?}: {:?} {:?} {ways:?}", q.t, q.patch, q.x);
         n_far += matches!(got, Advance::Stuck(t) if t.0 > 0.1) as usize;

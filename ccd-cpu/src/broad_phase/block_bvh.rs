@@ -5,8 +5,8 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::set_lane;
-use crate::broad_phase::pair_source::Fixed;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, set_lane};
+use crate::broad_phase::pair_source::Marks;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -20,9 +20,28 @@ pub struct BlockBvh {
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
+    /// Per level and block: the worlds in each lane; empty where none was marked.
+    worlds: Vec<Vec<Worlds>>,
     looseness_at_build: Option<f64>,
     sums: Vec<f64>,
     build: u64,
+}
+
+/// The worlds of what is in each lane of a block: none where the first is above the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Worlds {
+    pub first: [u16; WIDTH],
+    pub last: [u16; WIDTH],
+}
+
+impl Worlds {
+    const NONE: Self = Self { first: [u16::MAX; WIDTH], last: [0; WIDTH] };
+
+    /// Of all lanes together.
+    fn all(&self) -> [u16; 2] {
+        let first = self.first.iter().fold(u16::MAX, |a, &b| a.min(b));
+        [first, self.last.iter().fold(0, |a, &b| a.max(b))]
+    }
 }
 
 impl BlockBvh {
@@ -57,10 +76,51 @@ impl BlockBvh {
         self.any_fixed
     }
 
-    /// Forgets the boxes of before; marks those of the new order that are fixed.
-    pub fn begin(&mut self, order: &[u32], fixed: Option<Fixed>) {
+    /// Whether worlds are told apart.
+    #[inline(always)]
+    pub fn has_worlds(&self) -> bool {
+        !self.worlds.is_empty()
+    }
+
+    /// The worlds in block `i` of a level, if they are known.
+    #[inline(always)]
+    pub fn worlds(&self, level: usize, i: usize) -> Option<&Worlds> {
+        self.worlds.get(level)?.get(i)
+    }
+
+    /// Marks the worlds of the new order.
+    fn begin_worlds(&mut self, order: &[u32], world: &dyn Fn(usize) -> u32) {
+        let mut here: Vec<Worlds> = Vec::with_capacity(order.len().div_ceil(WIDTH));
+        for ids in order.chunks(WIDTH) {
+            let mut of = Worlds::NONE;
+            for (j, &id) in ids.iter().enumerate() {
+                (of.first[j], of.last[j]) = (world(id as usize) as u16, world(id as usize) as u16);
+            }
+            here.push(of);
+        }
+        while here.len() > 1 {
+            let mut above = Vec::with_capacity(here.len().div_ceil(WIDTH));
+            for children in here.chunks(WIDTH) {
+                let mut of = Worlds::NONE;
+                for (j, child) in children.iter().enumerate() {
+                    [of.first[j], of.last[j]] = child.all();
+                }
+                above.push(of);
+            }
+            self.worlds.push(std::mem::replace(&mut here, above));
+        }
+        self.worlds.push(here);
+    }
+
+    /// Forgets the boxes of before; marks those of the new order that are fixed, and their worlds.
+    pub fn begin(&mut self, order: &[u32], marks: &Marks) {
+        let fixed = marks.fixed;
         self.looseness_at_build = None;
         self.build += 1;
+        self.worlds.clear();
+        if let Some(world) = marks.world {
+            self.begin_worlds(order, world);
+        }
         self.any_fixed = fixed.is_some();
         // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
         self.fixed.iter_mut().for_each(Vec::clear);
@@ -84,9 +144,21 @@ impl BlockBvh {
         }
     }
 
-    /// Computes all levels above these leaves. Returns how much looser blocks have become since the
-    /// first time after [`BlockBvh::begin`].
-    pub fn fit(&mut self, threads: &Threads, leaves: &[Block]) -> f64 {
+    /// Computes all levels above these leaves, as far as these have changed. Returns how much
+    /// looser blocks of boxes that move have become since the first time after
+    /// [`BlockBvh::begin`].
+    pub fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
+        let moving = leaves.n_moving();
+        self.fit_blocks(threads, leaves.blocks(), [leaves.n_changed(), moving])
+    }
+
+    /// The same for blocks of which the first so many have changed, and the first so many may move.
+    fn fit_blocks(
+        &mut self,
+        threads: &Threads,
+        leaves: &[Block],
+        [mut changed, moving]: [usize; 2],
+    ) -> f64 {
         self.height = 1;
         let mut n_below = leaves.len();
         while n_below > 1 {
@@ -98,7 +170,8 @@ impl BlockBvh {
             let below = below.last().map_or(leaves, Vec::as_slice);
             n_below = n_below.div_ceil(WIDTH);
             here[0].resize(n_below, EMPTY);
-            threads.fill(&mut here[0], |i| {
+            changed = changed.div_ceil(WIDTH);
+            threads.fill(&mut here[0][..changed], |i| {
                 let mut block = EMPTY;
                 let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
                 for (j, child) in children.iter().enumerate() {
@@ -108,7 +181,7 @@ impl BlockBvh {
             });
             self.height += 1;
         }
-        let looseness = self.looseness(threads, leaves);
+        let looseness = self.looseness(threads, &leaves[..moving]);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
     }
@@ -133,11 +206,12 @@ impl BlockBvh {
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
     /// a block costs its tests.
     fn looseness(&mut self, threads: &Threads, leaves: &[Block]) -> f64 {
-        if self.height < 2 {
+        if self.height < 2 || leaves.is_empty() {
             return 1.0;
         }
         let boxes = extents(threads, leaves, &mut self.sums);
-        let blocks = extents(threads, &self.upper[0], &mut self.sums);
+        let blocks =
+            extents(threads, &self.upper[0][..leaves.len().div_ceil(WIDTH)], &mut self.sums);
         if boxes > 0.0 { blocks / boxes } else { 1.0 }
     }
 }
@@ -221,12 +295,12 @@ mod tests {
             };
             let mut boxes: Vec<_> =
                 (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            leaves.build(&threads, &mut source, &boxes, None);
+            leaves.build(&threads, &mut source, &boxes, Marks::default());
             check_well_formed(source.tree(0), &leaves, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();
             }
-            let looseness = leaves.refit(&threads, &mut source, &boxes);
+            let looseness = leaves.refit(&threads, &mut source, &boxes, false);
             assert!(looseness.is_finite() && looseness > 0.0, "{looseness}");
             check_well_formed(source.tree(0), &leaves, &boxes);
         }
@@ -238,20 +312,21 @@ mod tests {
         let order: Vec<u32> = (0..4096).collect();
         let blocks = vec![EMPTY; order.len() / WIDTH];
         let (all, none) = (|_: usize| true, |_: usize| false);
+        let of = |fixed| Marks { fixed: Some(fixed), ..Marks::default() };
         let mut bvh = BlockBvh::default();
-        bvh.begin(&order, Some(&all));
-        bvh.fit(&threads, &blocks);
+        bvh.begin(&order, &of(&all));
+        bvh.fit_blocks(&threads, &blocks, [blocks.len(); 2]);
         let height = bvh.height();
         let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.fixed(level, 0) != 0);
         assert!((0..height).all(|level| bvh.fixed(level, 0) == 0xff), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
-        bvh.begin(&order[..WIDTH], Some(&none));
-        bvh.fit(&threads, &blocks[..1]);
+        bvh.begin(&order[..WIDTH], &of(&none));
+        bvh.fit_blocks(&threads, &blocks[..1], [1; 2]);
         bvh.raise(height, &blocks[..1]);
         assert_eq!(bvh.height(), height);
         assert!(!any(&bvh), "lanes of an earlier build");
-        bvh.begin(&order, Some(&all));
-        bvh.begin(&order, None);
+        bvh.begin(&order, &of(&all));
+        bvh.begin(&order, &Marks::default());
         assert!(!any(&bvh), "lanes of an earlier build that had fixed boxes");
     }
 }

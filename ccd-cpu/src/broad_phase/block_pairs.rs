@@ -6,7 +6,7 @@ use crate::broad_phase::front::Writer;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, get_lane};
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{
-    Fixed, Order, PairSink, PairSource, Pairs, PairsOfNodes, Sides,
+    Marks, Order, PairSink, PairSource, Pairs, PairsOfNodes, Sides,
 };
 use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
 use crate::broad_phase::tasks::Tasks;
@@ -62,19 +62,19 @@ impl Order for BlockSource {
         threads: &Threads,
         set: Set,
         boxes: &[Aabb<f32>],
-        fixed: Option<Fixed>,
+        marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         if self.trees.len() <= set.index {
             self.trees.resize_with(set.index + 1, BlockBvh::default);
         }
         // What is fixed comes last, so that whole blocks are.
-        self.morton.sort(threads, boxes, fixed, order);
-        self.trees[set.index].begin(order, fixed);
+        self.morton.sort(threads, boxes, marks, order);
+        self.trees[set.index].begin(order, marks);
     }
 
     fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
-        self.trees[leaves.set().index].fit(threads, leaves.blocks())
+        self.trees[leaves.set().index].fit(threads, leaves)
     }
 }
 
@@ -138,6 +138,9 @@ impl PairTree for BlockPairs<'_> {
     fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let pair = BlockPair::unpacked(pair);
         let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
+        if self.a.has_worlds() && masks != 0 {
+            masks &= self.in_one_world(pair);
+        }
         while masks != 0 {
             let bit = masks.trailing_zeros();
             masks &= masks - 1;
@@ -157,6 +160,9 @@ impl PairTree for BlockPairs<'_> {
         let (a, b) = (pair.a as usize, pair.b as usize);
         let mut masks =
             overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
+        if self.a.has_worlds() && masks != 0 {
+            masks &= self.in_one_world(pair);
+        }
         if self.within && a == b {
             masks &= UPPER;
         }
@@ -198,10 +204,11 @@ impl FrontTree for BlockPairs<'_> {
 
     #[inline(always)]
     fn lifts(self) -> bool {
-        true
+        !self.a.has_worlds()
     }
 
-    /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too.
+    /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too; of
+    /// worlds that is not so.
     #[inline(always)]
     fn parent(self, pair: NodePair) -> Option<(NodePair, bool)> {
         let BlockPair { level, a, b } = BlockPair::unpacked(pair);
@@ -226,6 +233,9 @@ impl FrontTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
+        if self.a.has_worlds() {
+            masks &= self.in_one_world(pair);
+        }
         let below = pair.level as usize - 1;
         let (n_a, n_b) = (self.a.level(below).len() as u32, self.b.level(below).len() as u32);
         while masks != 0 {
@@ -279,11 +289,37 @@ impl<'a> BlockPairs<'a> {
     }
 
     /// Of a pair above the leaves, byte `i`, bit `j`: whether there may be a pair of leaves below
-    /// child `i` and child `j`, whatever their boxes are.
+    /// child `i` and child `j`, whatever their boxes and worlds are.
     #[inline(always)]
     fn wanted(self, pair: BlockPair) -> u64 {
         let once = if self.within && pair.a == pair.b { UPPER_OR_DIAGONAL } else { u64::MAX };
         once & !self.both_fixed(pair)
+    }
+
+    /// Byte `i`, bit `j`: whether the ranges of worlds of box `i` of one block and box `j` of the
+    /// other have one in common, as boxes on an axis.
+    #[inline(never)]
+    fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
+        let level = level as usize;
+        let (Some(a), Some(b)) =
+            (self.a.worlds(level, a as usize), self.b.worlds(level, b as usize))
+        else {
+            return u64::MAX;
+        };
+        let only = [a.first[0]; WIDTH];
+        if [a.first, a.last, b.first, b.last] == [only; 4] {
+            return u64::MAX;
+        }
+        let mut masks = 0;
+        for i in 0..WIDTH {
+            let mut row = 0;
+            for j in 0..WIDTH {
+                let meet = a.first[i] <= b.last[j] && b.first[j] <= a.last[i];
+                row |= (meet as u64) << j;
+            }
+            masks |= row << (8 * i);
+        }
+        masks
     }
 
     /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is

@@ -4,7 +4,7 @@
 //! For a few hundred boxes it is also fast, because nothing is built.
 
 use crate::broad_phase::leaf_boxes::Set;
-use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -19,7 +19,7 @@ impl Order for BruteForce {
         _threads: &Threads,
         _set: Set,
         boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
+        _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         order.clear();

@@ -3,9 +3,9 @@
 
 use crate::broad_phase::scheduler::Job;
 use crate::broad_phase::scheduler::hand::{Expand, Hand};
+use crate::clock::Instant;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
-use std::time::Instant;
 
 /// Where the time of descents went, in milliseconds.
 ///

@@ -1,7 +1,7 @@
 //! The boxes of one set in the order of a method's leaves, eight side by side: what a source of
 //! pairs numbers its leaves by, and what a sink looks them up in.
 
-use crate::broad_phase::pair_source::{Fixed, Order};
+use crate::broad_phase::pair_source::{Marks, Order};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -22,12 +22,16 @@ pub struct LeafBoxes {
     set: Set,
     order: Vec<u32>,
     blocks: Vec<Block>,
+    /// Boxes at the end of the order that stand still.
+    n_still: usize,
+    /// Blocks from the first on that the last call has changed.
+    n_changed: usize,
 }
 
 impl LeafBoxes {
     /// No boxes yet.
     pub fn new(set: Set) -> Self {
-        Self { set, order: Vec::new(), blocks: Vec::new() }
+        Self { set, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
     }
 
     /// Which set this is.
@@ -55,6 +59,21 @@ impl LeafBoxes {
         &self.blocks
     }
 
+    /// Boxes at the end of the order that stand still.
+    pub fn n_still(&self) -> usize {
+        self.n_still
+    }
+
+    /// Blocks with a box that may move: all behind them stand still.
+    pub fn n_moving(&self) -> usize {
+        (self.order.len() - self.n_still).div_ceil(WIDTH)
+    }
+
+    /// Blocks from the first on that changed in the last call.
+    pub fn n_changed(&self) -> usize {
+        self.n_changed
+    }
+
     /// The box of a leaf.
     #[inline]
     pub fn get(&self, leaf: usize) -> Aabb<f32> {
@@ -77,25 +96,39 @@ impl LeafBoxes {
         threads: &Threads,
         source: &mut dyn Order,
         boxes: &[Aabb<f32>],
-        fixed: Option<Fixed>,
+        marks: Marks,
     ) {
-        source.sort(threads, self.set, boxes, fixed, &mut self.order);
-        self.place(threads, boxes);
+        source.sort(threads, self.set, boxes, &marks, &mut self.order);
+        self.n_still = match marks.fixed {
+            // A source may give a box several leaves; each of them stands still.
+            Some(fixed) => self.order.iter().rev().take_while(|&&id| fixed(id as usize)).count(),
+            None => 0,
+        };
+        self.place(threads, boxes, false);
         source.fit(threads, self);
     }
 
-    /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much
-    /// looser the source has become since, see [`Order::fit`].
-    pub fn refit(&mut self, threads: &Threads, source: &mut dyn Order, boxes: &[Aabb<f32>]) -> f64 {
+    /// Keeps the order of the last build and takes new boxes, as many as then; `still`: those that
+    /// stand still are as in the last call. Returns how much looser the source has become since
+    /// the build, see [`Order::fit`].
+    pub fn refit(
+        &mut self,
+        threads: &Threads,
+        source: &mut dyn Order,
+        boxes: &[Aabb<f32>],
+        still: bool,
+    ) -> f64 {
         assert_eq!(boxes.len(), self.len(), "refit with another number of boxes");
-        self.place(threads, boxes);
+        self.place(threads, boxes, still);
         source.fit(threads, self)
     }
 
-    fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
-        let Self { order, blocks, .. } = self;
-        blocks.resize(order.len().div_ceil(WIDTH), EMPTY);
-        threads.fill(blocks, |i| {
+    fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
+        let n = self.order.len().div_ceil(WIDTH);
+        self.n_changed = if still { self.n_moving() } else { n };
+        let Self { order, blocks, n_changed, .. } = self;
+        blocks.resize(n, EMPTY);
+        threads.fill(&mut blocks[..*n_changed], |i| {
             let mut block = EMPTY;
             let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(order.len())];
             for (j, &id) in ids.iter().enumerate() {

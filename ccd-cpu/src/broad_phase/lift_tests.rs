@@ -2,7 +2,7 @@
 //! every pair of leaves is below exactly one of its pairs.
 
 use super::block_pairs::BlockSource;
-use super::pair_source::{PairSource, PairsOfNodes};
+use super::pair_source::{Marks, PairSource, PairsOfNodes};
 use super::scheduled::Scheduled;
 use super::tree::TreeSource;
 use super::*;
@@ -55,7 +55,7 @@ impl Search {
         let fixed = |i: usize| i >= start.n_moving;
         let mut set = |index: usize, boxes: &[Aabb<f32>]| {
             let mut leaves = LeafBoxes::new(Set { index, searched: true });
-            leaves.build(&threads, order, boxes, Some(&fixed));
+            leaves.build(&threads, order, boxes, Marks { fixed: Some(&fixed), ..Marks::default() });
             leaves
         };
         let a = set(0, &start.a);
@@ -66,10 +66,10 @@ impl Search {
     /// Pairs of ids, of these boxes.
     fn find(&mut self, a: &[Aabb<f32>], b: Option<&[Aabb<f32>]>) -> Vec<Pair> {
         let Self { source, threads, a: of_a, b: of_b } = self;
-        of_a.refit(threads, source.order(), a);
+        of_a.refit(threads, source.order(), a, false);
         let (mut workers, mut runs) = (Vec::new(), Vec::new());
         if let (Some(of_b), Some(b)) = (&mut *of_b, b) {
-            of_b.refit(threads, source.order(), b);
+            of_b.refit(threads, source.order(), b, false);
             workers.resize_with(1, Lister::default);
             let sink = Listing::<false> { a: of_a, b: of_b, slack: 0.0, confirm: None };
             source.find(threads, (of_a, Some(of_b)), 1, &sink, &mut workers);
@@ -191,7 +191,7 @@ fn check(
                 [Some(&start.a), start.b.as_ref()].into_iter().flatten().enumerate()
             {
                 let mut leaves = LeafBoxes::new(Set { index, searched: true });
-                leaves.build(&lifting.threads, &mut twin, boxes, None);
+                leaves.build(&lifting.threads, &mut twin, boxes, Marks::default());
             }
             let side = |k: usize, node: u32| {
                 let range = twin.tree(if within { 0 } else { k }).range(node);

@@ -40,7 +40,7 @@ mod tests;
 pub mod tree;
 mod uniform_grid;
 
-use crate::clock::milliseconds;
+use crate::clock::{Instant, milliseconds};
 use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::math::aabb::Boxes;
@@ -53,15 +53,27 @@ use ccd_core::{Aabb, Coordinate, Error, Real};
 use leaf_boxes::{LeafBoxes, Set};
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{PairSink, PairSource};
+use pair_source::{Marks, PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-use std::time::Instant;
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///
 /// Overlap is closed: boxes that touch are a pair. Boxes are compared as they are, not as their
 /// roundings in `f32`; infinite bounds too: infinity touches infinity and nothing else.
 /// The order of pairs depends on the boxes and the method, not on the number of threads.
+///
+/// ```
+/// use ccd_core::Aabb;
+/// use ccd_core::layout::Pair;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_cpu::BroadPhase;
+///
+/// let at = |x: f32| Aabb { min: [x, 0.0, 0.0], max: [x + 1.0, 1.0, 1.0] };
+/// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
+/// let pairs = broad_phase.self_pairs(&[at(0.0), at(5.0), at(0.5)])?;
+/// assert_eq!(pairs.to_vec(), [Pair { a: 0, b: 2 }]);
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,
@@ -93,12 +105,19 @@ struct Side {
 
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::scheduled`].
     pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
         Self::scheduled(threads, method, Scheduling::default())
     }
 
     /// The same with work shared out in a way of its own. Boxes are new in every call, so that a
     /// front is made, and none is ever begun with.
+    ///
+    /// # Errors
+    /// [`Error::Method`], [`Error::Setting`] and [`Error::NoPairsOfNodes`] for the method and its
+    /// scheduling; [`Error::Threads`].
     pub fn scheduled(
         threads: usize,
         method: BroadPhaseMethod,
@@ -126,12 +145,20 @@ impl BroadPhase {
     }
 
     /// Pairs within one set, each once, lesser index first.
+    ///
+    /// # Errors
+    /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
+    /// limits.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.within(T::slices::<Boxes, 1>([boxes]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
     /// Pairs of a box of `a` with a box of `b`.
+    ///
+    /// # Errors
+    /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
+    /// limits.
     pub fn pairs<T: Coordinate>(
         &mut self,
         a: &[Aabb<T>],
@@ -176,7 +203,7 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
             method.order().survey(threads, &[&side.boxes])?;
-            side.leaves.build(threads, method.order(), &side.boxes, None);
+            side.leaves.build(threads, method.order(), &side.boxes, Marks::default());
             let slack = slack(&side.boxes, &side.boxes);
             let sink = Listing::<true> { a: &side.leaves, b: &side.leaves, slack, confirm };
             times.build = milliseconds(start);
@@ -201,8 +228,8 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
             method.order().survey(threads, &[&a.boxes, &b.boxes])?;
-            a.leaves.build(threads, method.order(), &a.boxes, None);
-            b.leaves.build(threads, method.order(), &b.boxes, None);
+            a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            b.leaves.build(threads, method.order(), &b.boxes, Marks::default());
             let slack = slack(&a.boxes, &b.boxes);
             let sink = Listing::<false> { a: &a.leaves, b: &b.leaves, slack, confirm };
             times.build = milliseconds(start);

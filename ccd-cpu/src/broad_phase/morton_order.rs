@@ -1,5 +1,6 @@
 //! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
 
+use crate::broad_phase::pair_source::Marks;
 use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -16,6 +17,8 @@ const CHUNK: usize = 256;
 pub struct MortonOrder {
     radix: RadixSort,
     chunks: Vec<Aabb<f32>>,
+    moving: Vec<u32>,
+    still: Vec<u32>,
 }
 
 impl MortonOrder {
@@ -36,25 +39,49 @@ impl MortonOrder {
         MortonGrid::new(&scene, BITS)
     }
 
-    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others.
-    /// Returns the grid of the codes.
+    /// Fills `order` with the ids of the boxes: one world after the other, in each those that stand
+    /// still after all others. Those that are kept stay where they are. Returns the grid of the
+    /// codes.
     pub fn sort(
         &mut self,
         threads: &Threads,
         boxes: &[Aabb<f32>],
-        last: Option<&(dyn Fn(usize) -> bool + Sync)>,
+        marks: &Marks,
         order: &mut Vec<u32>,
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
-        let key = |i: usize| {
+        let code = |i: usize| {
             let [low, high] = morton_key::morton(i, boxes, &grid);
-            let code = (high as u64) << 32 | low as u64;
-            match last {
-                Some(last) => (last(i) as u64) << 62 | code >> 1,
-                None => code,
-            }
+            (high as u64) << 32 | low as u64
         };
-        self.radix.sort(threads, boxes.len(), key, order);
+        let Marks { fixed, world, world_bits: bits, kept } = *marks;
+        let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
+        match (world, fixed) {
+            (None, None) => self.radix.sort(threads, boxes.len(), code, order),
+            (None, Some(_)) if kept > 0 => {
+                // The others are all that is sorted.
+                self.moving.clear();
+                self.moving.extend_from_slice(&order[..order.len() - kept]);
+                self.still.clear();
+                self.still.extend_from_slice(&order[order.len() - kept..]);
+                let moving = &self.moving;
+                let key = |i: usize| code(moving[i] as usize);
+                self.radix.sort(threads, moving.len(), key, order);
+                threads.update(order, |i| moving[i as usize]);
+                order.extend_from_slice(&self.still);
+            }
+            (None, Some(_)) => {
+                let key = |i: usize| is_fixed(i) << 62 | code(i) >> 1;
+                self.radix.sort(threads, boxes.len(), key, order);
+            }
+            (Some(world), _) => {
+                let key = |i: usize| {
+                    let first = (world(i) as u64) << 1 | is_fixed(i);
+                    first << (62 - bits) | code(i) >> (1 + bits)
+                };
+                self.radix.sort(threads, boxes.len(), key, order);
+            }
+        }
         grid
     }
 }

@@ -17,8 +17,19 @@ use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-/// Whether box `i` stands still; pairs of two such boxes need not be emitted.
-pub type Fixed<'a> = &'a (dyn Fn(usize) -> bool + Sync);
+/// What is known of boxes besides their places.
+#[derive(Clone, Copy, Default)]
+pub struct Marks<'a> {
+    /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
+    pub fixed: Option<&'a (dyn Fn(usize) -> bool + Sync)>,
+    /// The world of box `i`; pairs of boxes of two worlds need not be emitted.
+    pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
+    /// Bits of the greatest world.
+    pub world_bits: u32,
+    /// So many boxes at the end of the order before are those that stand still, in an order that
+    /// is good still.
+    pub kept: usize,
+}
 
 /// What pairs are sought in: one set against another, or, without another, within one.
 pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
@@ -45,7 +56,7 @@ pub trait Order: Debug + Send + Sync {
         threads: &Threads,
         set: Set,
         boxes: &[Aabb<f32>],
-        fixed: Option<Fixed>,
+        marks: &Marks,
         order: &mut Vec<u32>,
     );
 

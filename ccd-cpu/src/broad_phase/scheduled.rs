@@ -11,13 +11,13 @@ use crate::broad_phase::pair_source::{
 use crate::broad_phase::scheduler::hand::Hand;
 use crate::broad_phase::scheduler::{self, Lists, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
+use crate::clock::Instant;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{Front, Scheduling};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-use std::time::Instant;
 
 /// Finds pairs by a scheduler.
 #[derive(Debug)]
@@ -252,7 +252,7 @@ impl Watch<'_> {
     fn lap(&mut self, of: impl FnOnce(&mut DescentTimes) -> &mut f64) {
         if let Some(times) = self.times {
             let now = Instant::now();
-            *of(times) += (now - self.last).as_secs_f64() * 1e3;
+            *of(times) += now.duration_since(self.last).as_secs_f64() * 1e3;
             self.last = now;
         }
     }

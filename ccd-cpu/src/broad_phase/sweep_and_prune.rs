@@ -8,7 +8,7 @@
 //! and only those are tested whole.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
@@ -46,7 +46,7 @@ impl Order for SweepAndPrune {
         threads: &Threads,
         _set: Set,
         boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
+        _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         let axis = self.axes[0];

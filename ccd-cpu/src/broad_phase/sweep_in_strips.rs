@@ -8,7 +8,7 @@
 //! the mask of a row.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
 use crate::broad_phase::sweep_and_prune::{Role, emit, moments};
 use crate::broad_phase::uniform_grid::lanes;
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
@@ -195,7 +195,7 @@ impl Order for SweepInStrips {
         threads: &Threads,
         set: Set,
         boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
+        _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         let n = self.list(threads, boxes);

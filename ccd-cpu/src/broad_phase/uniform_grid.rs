@@ -8,7 +8,7 @@
 //! cell are compared with a row eight at a time.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
@@ -141,7 +141,7 @@ impl Order for UniformGrid {
         threads: &Threads,
         _set: Set,
         boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
+        _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         let grid = &self.grid;

@@ -7,15 +7,16 @@ use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::Leaves;
+use crate::step::selection::Selection;
 use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
 use ccd_core::broad_phase::swept_box;
 use ccd_core::layout::Pair;
-use ccd_core::model::bodies::Bodies;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::{Points, Precision, Slices};
 use ccd_core::model::quantization::margin;
 use ccd_core::model::report::TriangleCounts;
+use ccd_core::narrow_phase::search::Search;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
@@ -26,7 +27,7 @@ pub type Given<'a> = Slices<'a, Points, 2>;
 /// What all workers of a step read.
 pub struct Scene<'a> {
     pub mesh: &'a Mesh,
-    pub bodies: Option<&'a Bodies>,
+    pub selection: &'a Selection,
     pub given: Given<'a>,
     /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in
     /// the origin and the unit of a [`ccd_core::model::quantization::Table`].
@@ -35,6 +36,8 @@ pub struct Scene<'a> {
     /// The minimum distance in that unit, rounded up.
     pub table_distance: f32,
     pub min_distance: f64,
+    /// What queries look for.
+    pub search: Search<f64>,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
     /// Keep contacts, or only the least time of impact.
@@ -115,7 +118,7 @@ impl Take for Lister {
     ) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
+            _ => simd.append::<true>(&mut self.pairs, id, ids, mask),
         }
     }
 
@@ -168,9 +171,7 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
         if mask == 0 {
             return;
         }
-        if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(a0, ends_b[0][j]));
-        }
+        mask = self.scene.selection.of_bodies(a0, &ends_b[0], mask);
         if let Some(slack) = self.scene.slack {
             let blocks = self.edges.boxes.blocks();
             let sure = simd.overlaps_surely(&blocks[a], lane, &blocks[b], slack);
@@ -181,6 +182,10 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
                         self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]])
                     });
             }
+        }
+        if self.scene.selection.is_of_features() && mask != 0 {
+            let (id, ids) = (self.edges.boxes.order()[a * WIDTH + lane], self.edges.boxes.ids(b));
+            mask = self.scene.selection.of_features(Kind::EdgeEdge, id, &ids, mask);
         }
         worker.count(Kind::EdgeEdge, mask.count_ones() as u64);
         if W::FILTERED {
@@ -229,9 +234,7 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
         if mask == 0 {
             return;
         }
-        if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(vertex, corners[0][j]));
-        }
+        mask = self.scene.selection.of_bodies(vertex, &corners[0], mask);
         if let Some(slack) = self.scene.slack {
             let sure = simd.overlaps_surely(
                 &self.vertices.boxes.blocks()[a],
@@ -244,6 +247,10 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
                 let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
                 mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([vertex], of(j)));
             }
+        }
+        if self.scene.selection.is_of_features() && mask != 0 {
+            let ids = self.faces.boxes.ids(b);
+            mask = self.scene.selection.of_features(Kind::VertexFace, vertex, &ids, mask);
         }
         worker.count(Kind::VertexFace, mask.count_ones() as u64);
         if W::FILTERED {

@@ -46,7 +46,7 @@ pub fn find<W: Take>(
             let sink = FacePairs { scene, vertices, faces, worker: PhantomData };
             method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
         }
-        Kind::EdgeEdge => {
+        _ => {
             let sink = EdgePairs { scene, edges, worker: PhantomData };
             method.find(threads, (&edges.boxes, None), part, &sink, workers);
         }

@@ -33,11 +33,13 @@ impl<const N: usize> Leaves<N> {
         });
     }
 
-    /// Boxes at both ends, from the table of positions.
-    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
+    /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still
+    /// have theirs.
+    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], still: bool) {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [EMPTY; 2]);
-        threads.fill(&mut self.ends, |i| ends(table, &vertices[i]));
+        let n = if still { self.boxes.n_moving() } else { vertices.len() };
+        threads.fill(&mut self.ends[..n], |i| ends(table, &vertices[i]));
     }
 }
 

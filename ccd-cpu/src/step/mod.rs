@@ -2,12 +2,15 @@
 //! them.
 
 pub mod candidates;
+pub mod codimensional;
 pub mod contact_order;
 pub mod find;
 pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;
+pub mod selection;
 pub mod stand_ins;
+pub mod still;
 pub mod triangle_leaves;
 pub mod triangle_pairs;

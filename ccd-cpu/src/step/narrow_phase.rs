@@ -4,6 +4,7 @@
 //! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
 //! leaves.
 
+use crate::clock::Instant;
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
 use ccd_core::layout::Pair;
@@ -11,9 +12,10 @@ use ccd_core::model::contact::{Contact, Kind, PerKind};
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::search::Answer;
 use ccd_core::narrow_phase::{cascade, decide};
-use ccd_core::{Num, Real, Verdict};
-use std::time::{Duration, Instant};
+use ccd_core::{Num, Real};
+use std::time::Duration;
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
 /// it touches.
@@ -69,11 +71,11 @@ impl Worker {
     }
 
     fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
-        let verdict = match scene.given {
+        let answer = match scene.given {
             Precision::F32(x) => decide(scene, kind, pair, x),
             Precision::F64(x) => decide(scene, kind, pair, x),
         };
-        let Some(contact) = Contact::of(kind, pair, verdict) else { return };
+        let Some(contact) = Contact::of(kind, pair, answer) else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
         if scene.keep_contacts {
             self.contacts.push(contact);
@@ -81,9 +83,9 @@ impl Worker {
     }
 }
 
-/// The verdict on a pair, from positions as given, in `f64`.
-fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Verdict<f64> {
-    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, scene.min_distance)
+/// The answer for a pair, from positions as given, in `f64`.
+fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Answer<f64> {
+    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, &scene.search)
 }
 
 impl Take for Worker {
@@ -112,7 +114,7 @@ impl Take for Worker {
         let queue = &mut self.queues[kind as usize];
         match kind {
             Kind::VertexFace => simd.append::<false>(queue, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(queue, id, ids, mask),
+            _ => simd.append::<true>(queue, id, ids, mask),
         }
         if queue.len() >= QUEUE {
             self.flush(scene, kind);
@@ -155,7 +157,7 @@ impl<S: Simd> Work<S> for Filter<'_> {
         for halves in [false, true] {
             match self.kind {
                 Kind::VertexFace => self.keep::<S, true>(simd, halves),
-                Kind::EdgeEdge => self.keep::<S, false>(simd, halves),
+                _ => self.keep::<S, false>(simd, halves),
             }
         }
     }

@@ -3,45 +3,55 @@
 
 use crate::broad_phase::leaf_boxes::Set;
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Fixed, PairSource};
+use crate::broad_phase::pair_source::{Marks, PairSource};
 use crate::simd::WIDTH;
 use crate::step::candidates::{Given, Scene};
 use crate::step::leaves::Leaves;
+use crate::step::selection::Selection;
+use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
-use ccd_core::model::bodies::Bodies;
+use ccd_core::math::vec3::max_abs;
+use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::quantization::{Scan, Table};
+use ccd_core::model::rules::Rules;
 use ccd_core::{Aabb, Error, Real};
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
 pub const MAX_LOOSENESS: f64 = 1.15;
 
-/// Positions of a step, of which only the times up to `until` matter.
+/// Positions of a step, of which only the times from `from` to `until` matter.
 #[derive(Clone, Copy)]
 pub struct Positions<'a> {
     pub given: Given<'a>,
+    pub from: f64,
     pub until: f64,
+    /// Whether a pass over all of these times came before: then less time matters now.
+    pub again: bool,
 }
 
 impl<'a> Positions<'a> {
-    /// Of the whole step: one for every vertex of `mesh` at both ends.
-    pub fn new(mesh: &Mesh, given: Given<'a>) -> Result<Self, Error> {
+    /// One for every vertex of `mesh` at both ends of the step, of which the times of a window
+    /// matter.
+    pub fn new(mesh: &Mesh, given: Given<'a>, window: [f64; 2]) -> Result<Self, Error> {
+        check_window(window)?;
         match given {
             Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
             Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
         }
-        Ok(Self { given, until: 1.0 })
+        let [from, until] = window;
+        Ok(Self { given, from, until, again: false })
     }
 
     /// Whether the whole step matters.
     pub fn whole(&self) -> bool {
-        self.until >= 1.0
+        self.from <= 0.0 && self.until >= 1.0
     }
 }
 
@@ -49,19 +59,23 @@ impl<'a> Positions<'a> {
 struct Ends<'a, T> {
     x0: &'a [[T; 3]],
     x1: &'a [[T; 3]],
+    from: f64,
     until: f64,
 }
 
 impl<T: Real> Ends<'_, T> {
     /// Whether the whole step matters.
     fn whole(&self) -> bool {
-        self.until >= 1.0
+        self.from <= 0.0 && self.until >= 1.0
     }
 
-    /// Position of vertex `i` at `until`, up to [`swept_box::end_error`].
-    fn end(&self, i: usize) -> [f64; 3] {
+    /// Positions of vertex `i` at `from` and at `until`, each up to [`swept_box::end_error`].
+    fn ends(&self, i: usize) -> [[f64; 3]; 2] {
         let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
-        if self.whole() { q } else { swept_box::end(p, q, self.until) }
+        [
+            if self.from <= 0.0 { p } else { swept_box::end(p, q, self.from) },
+            if self.until >= 1.0 { q } else { swept_box::end(p, q, self.until) },
+        ]
     }
 }
 
@@ -78,6 +92,7 @@ pub struct Prepared {
     pub faces: Feature<3>,
     /// If pairs of triangles are looked for.
     pub triangles: Option<TriangleLeaves>,
+    still: Still,
 }
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
@@ -96,15 +111,27 @@ impl<const N: usize> Feature<N> {
         &mut self,
         threads: &Threads,
         method: &mut Method,
-        fixed: Option<Fixed>,
+        rules: Option<&Rules>,
+        keep: bool,
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
-        self.leaves.boxes.build(threads, method.order(), &self.boxes, fixed);
-        self.leaves.order(threads, features);
+        let still = |i: usize| rules.is_some_and(|rules| rules.is_still(features(i as u32)[0]));
+        let world = |i: usize| rules.map_or(0, |rules| rules.world(features(i as u32)[0]));
+        let mut marks = Marks::default();
+        if let Some(rules) = rules {
+            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
+            if let Some(n) = rules.worlds() {
+                marks.world = Some(&world);
+                marks.world_bits = (n - 1).ilog2() + 1;
+            }
+        }
+        marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
+        self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
+        self.leaves.order(threads, &features);
     }
 
-    fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
-        self.leaves.boxes.refit(threads, method.order(), &self.boxes)
+    fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {
+        self.leaves.boxes.refit(threads, method.order(), &self.boxes, still)
     }
 }
 
@@ -127,6 +154,41 @@ impl Prepared {
             edges: Feature::new(1, true),
             faces: Feature::new(2, true),
             triangles,
+            still: Still::default(),
+        }
+    }
+
+    /// Takes other rules: the next call has an order of its own.
+    pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
+        self.still.set(mesh, rules);
+        self.forget_order();
+    }
+
+    /// The next step puts boxes in a new order, whatever was.
+    pub fn forget_order(&mut self) {
+        self.built = false;
+    }
+
+    /// From now on steps of another mesh, or by another pipeline; buffers stay.
+    pub fn set_mesh(&mut self, mesh: &Mesh, options: &Options) {
+        self.forget_order();
+        match (options.pipeline, &mut self.triangles) {
+            (Pipeline::Triangles(own), Some(kept)) => {
+                kept.set_mesh(mesh, own, options.min_distance);
+            }
+            (Pipeline::Triangles(own), none) => {
+                *none = Some(TriangleLeaves::new(mesh, own, options.min_distance));
+            }
+            (_, triangles) => *triangles = None,
+        }
+    }
+
+    /// From now on another minimum distance. Boxes are swept with it in every step, and an order
+    /// holds for boxes of any size; only regions that are free without one are not with one.
+    pub fn set_min_distance(&mut self, mesh: &Mesh, options: &Options) {
+        if let (Pipeline::Triangles(own), Some(triangles)) = (options.pipeline, &mut self.triangles)
+        {
+            triangles.set_min_distance(mesh, own, options.min_distance);
         }
     }
 
@@ -138,16 +200,25 @@ impl Prepared {
         options: &Options,
         x: &Positions,
     ) -> Result<(), Error> {
-        let until = x.until;
-        match x.given {
-            Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
-            Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
-        }?;
-        let vertices = &self.vertices.boxes;
-        self.edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
-        threads.fill(&mut self.edges.boxes, |i| swept_box::edge(i, mesh.edges(), vertices));
-        self.faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
-        threads.fill(&mut self.faces.boxes, |i| swept_box::face(i, mesh.faces(), vertices));
+        let Positions { from, until, .. } = *x;
+        let made = match x.given {
+            Precision::F32([x0, x1]) => {
+                self.vertices(threads, options, &Ends { x0, x1, from, until })
+            }
+            Precision::F64([x0, x1]) => {
+                self.vertices(threads, options, &Ends { x0, x1, from, until })
+            }
+        };
+        if made.is_err() {
+            self.still.forget();
+        }
+        made?;
+        let Self { vertices, edges, faces, still, .. } = self;
+        let vertices = &vertices.boxes;
+        edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
+        still.fill(threads, 1, &mut edges.boxes, |i| swept_box::edge(i, mesh.edges(), vertices));
+        faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
+        still.fill(threads, 2, &mut faces.boxes, |i| swept_box::face(i, mesh.faces(), vertices));
         Ok(())
     }
 
@@ -159,17 +230,20 @@ impl Prepared {
         x: &Ends<T>,
     ) -> Result<(), Error> {
         self.scan = self.scan(threads, x)?;
+        self.still.look(threads, x.x0, x.x1, options.min_distance)?;
         self.units = self.fill_table(threads, x);
         self.sweep(threads, x, ccd_core::model::quantization::margin(options.min_distance));
         Ok(())
     }
 
-    /// What workers read of a step whose boxes and trees are there.
+    /// What workers read of a step whose boxes and trees are there, to find contacts in `window`.
     pub fn scene<'a>(
         &'a self,
         mesh: &'a Mesh,
         options: &'a Options,
+        selection: &'a Selection,
         x: &Positions<'a>,
+        window: [f64; 2],
         keep_contacts: bool,
     ) -> Scene<'a> {
         let rounds_boxes = match x.given {
@@ -180,12 +254,13 @@ impl Prepared {
         let rounded = rounds_boxes && x.whole();
         Scene {
             mesh,
-            bodies: options.bodies.as_ref(),
+            selection,
             given: x.given,
             table: &self.table,
             table_error: self.units.error,
             table_distance: self.units.distance(options.min_distance),
             min_distance: options.min_distance,
+            search: options.search(window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
             keep_contacts,
         }
@@ -211,9 +286,9 @@ impl Prepared {
     fn fill_table<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Table {
         let table = self.scan.table(x.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
-        threads.fill(&mut self.table, |i| {
-            let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-            let (p, q) = (table.place(p), table.place(q));
+        self.still.look_at_table(table);
+        self.still.fill_table(threads, &mut self.table, |i| {
+            let [p, q] = x.ends(i).map(|p| table.place(p));
             [p[0], p[1], p[2], 0.0, q[0], q[1], q[2], 0.0]
         });
         table
@@ -221,15 +296,19 @@ impl Prepared {
 
     /// Boxes of vertices.
     fn sweep<T: Real>(&mut self, threads: &Threads, x: &Ends<T>, margin: T) {
-        let boxes = &mut self.vertices.boxes;
+        let Self { vertices, still, .. } = self;
+        let boxes = &mut vertices.boxes;
         boxes.resize(x.x0.len(), Aabb::EMPTY);
         if x.whole() {
-            threads.fill(boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
+            still.fill(threads, 0, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
-            threads.fill(boxes, |i| {
-                let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-                let largest = ccd_core::math::vec3::max_abs(p)
-                    .max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
+            still.fill(threads, 0, boxes, |i| {
+                if x.x0[i] == x.x1[i] {
+                    // Where it is at any time is exact; and so it stays the box of the whole step.
+                    return swept_box::vertex(i, x.x0, x.x1, margin);
+                }
+                let [p, q] = x.ends(i);
+                let largest = max_abs(x.x0[i].map(T::to_f64)).max(max_abs(x.x1[i].map(T::to_f64)));
                 swept_box::swept(p, q)
                     .inflated(margin.to_f64() + swept_box::end_error(largest))
                     .round_out()
@@ -238,62 +317,60 @@ impl Prepared {
     }
 
     /// Has the method take the boxes: in the order that it has, or in a new one if it has none yet
-    /// or has become too loose. Returns whether the order is new. Boxes of less than the whole
-    /// step say nothing about looseness and never bring a new order.
+    /// or has become too loose. Returns whether the order is new. Boxes of a time that was
+    /// shortened in a step say nothing about looseness and never bring a new order.
     pub fn leaves(
         &mut self,
         threads: &Threads,
         method: &mut Method,
         mesh: &Mesh,
-        bodies: Option<&Bodies>,
+        rules: Option<&Rules>,
         x: &Positions,
     ) -> Result<bool, Error> {
-        let whole = x.whole();
-        let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
-        let any = bodies.is_some_and(Bodies::any_fixed);
+        let first = !x.again;
         if let Some(triangles) = &mut self.triangles {
             // What is free during the whole step is free during a shorter one.
-            if whole {
+            if first {
                 triangles.certify(threads, mesh, x.given);
             }
-            return self.triangle_leaves(threads, method, any.then_some(&fixed), whole);
+            return self.triangle_leaves(threads, method, rules, first);
         }
-        let Self { vertices, edges, faces, table, .. } = self;
+        let Self { vertices, edges, faces, table, still, .. } = self;
+        let mut holds = still.holds();
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
             let looseness = [
-                vertices.refit(threads, method),
-                edges.refit(threads, method),
-                faces.refit(threads, method),
+                vertices.refit(threads, method, holds),
+                edges.refit(threads, method, holds),
+                faces.refit(threads, method, holds),
             ];
-            loose = whole && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
+            loose = first && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
             let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
             method.order().survey(threads, &sets)?;
+            // What stands where it stood keeps its order.
+            let keep = self.built && holds;
             self.built = true;
-            let (of_vertex, of_edge, of_face) = (
-                |i: usize| fixed(i as u32),
-                |i: usize| fixed(mesh.edges()[i][0]),
-                |i: usize| fixed(mesh.faces()[i][0]),
-            );
-            vertices.build(threads, method, any.then_some(&of_vertex), |v| [v]);
-            edges.build(threads, method, any.then_some(&of_edge), |e| mesh.edges()[e as usize]);
-            faces.build(threads, method, any.then_some(&of_face), |f| mesh.faces()[f as usize]);
+            vertices.build(threads, method, rules, keep, |v| [v]);
+            edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
+            faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
+            holds = false;
         }
-        vertices.leaves.place(threads, table);
-        edges.leaves.place(threads, table);
-        faces.leaves.place(threads, table);
+        holds &= still.holds_table();
+        vertices.leaves.place(threads, table, holds);
+        edges.leaves.place(threads, table, holds);
+        faces.leaves.place(threads, table, holds);
         Ok(loose)
     }
 
-    /// The same for triangles; `fixed`: whether a vertex stands still.
+    /// The same for triangles.
     fn triangle_leaves(
         &mut self,
         threads: &Threads,
         method: &mut Method,
-        fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
-        whole: bool,
+        rules: Option<&Rules>,
+        first: bool,
     ) -> Result<bool, Error> {
         let Self { vertices, edges, faces, triangles, table, built, .. } = self;
         let of =
@@ -302,10 +379,10 @@ impl Prepared {
         leaves.sweep(threads, of.vertices);
         let mut loose = !*built || !method.order().outlasts_motion();
         if !loose {
-            loose = leaves.refit(threads, method) > MAX_LOOSENESS && whole;
+            loose = leaves.refit(threads, method) > MAX_LOOSENESS && first;
         }
         if loose {
-            leaves.build(threads, method, fixed)?;
+            leaves.build(threads, method, rules)?;
             *built = true;
         }
         leaves.place(threads, of, table);

@@ -6,7 +6,7 @@
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Fixed, PairSource};
+use crate::broad_phase::pair_source::{Marks, PairSource};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;
@@ -16,6 +16,7 @@ use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::pipeline::TriangleOptions;
+use ccd_core::model::rules::Rules;
 use ccd_core::triangle_pairs::orphans::OrphanSets;
 use ccd_core::triangle_pairs::representatives::Triangles;
 use ccd_core::{Aabb, Error};
@@ -105,6 +106,22 @@ impl TriangleLeaves {
         }
     }
 
+    /// The same for another mesh; buffers of leaves stay.
+    pub fn set_mesh(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
+        let Self { triangles, orphans, regions, .. } = Self::new(mesh, options, min_distance);
+        (self.triangles, self.orphans, self.regions) = (triangles, orphans, regions);
+    }
+
+    /// Regions, if they are wanted and nothing is to keep a distance; or none.
+    pub fn set_min_distance(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
+        let cones = options.cones && min_distance == 0.0;
+        if !cones {
+            self.regions = None;
+        } else if self.regions.is_none() {
+            self.regions = Some(FreeRegions::new(mesh, &self.triangles));
+        }
+    }
+
     /// Boxes of all triangles.
     pub fn sweep(&mut self, threads: &Threads, vertices: &[Aabb<f32>]) {
         let corners = self.triangles.all_corners();
@@ -112,18 +129,26 @@ impl TriangleLeaves {
         threads.fill(&mut self.swept, |i| swept_box::face(i, corners, vertices));
     }
 
-    /// A new order of leaves; `fixed`: whether a vertex stands still.
+    /// A new order of leaves.
     pub fn build(
         &mut self,
         threads: &Threads,
         method: &mut Method,
-        fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
+        rules: Option<&Rules>,
     ) -> Result<(), Error> {
         method.order().survey(threads, &[&self.swept])?;
         let corners = self.triangles.all_corners();
-        let of_triangle = |t: usize| fixed.is_some_and(|fixed| fixed(corners[t][0]));
-        let fixed: Option<Fixed> = if fixed.is_some() { Some(&of_triangle) } else { None };
-        self.boxes.build(threads, method.order(), &self.swept, fixed);
+        let still = |t: usize| rules.is_some_and(|rules| rules.is_still(corners[t][0]));
+        let world = |t: usize| rules.map_or(0, |rules| rules.world(corners[t][0]));
+        let mut marks = Marks::default();
+        if let Some(rules) = rules {
+            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
+            if let Some(n) = rules.worlds() {
+                marks.world = Some(&world);
+                marks.world_bits = (n - 1).ilog2() + 1;
+            }
+        }
+        self.boxes.build(threads, method.order(), &self.swept, marks);
         let Self { triangles, orphans, stand_ins, boxes, blocks, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);
@@ -135,7 +160,7 @@ impl TriangleLeaves {
 
     /// The same order for boxes that moved; returns how much looser the source has become.
     pub fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
-        self.boxes.refit(threads, method.order(), &self.swept)
+        self.boxes.refit(threads, method.order(), &self.swept, false)
     }
 
     /// Certifies regions for a whole step.

@@ -56,9 +56,7 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
     ) {
         let (of_a, of_b) = (&self.leaves.blocks[a], &self.leaves.blocks[b]);
         let [a0, a1, a2] = [0, 1, 2].map(|k| of_a.corners[k][lane]);
-        if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(a0, of_b.corners[0][j]));
-        }
+        mask = self.scene.selection.of_bodies(a0, &of_b.corners[0], mask);
         let n_pairs = mask.count_ones();
         let mut near = 0;
         for ids in &of_b.corners {
@@ -101,6 +99,12 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                     represented += vertices.count_ones();
                     let (face, vertex) = (self.face(a), self.corner(b, k));
                     let mut hits = self.hits(simd, &face, lane, &vertex, vertices, near);
+                    if self.scene.selection.is_of_features() {
+                        let id = face.ids[lane];
+                        let wanted = |j: usize| Pair { a: vertex.ids[j], b: id };
+                        hits =
+                            keep(hits, |j| self.scene.selection.wants(Kind::VertexFace, wanted(j)));
+                    }
                     worker.count(Kind::VertexFace, hits.count_ones() as u64);
                     if W::FILTERED && hits != 0 {
                         let gap = self.scene.needed_gap();
@@ -248,6 +252,9 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
         b: &Side<M>,
         mut hits: u32,
     ) {
+        if self.scene.selection.is_of_features() {
+            hits = self.scene.selection.of_features(kind, a.ids[lane], b.ids, hits);
+        }
         if hits == 0 {
             return;
         }
@@ -307,7 +314,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
         let triangles = &self.leaves.triangles;
         let (a, b) = match kind {
             Kind::VertexFace => (triangles.of_vertex(pair.a)[0], pair.b),
-            Kind::EdgeEdge => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
+            _ => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
         };
         regions.hold_both(a, b)
     }
@@ -315,7 +322,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
     fn of_wanted_bodies(&self, kind: Kind, pair: Pair) -> bool {
         let v = self.scene.mesh.vertices_of(kind, pair);
         let second = if kind == Kind::VertexFace { 1 } else { 2 };
-        self.scene.bodies.is_none_or(|bodies| bodies.wants(v[0], v[second]))
+        self.scene.selection.rules.as_ref().is_none_or(|rules| rules.wants(v[0], v[second]))
     }
 
     /// One test of two features of wanted bodies without a common vertex.
@@ -328,7 +335,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
                     [&self.boxes.vertices[pair.a as usize], &self.boxes.faces[pair.b as usize]];
                 self.test_of(worker, kind, pair, boxes, [v0], [v1, v2, v3]);
             }
-            Kind::EdgeEdge => {
+            _ => {
                 debug_assert!(!share_vertex([v0, v1], [v2, v3]));
                 let edges = self.boxes.edges;
                 let boxes = [&edges[pair.a as usize], &edges[pair.b as usize]];
@@ -348,6 +355,7 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
     ) {
         if !boxes[0].overlaps(boxes[1])
             || self.scene.slack.is_some() && !self.scene.boxes_overlap(a, b)
+            || !self.scene.selection.wants(kind, pair)
         {
             return;
         }

@@ -1,8 +1,12 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
+use super::block_descent::{BlockDescent, Nodes};
 use super::block_levels::Levels;
-use super::pair_source::boxes_of;
-use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, SceneBounds};
+use super::pair_source::boxes_or;
+use super::scheduled::Scheduled;
+use super::scheduler;
+use super::worlds::Worlds;
+use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -12,6 +16,7 @@ use ccd_core::Aabb;
 use ccd_core::broad_phase::morton_key;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 
 /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few where a
@@ -47,22 +52,43 @@ pub struct Tree {
     pub groups: u32,
     /// By kind: all pairs of nodes where the descent starts.
     start: [List; 2],
-    /// By kind and level below the start: pairs of nodes.
+    /// By kind and level below the start: pairs of nodes; where workers descend, those of blocks
+    /// alone.
     pub pairs: [Vec<List>; 2],
+    /// If boxes are of several worlds.
+    pub worlds: Option<Worlds>,
+    /// The workers that descend, if a scheduler was chosen that has some.
+    descent: Option<BlockDescent>,
 }
 
 impl Tree {
     /// Makes room for these numbers of boxes.
-    pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
-        let mut tree = Self::sorted_only(device, count)?;
-        let levels = &tree.levels;
+    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
+        Self::reusing(device, scheduling, count, None)
+    }
+
+    /// The same, with the buffers of another tree as far as they are large enough. That one may be
+    /// used again, if this fails.
+    pub fn reusing(
+        device: &Device,
+        scheduling: Scheduling,
+        count: [u32; 3],
+        old: Option<&Self>,
+    ) -> Result<Self, Error> {
+        let mut tree = Self::sorted_reusing(device, count, old)?;
+        if !scheduler::is_by_levels(scheduling) {
+            tree.descent = Some(BlockDescent::new(device, scheduling, count)?);
+        }
+        let (levels, by_levels) = (&tree.levels, tree.descent.is_none());
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
             // A node overlaps some tens of others on real scenes; what does not fit makes the list
             // grow.
-            (1..levels.start(kind))
+            (1..if by_levels { levels.start(kind) } else { 2 })
                 .map(|level| {
-                    List::new(
+                    let old = old.and_then(|old| old.pairs[kind as usize].get(level as usize - 1));
+                    List::reusing(
                         device,
+                        old,
                         "pairs of nodes",
                         2,
                         levels
@@ -79,6 +105,10 @@ impl Tree {
 
     /// As [`Tree::new`], without room for a descent.
     pub fn sorted_only(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+        Self::sorted_reusing(device, count, None)
+    }
+
+    fn sorted_reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge {
@@ -87,7 +117,8 @@ impl Tree {
             limit,
         };
         let levels = Levels::new(count).ok_or(too_large)?;
-        let nodes = device.buffer(
+        let nodes = device.buffer_or(
+            old.map(|old| &old.nodes),
             "nodes of the tree",
             levels.total() as u64 * size_of::<Aabb>() as u64,
             U::STORAGE | U::COPY_DST | U::COPY_SRC,
@@ -106,19 +137,22 @@ impl Tree {
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
         Ok(Self {
-            boxes: boxes_of(device, count)?,
-            leaves: device.buffer(
+            boxes: boxes_or(device, count, old.map(|old| &old.boxes))?,
+            leaves: device.buffer_or(
+                old.map(|old| &old.leaves),
                 "leaves",
                 levels.padded(0) as u64 * size_of::<Leaf>() as u64,
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
-            sort: Sort::new(device, n as u32)?,
+            sort: Sort::reusing(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
+            descent: None,
             groups: groups(device),
             levels,
             nodes,
+            worlds: None,
         })
     }
 
@@ -127,26 +161,58 @@ impl Tree {
         Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
     }
 
+    /// What shares out pairs among workers, if there are some.
+    pub fn scheduled(&self) -> Option<&Scheduled> {
+        self.descent.as_ref().map(|descent| &descent.scheduled)
+    }
+
+    /// The same, to be told how a search came out.
+    pub fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        self.descent.as_mut().map(|descent| &mut descent.scheduled)
+    }
+
     /// Lists whose headers must be zero before [`Tree::descend`].
-    pub fn lists(&self) -> impl Iterator<Item = &List> {
-        self.pairs.iter().flatten()
+    pub fn lists(&self) -> Vec<&List> {
+        let of_workers = self.scheduled().map(Scheduled::lists).unwrap_or_default();
+        self.pairs.iter().flatten().chain(of_workers).collect()
+    }
+
+    /// The same, to be replaced by larger ones.
+    pub fn lists_mut(&mut self) -> Vec<&mut List> {
+        let Self { pairs, descent, .. } = self;
+        let of_workers = descent.as_mut().map(|descent| descent.scheduled.lists_mut());
+        pairs.iter_mut().flatten().chain(of_workers.unwrap_or_default()).collect()
+    }
+
+    /// What must be zero before [`Tree::descend`] besides those.
+    pub fn clear(&self, recorder: &mut Recorder) {
+        if let Some(scheduled) = self.scheduled() {
+            scheduled.clear(recorder);
+        }
     }
 
     /// What must be zero before [`Tree::sort`].
     pub fn clear_bounds(&self, recorder: &mut Recorder) {
-        recorder.clear(&self.bounds, 32);
+        match &self.worlds {
+            Some(worlds) => worlds.clear(recorder),
+            None => recorder.clear(&self.bounds, 32),
+        }
     }
 
-    /// Sorts all boxes by set and along the Morton curve. Of the bounds of all boxes, those of the
-    /// first `n_bounding` are enough.
+    /// Sorts all boxes by set, by world, and along the Morton curve. Of the bounds of all boxes,
+    /// those of the first `n_bounding` are enough.
     pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
         let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
-        let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
-        let p = Params { frame: *frame, dispatch, own: Plain::default() };
-        let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
-        recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
         let [keys, order] = self.sorted();
-        recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+        if let Some(worlds) = &self.worlds {
+            worlds.keys(recorder, frame, boxes, n_bounding, [keys, order]);
+        } else {
+            let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
+            let p = Params { frame: *frame, dispatch, own: Plain::default() };
+            let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
+            recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
+            recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+        }
         recorder.stage("sort");
         self.sort.run(recorder, n, 32, 0);
     }
@@ -188,21 +254,41 @@ impl Tree {
         }
     }
 
-    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. Level
-    /// by level for all kinds, so that a device works on both at once.
-    pub fn descend(&self, recorder: &mut Recorder, frame: &Frame, kinds: &[u32]) {
+    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. By
+    /// workers, or level by level for all kinds, so that a device works on both at once.
+    /// `keeps_order`: the order is that of the search before, whose results the host has seen.
+    pub fn descend(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        kinds: &[u32],
+        keeps_order: bool,
+    ) {
+        if let Some(descent) = &self.descent {
+            for &kind in kinds {
+                let (first, pairs) = (&self.start[kind as usize], self.block_pairs(kind as usize));
+                let nodes = Nodes { levels: &self.levels, boxes: &self.nodes };
+                descent.run(recorder, (frame, kind, keeps_order), nodes, first, pairs);
+            }
+            return;
+        }
         for level in (2..=self.levels.top()).rev() {
             for &kind in kinds.iter().filter(|&&kind| level <= self.levels.start(kind)) {
                 let lists = &self.pairs[kind as usize];
                 let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
                 let output = &lists[level as usize - 2];
-                let kernel = NodePairs {
-                    nodes: &self.nodes,
-                    input: input.buffer(),
-                    output: output.buffer(),
-                };
-                self.each_part(frame, Pass { kind, level, step: 1 }, input, output, |p| {
-                    recorder.dispatch(&kernel, p, self.groups.min(input.room()));
+                let (nodes, groups) = (&self.nodes, self.groups.min(input.room()));
+                let pass = Pass { kind, level, step: 1 };
+                self.each_part(frame, pass, input, output, |p| {
+                    let (input, output) = (input.buffer(), output.buffer());
+                    match &self.worlds {
+                        Some(Worlds { of_leaves: worlds, .. }) => recorder.dispatch(
+                            &NodePairsOfWorlds { nodes, worlds, input, output },
+                            p,
+                            groups,
+                        ),
+                        None => recorder.dispatch(&NodePairs { nodes, input, output }, p, groups),
+                    }
                 });
             }
         }

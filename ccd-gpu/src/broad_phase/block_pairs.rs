@@ -2,12 +2,17 @@
 
 use super::block_bvh::{Pass, Tree};
 use super::pair_source::{PairSource, Search};
+use super::scheduled::Scheduled;
+use super::worker_counts::Counted;
 use crate::bind::ListCandidates;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::layout::Frame;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::Scheduling;
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Lists the pairs that block trees find.
@@ -17,9 +22,9 @@ pub struct BlockSource {
 }
 
 impl BlockSource {
-    pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
         let none = device.buffer("nothing", 0, U::STORAGE)?;
-        Ok(Self { tree: Tree::new(device, count)?, none })
+        Ok(Self { tree: Tree::new(device, scheduling, count)?, none })
     }
 
     fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, output: &List) {
@@ -46,6 +51,7 @@ impl PairSource for BlockSource {
 
     fn clear(&self, recorder: &mut Recorder) {
         self.tree.clear_bounds(recorder);
+        self.tree.clear(recorder);
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
@@ -59,7 +65,7 @@ impl PairSource for BlockSource {
         recorder.stage("build");
         tree.fit(recorder, frame, none, none);
         recorder.stage("block pairs");
-        tree.descend(recorder, frame, search.kinds);
+        tree.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");
         for &kind in search.kinds {
             self.list(recorder, frame, kind, search.pairs[kind as usize]);
@@ -71,10 +77,34 @@ impl PairSource for BlockSource {
     }
 
     fn lists(&self) -> Vec<&List> {
-        self.tree.lists().collect()
+        self.tree.lists()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
-        self.tree.pairs.iter_mut().flatten().collect()
+        self.tree.lists_mut()
+    }
+
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        self.tree.scheduled().map(Scheduled::counters).unwrap_or_default()
+    }
+
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        match self.tree.scheduled_mut() {
+            Some(scheduled) => scheduled.settle(device, counted, complete),
+            None => Ok(false),
+        }
+    }
+
+    fn front(&self) -> Option<FrontCounts> {
+        self.tree.scheduled().and_then(Scheduled::front)
+    }
+
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
+        self.tree.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
     }
 }

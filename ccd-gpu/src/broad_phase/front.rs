@@ -14,13 +14,15 @@
 //! grows, and the next search begins at the cuts: no pair of boxes depends on it.
 //!
 //! Cost: a test a pair of the front, all at once; what it saves is the descent to them. A search
-//! that begins at cuts begins a front with nearly all pairs of their nodes, some ten thousand.
+//! that begins at cuts begins a front with nearly all pairs of their nodes, some ten thousand. Of
+//! blocks it reaches down to pairs of blocks of 32 boxes: each pair above them that meets leaves
+//! 1024 pairs, met or apart, which are then tested one by one rather than by rows and columns.
 //!
 //! A search that was recorded and whose results the host has not seen may have been anything: after
 //! one, nothing is kept.
 
 use super::scheduler::Descended;
-use crate::bind::{ResumeFront, ResumeFrontOriented};
+use super::scheduler::kernels::{self, Buffers};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -104,30 +106,11 @@ impl Front {
         begun: u32,
         (control, tasks): (&wgpu::Buffer, &List),
     ) {
-        let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, &self.slots);
-        let (nodes, pairs) = (tasks.buffer(), of.pairs.buffer());
         let (room_front, written) = (self.room, self.written);
         let own =
             NodeDescent { room_nodes: tasks.room(), room_front, written, ..Default::default() };
-        let p = of.params(own, 0, begun);
-        match of.oriented {
-            None => {
-                let kernel = ResumeFront { a_nodes, b_nodes, control, nodes, pairs, front };
-                recorder.each(&kernel, &p, begun);
-            }
-            Some(oriented) => {
-                let kernel = ResumeFrontOriented {
-                    a_nodes,
-                    b_nodes,
-                    oriented,
-                    control,
-                    nodes,
-                    pairs,
-                    front,
-                };
-                recorder.each(&kernel, &p, begun);
-            }
-        }
+        let buffers = Buffers { control, nodes: tasks.buffer(), front: &self.slots };
+        kernels::resume(recorder, of, buffers, &of.params(own, 0, begun));
     }
 
     /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it

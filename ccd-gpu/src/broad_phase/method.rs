@@ -9,7 +9,7 @@ use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
-use ccd_core::model::scheduling::{Scheduler, Scheduling};
+use ccd_core::model::scheduling::Scheduling;
 
 /// Refuses a choice that this backend does not have.
 pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
@@ -20,18 +20,14 @@ pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     }
 }
 
-/// Refuses a way to share out pairs of nodes that the method or this backend does not have, and
-/// says why.
+/// Refuses a way to share out pairs of nodes that the method or this backend does not have.
+///
+/// # Errors
+/// [`Error::Input`].
 pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<(), Error> {
     choice.check(method)?;
     if let Some(name) = choice.lacking("gpu") {
         return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
-    }
-    let by_level = Scheduling::default().scheduler(Scheduler::Frontier);
-    if method == BroadPhaseMethod::Blocks && choice != Scheduling::default() && choice != by_level {
-        let scheduler = choice.scheduler.filter(|&scheduler| scheduler != Scheduler::Frontier);
-        let name = scheduler.map_or("front", |scheduler| scheduler.row().name);
-        return Err(Error::OfTrees { name });
     }
     Ok(())
 }
@@ -50,7 +46,7 @@ pub fn source(
         BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
-        BroadPhaseMethod::Blocks => Box::new(BlockSource::new(device, count)?),
+        BroadPhaseMethod::Blocks => Box::new(BlockSource::new(device, scheduling, count)?),
         BroadPhaseMethod::Tree(options) => {
             Box::new(TreeSource::new(device, options, scheduling, count)?)
         }

@@ -2,6 +2,7 @@
 
 mod binary_tree;
 pub mod block_bvh;
+mod block_descent;
 mod block_levels;
 mod block_pairs;
 mod builder;
@@ -11,10 +12,12 @@ pub mod method;
 mod oriented;
 mod pair_descent;
 pub mod pair_source;
+pub mod scheduled;
 mod scheduler;
 mod tree;
 mod upload;
 pub mod worker_counts;
+pub mod worlds;
 
 use crate::device::Device;
 use crate::error::Error;
@@ -33,6 +36,18 @@ use worker_counts::WorkerCounts;
 ///
 /// Boxes are `f32`, closed, and each bound is at most 2.9e38 in size. A device may take a bound
 /// that is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
+///
+/// ```no_run
+/// use ccd_core::Aabb;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_gpu::{BroadPhase, Device, DeviceOptions};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let mut broad_phase = BroadPhase::new(&device, BroadPhaseMethod::default())?;
+/// let unit = Aabb { min: [0.0; 3], max: [1.0; 3] };
+/// assert_eq!(broad_phase.self_pairs(&[unit, unit])?.len(), 1);
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 pub struct BroadPhase {
     device: Device,
     method: BroadPhaseMethod,
@@ -53,12 +68,19 @@ struct Buffers {
 
 impl BroadPhase {
     /// A broad phase on `device`.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::scheduled`].
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
         Self::scheduled(device, method, Scheduling::default())
     }
 
     /// The same with work shared out in a way of its own. A front is written and never read: every
     /// call builds anew.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for what a GPU does not have; [`Error::Unavailable`]
+    /// for a scheduler that needs another path of the device; what the device refuses.
     pub fn scheduled(
         device: &Device,
         method: BroadPhaseMethod,
@@ -79,6 +101,9 @@ impl BroadPhase {
     }
 
     /// What each call times on the device from now on.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.bench.set_timing(timing)
     }
@@ -91,19 +116,30 @@ impl BroadPhase {
 
     /// What each worker did in the last call, those of one kind of pairs after those of the other;
     /// empty where the scheduler has no workers.
+    ///
+    /// # Errors
+    /// What the device refuses.
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
         let Self { device, bench, readback, buffers, .. } = self;
         let Some(Buffers { source, .. }) = buffers else { return Ok(Vec::new()) };
-        worker_counts::read(device, bench, readback, &**source)
+        worker_counts::read(device, bench, readback, &source.worker_counts())
     }
 
     /// All pairs of boxes that overlap, each once, the lesser index first.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
         let n = self.find([&[], boxes, &[]])?;
         self.read(n)
     }
 
     /// All pairs of a box of `a` with a box of `b` that overlap.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
         let n = self.find([a, &[], b])?;
         self.read(n)
@@ -111,6 +147,10 @@ impl BroadPhase {
 
     /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and
     /// the list that holds them until the next call.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
+    /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs_on_device(&mut self, boxes: &[Aabb<f32>]) -> Result<(u32, &List), Error> {
         let n = self.find([&[], boxes, &[]])?;
         Ok((n, &self.pairs))
@@ -124,6 +164,9 @@ impl BroadPhase {
 
     /// Checks boxes and sends them to the device, by all threads of the host, and waits until they
     /// are there: [`BroadPhase::again`] then finds their pairs.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::self_pairs`].
     pub fn send_boxes(&mut self, boxes: &[Aabb<f32>]) -> Result<(), Error> {
         self.send([&[], boxes, &[]])?;
         self.device.queue().submit([]);
@@ -157,6 +200,9 @@ impl BroadPhase {
 
     /// The last call once more, with the boxes as they are on the device; returns the number of
     /// pairs.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::self_pairs`].
     pub fn again(&mut self) -> Result<u32, Error> {
         let Self { device, bench, readback, buffers, pairs, .. } = self;
         let Some(Buffers { count, source }) = buffers else { return Ok(0) };

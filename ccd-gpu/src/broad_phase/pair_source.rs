@@ -4,6 +4,7 @@
 //! that list pairs of their ids. What takes the pairs (the caller of a broad phase, or the filters
 //! of a step) serves every source, and a new one is a file and an arm in `method.rs`.
 
+use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -107,9 +108,8 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// Where workers count what they do, by kind of pairs: buffer, first byte, workers, of which
-    /// each has two words, see [`WorkerCounts`](crate::WorkerCounts).
-    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+    /// Where workers count what they do, by kind of pairs.
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
         Vec::new()
     }
 }
@@ -122,9 +122,18 @@ pub fn frame_of(count: [u32; 3]) -> Frame {
 
 /// Room for the boxes of all sets.
 pub fn boxes_of(device: &Device, count: [u32; 3]) -> Result<wgpu::Buffer, Error> {
+    boxes_or(device, count, None)
+}
+
+/// The same, or a buffer that was that for other sets, if it is large enough.
+pub fn boxes_or(
+    device: &Device,
+    count: [u32; 3],
+    old: Option<&wgpu::Buffer>,
+) -> Result<wgpu::Buffer, Error> {
     let n: u64 = count.iter().map(|&c| c as u64).sum();
     let bytes = n * size_of::<Aabb>() as u64;
-    device.buffer("boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
+    device.buffer_or(old, "boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
 }
 
 /// The kinds of pairs that there can be between sets of so many boxes.

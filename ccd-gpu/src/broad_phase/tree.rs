@@ -11,6 +11,8 @@ use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
 use super::pair_source::{PAIRS, PairSource, Search, kinds_of};
+use super::scheduled::Scheduled;
+use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -72,6 +74,10 @@ impl TreeSource {
         })
     }
 
+    fn scheduled(&self) -> Option<&Scheduled> {
+        self.descent.as_ref().map(|descent| &descent.scheduled)
+    }
+
     fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, search: &Search) {
         let pairs = search.pairs[kind as usize];
         let [a, b] = sets(kind).map(|set| self.trees[set].as_ref());
@@ -115,7 +121,7 @@ impl PairSource for TreeSource {
         self.blocks.clear_bounds(recorder);
         self.trees.iter().flatten().for_each(|tree| tree.clear(recorder));
         if let Some(descent) = &self.descent {
-            descent.clear(recorder);
+            descent.scheduled.clear(recorder);
         }
         if let Some(oriented) = &self.oriented {
             oriented.clear(recorder);
@@ -151,18 +157,18 @@ impl PairSource for TreeSource {
     }
 
     fn lists(&self) -> Vec<&List> {
-        let of_descent = self.descent.iter().flat_map(PairDescent::lists);
+        let of_descent = self.descent.iter().flat_map(|descent| descent.scheduled.lists());
         self.trees.iter().flatten().filter_map(BinaryTree::list).chain(of_descent).collect()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         let Self { trees, descent, .. } = self;
-        let of_descent = descent.iter_mut().flat_map(PairDescent::lists_mut);
+        let of_descent = descent.iter_mut().flat_map(|descent| descent.scheduled.lists_mut());
         trees.iter_mut().flatten().filter_map(BinaryTree::list_mut).chain(of_descent).collect()
     }
 
     fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.descent.as_ref().map(PairDescent::counters).unwrap_or_default()
+        self.scheduled().map(Scheduled::counters).unwrap_or_default()
     }
 
     fn settle(
@@ -172,16 +178,16 @@ impl PairSource for TreeSource {
         complete: bool,
     ) -> Result<bool, Error> {
         match &mut self.descent {
-            Some(descent) => descent.settle(device, counted, complete),
+            Some(descent) => descent.scheduled.settle(device, counted, complete),
             None => Ok(false),
         }
     }
 
     fn front(&self) -> Option<FrontCounts> {
-        self.descent.as_ref().and_then(PairDescent::front)
+        self.scheduled().and_then(Scheduled::front)
     }
 
-    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
-        self.descent.as_ref().map(PairDescent::worker_counts).unwrap_or_default()
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
+        self.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
     }
 }

@@ -13,7 +13,11 @@ use crate::growable_list::List;
 use ccd_core::layout::{Frame, Path, Touch};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::rules::Rules;
 use wgpu::BufferUsages as U;
+
+/// Words of a contact.
+const TOUCH_WORDS: u32 = (size_of::<Touch>() / 4) as u32;
 
 /// Everything on the device.
 pub struct Buffers {
@@ -26,9 +30,11 @@ pub struct Buffers {
     pub shortened: wgpu::Buffer,
     pub edges: wgpu::Buffer,
     pub faces: wgpu::Buffer,
+    /// A word a vertex, then the table of rules.
     pub bodies: wgpu::Buffer,
     /// What kernels are told of bodies.
     body_flags: u32,
+    pub rules: Option<Rules>,
     /// Pairs that the filters leave, by kind.
     pub survivors: [List; 2],
     /// Pairs that `f32` leaves open, by kind.
@@ -53,56 +59,95 @@ pub struct Buffers {
 
 impl Buffers {
     pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
+        Self::reusing(device, mesh, options, None)
+    }
+
+    /// For this mesh, with the buffers of another as far as they are large enough. Those may be
+    /// used again, if this fails: nothing that frames read of them is written before all is there.
+    pub fn reusing(
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        old: Option<&Self>,
+    ) -> Result<Self, Error> {
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
-        let fixed = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
-            let buffer =
-                device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-            device.queue().write_buffer(&buffer, 0, bytes);
-            Ok(buffer)
+        let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
+        let room = |of: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
+            device.buffer_or(old.map(of), what, bytes as u64, usage)
         };
-        let (bodies, body_flags) = options.bodies.as_ref().map_or((&[][..], 0), |bodies| {
-            (
-                bodies.words(),
-                Frame::FLAG_BODIES
-                    | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 },
-            )
-        });
-        let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
+        let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
+        let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
+        let list = |of: fn(&Self) -> &List, what, words, room: u32| {
+            List::reusing(device, old.map(of), what, words, room.max(1024))
+        };
         let features = count[0] + count[1] + count[2];
-        Ok(Self {
-            source: Source::new(device, mesh, options, count)?,
+        let old_positions = old.map(|old| &old.positions);
+        let new = Self {
             count,
             groups: groups(device),
-            positions: Positions::new(device, mesh.n_vertices())?,
-            shortened: device.buffer(
+            positions: Positions::reusing(device, mesh.n_vertices(), old_positions)?,
+            shortened: device.buffer_or(
+                old.map(|old| &old.shortened),
                 "paths",
                 count[0] as u64 * size_of::<Path>() as u64,
                 U::STORAGE,
             )?,
-            edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
-            faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
-            bodies: fixed("bodies", bytemuck::cast_slice(bodies))?,
+            edges: room(|old| &old.edges, "edges", size_of_val(mesh.edges()))?,
+            faces: room(|old| &old.faces, "faces", size_of_val(mesh.faces()))?,
+            bodies,
             body_flags,
             survivors: [
-                list("filtered vertex-face pairs", 2, features / 2)?,
-                list("filtered edge-edge pairs", 2, features)?,
+                list(|old| &old.survivors[0], "filtered vertex-face pairs", 2, features / 2)?,
+                list(|old| &old.survivors[1], "filtered edge-edge pairs", 2, features)?,
             ],
             undecided: [
-                list("undecided vertex-face pairs", 2, features / 2)?,
-                list("undecided edge-edge pairs", 2, features)?,
+                list(|old| &old.undecided[0], "undecided vertex-face pairs", 2, features / 2)?,
+                list(|old| &old.undecided[1], "undecided edge-edge pairs", 2, features)?,
             ],
-            contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
+            contacts: list(|old| &old.contacts, "contacts", TOUCH_WORDS, features / 2)?,
             candidates: [
-                list("vertex-face candidates", 2, 0)?,
-                list("edge-edge candidates", 2, 0)?,
+                list(|old| &old.candidates[0], "vertex-face candidates", 2, 0)?,
+                list(|old| &old.candidates[1], "edge-edge candidates", 2, 0)?,
             ],
-            order: None,
+            order: old.and_then(|old| old.order.clone()),
             to_order: 0,
             keeps_order: false,
-            earliest: [fixed("time of impact", &[0; 4])?, fixed("time of impact", &[0; 4])?],
-            sample: fixed("numbers of a sample", &[0; 16])?,
-            never: fixed("no time of impact", &[0xff; 16])?,
-        })
+            earliest: [
+                room(|old| &old.earliest[0], "time of impact", 4)?,
+                room(|old| &old.earliest[1], "time of impact", 4)?,
+            ],
+            sample: room(|old| &old.sample, "numbers of a sample", 16)?,
+            never: room(|old| &old.never, "no time of impact", 16)?,
+            source: Source::reusing(
+                device,
+                mesh,
+                options,
+                rules.as_ref(),
+                count,
+                old.map(|old| &old.source),
+            )?,
+            rules,
+        };
+        let write = |buffer, bytes: &[u8]| device.queue().write_buffer(buffer, 0, bytes);
+        write(&new.edges, bytemuck::cast_slice(mesh.edges()));
+        write(&new.faces, bytemuck::cast_slice(mesh.faces()));
+        write(&new.sample, &[0; 16]);
+        write(&new.never, &[0xff; 16]);
+        Ok(new)
+    }
+
+    /// Takes the bodies of these options; if that fails, all is as before.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+    ) -> Result<(), Error> {
+        let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
+        let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
+        self.source.set_bodies(device, mesh, options, rules.as_ref())?;
+        (self.bodies, self.body_flags, self.rules) = (bodies, body_flags, rules);
+        Ok(())
     }
 
     /// Vertices, edges and faces together.
@@ -145,11 +190,27 @@ impl Buffers {
         }
     }
 
-    /// What a frame says to all kernels.
-    pub fn describe(&self, options: &Options) -> Frame {
+    /// What a frame says to all kernels. `window`: the times that matter.
+    pub fn describe(&self, options: &Options, window: [f64; 2]) -> Frame {
         let mut frame = frame_of(self.count);
         frame.flags |= Frame::FLAG_TOPOLOGY | self.body_flags;
         self.positions.describe(&mut frame, options.min_distance);
-        frame
+        frame.searching(&options.search(window))
     }
+}
+
+/// What kernels read of bodies, and the flags that say so.
+fn bodies_of(device: &Device, rules: Option<&Rules>) -> Result<(wgpu::Buffer, u32), Error> {
+    let (words, table) = rules.map_or((&[][..], &[][..]), |rules| (rules.words(), rules.table()));
+    let bytes = 4 * (words.len() + table.len()) as u64;
+    let buffer = device.buffer("bodies", bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+    let queue = device.queue();
+    queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+    queue.write_buffer(&buffer, 4 * words.len() as u64, bytemuck::cast_slice(table));
+    let flags = match rules {
+        None => 0,
+        Some(rules) if rules.has_table() => Frame::FLAG_BODIES | Frame::FLAG_RULES,
+        Some(_) => Frame::FLAG_BODIES,
+    };
+    Ok((buffer, flags))
 }

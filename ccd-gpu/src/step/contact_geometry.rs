@@ -57,7 +57,7 @@ impl Geometry {
         let Made { buffer, bench, .. } = self.made.insert(made);
         // Buffers of the frame may be others than the last time.
         bench.forget();
-        let frame = buffers.describe(options);
+        let frame = buffers.describe(options, super::WHOLE);
         device.guarded("geometry of contacts", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
             dispatch(&mut recorder, buffers, &frame, buffer, device.info().wide);

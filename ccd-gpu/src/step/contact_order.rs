@@ -14,6 +14,7 @@ use wgpu::BufferUsages as U;
 pub const FEWEST: u32 = 4096;
 
 /// What the sort of contacts needs.
+#[derive(Clone)]
 pub struct ContactOrder {
     sort: Sort,
     /// Contacts in order, without a header.

@@ -6,6 +6,7 @@ use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::search::Search;
 
 /// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
 const MIN_SHARE: usize = 256;
@@ -16,12 +17,12 @@ pub fn decide<T: Real>(
     kind: Kind,
     pairs: &[Pair],
     x: [&[[T; 3]]; 2],
-    min_distance: f64,
+    search: &Search<f64>,
     out: &mut Vec<Contact>,
 ) {
     let one = |&pair: &Pair| {
-        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), x, min_distance);
-        Contact::of(kind, pair, verdict)
+        let answer = decide::pair(kind, mesh.vertices_of(kind, pair), x, search);
+        Contact::of(kind, pair, answer)
     };
     if pairs.len() <= MIN_SHARE {
         out.extend(pairs.iter().filter_map(one));

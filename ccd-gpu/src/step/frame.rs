@@ -6,7 +6,7 @@ use super::contact_geometry::Geometry;
 use super::contact_order::{self, ContactOrder};
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::{COUNT_BYTES, TrianglePairs, read_counts};
-use super::{Goal, SAMPLE, cpu_fallback};
+use super::{Goal, SAMPLE, WHOLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
@@ -87,6 +87,28 @@ impl Frames {
         Ok(())
     }
 
+    /// Takes the bodies of these options; the next frame sorts.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+    ) -> Result<(), Error> {
+        self.order.forget();
+        self.bench.forget();
+        self.buffers.set_bodies(device, mesh, options)
+    }
+
+    /// Goes on with another mesh or other options, in the buffers that are there as far as they are
+    /// large enough. The next frame sorts; nothing changes if this fails.
+    pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
+        self.buffers = Buffers::reusing(device, mesh, options, Some(&self.buffers))?;
+        self.bench.forget();
+        self.order.forget();
+        self.at_once = 0;
+        Ok(())
+    }
+
     /// Makes room for so many entries in every list.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();
@@ -141,7 +163,7 @@ impl Frames {
         self.order.forget();
         self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
-        let frame = buffers.describe(options);
+        let frame = buffers.describe(options, WHOLE);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
             buffers.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
@@ -152,17 +174,17 @@ impl Frames {
         Ok(buffers)
     }
 
-    /// Runs frames until every list was long enough. Contacts of the device go to `contacts`.
+    /// Runs frames over a window of the step until every list was long enough. Contacts of the device go to `contacts`.
     pub fn run(
         &mut self,
         device: &Device,
         options: &Options,
-        goal: Goal,
+        (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Found, Error> {
         self.geometry.listed = false;
         loop {
-            match self.attempt(device, options, goal, contacts)? {
+            match self.attempt(device, options, (goal, window), contacts)? {
                 Some(found) => {
                     self.geometry.listed = goal == Goal::Contacts;
                     return Ok(found);
@@ -175,10 +197,7 @@ impl Frames {
     /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
     pub fn worker_counts(&mut self, device: &Device) -> Result<Vec<WorkerCounts>, Error> {
         let Self { buffers, bench, readback, .. } = self;
-        match buffers.source.listed() {
-            Some(source) => worker_counts::read(device, bench, readback, source),
-            None => Ok(Vec::new()),
-        }
+        worker_counts::read(device, bench, readback, &buffers.source.worker_counts())
     }
 
     /// Reads the candidates of a frame: pairs of vertices and faces, pairs of edges.
@@ -231,7 +250,7 @@ impl Frames {
         &mut self,
         device: &Device,
         options: &Options,
-        goal: Goal,
+        (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Option<Found>, Error> {
         let guess = self.plan_contacts(device, goal)?;
@@ -240,7 +259,7 @@ impl Frames {
         let kept = order.holds(self.buffers.n_boxes());
         let Self { buffers, bench, readback, .. } = self;
         buffers.keeps_order = kept;
-        let frame = buffers.describe(options);
+        let frame = buffers.describe(options, window);
         let mut plan = Plan::default();
         let wide = device.info().wide;
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };

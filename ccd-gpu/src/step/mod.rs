@@ -2,6 +2,7 @@
 //! after them.
 
 pub mod buffers;
+pub mod codimensional;
 pub mod contact_geometry;
 pub mod contact_order;
 pub mod cpu_fallback;
@@ -30,6 +31,9 @@ impl Goal {
         matches!(self, Self::Earliest | Self::EarliestAtOnce)
     }
 }
+
+/// All times of a step.
+pub const WHOLE: [f64; 2] = [0.0, 1.0];
 
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
 pub const SAMPLE: u32 = 64;

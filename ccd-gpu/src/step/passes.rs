@@ -27,8 +27,14 @@ impl Buffers {
         }
         self.source.clear(recorder, self.keeps_order);
         recorder.stage("boxes");
-        let paths = &self.positions.paths;
+        let mut paths = &self.positions.paths;
         self.sweep(recorder, frame, paths, self.positions.boxes);
+        let whole = frame.from <= 0.0 && frame.until >= 1.0;
+        let window = if whole { *frame } else { self.shorten(recorder, frame) };
+        let frame = &window;
+        if !whole {
+            paths = &self.shortened;
+        }
         if !self.keeps_order {
             self.source.order(recorder, frame);
         }
@@ -50,14 +56,32 @@ impl Buffers {
                 }
             }
             Goal::EarliestAtOnce => self.contacts(recorder, frame, paths, 1, wide),
-            Goal::Earliest => self.earliest(recorder, frame, wide),
+            Goal::Earliest => self.earliest(recorder, frame, paths, wide),
         }
+    }
+
+    /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them. Returns
+    /// what a frame then says.
+    fn shorten(&self, recorder: &mut Recorder, frame: &Frame) -> Frame {
+        let paths = &self.positions.paths;
+        let error = self.positions.path_error() + swept_box::end_error(self.positions.reach);
+        let cut = Frame {
+            path_error: error,
+            margin: (frame.margin + error).next_up(),
+            flags: frame.flags & !Frame::FLAG_CONFIRM,
+            ..*frame
+        };
+        recorder.stage("shorten");
+        let [of_vf, of_ee] = &self.earliest;
+        let shortened = &self.shortened;
+        recorder.each(&Shorten { paths, of_vf, of_ee, shortened }, &plain(&cut), cut.count[0]);
+        self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
+        cut
     }
 
     /// A part of the block pairs first; what it finds bounds the time that matters, and shorter
     /// paths have smaller boxes.
-    fn earliest(&self, recorder: &mut Recorder, frame: &Frame, wide: bool) {
-        let paths = &self.positions.paths;
+    fn earliest(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, wide: bool) {
         self.contacts(recorder, frame, paths, SAMPLE, wide);
         recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
         recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
@@ -65,21 +89,10 @@ impl Buffers {
         for (to, list) in [8, 12].into_iter().zip(self.source.sampled()) {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
         }
-        let error = frame.path_error + swept_box::end_error(self.positions.reach);
-        let cut = Frame {
-            path_error: error,
-            margin: (frame.margin + error).next_up(),
-            flags: frame.flags & !Frame::FLAG_CONFIRM,
-            ..*frame
-        };
         self.clear(recorder, Goal::Earliest, wide);
-        recorder.stage("shorten");
-        let [of_vf, of_ee] = &self.earliest;
-        let shortened = &self.shortened;
-        recorder.each(&Shorten { paths, of_vf, of_ee, shortened }, &plain(&cut), cut.count[0]);
-        self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
+        let cut = self.shorten(recorder, frame);
         self.source.fit(recorder, &cut, &self.edges, &self.faces);
-        self.contacts(recorder, &cut, shortened, 1, wide);
+        self.contacts(recorder, &cut, &self.shortened, 1, wide);
     }
 
     fn clear(&self, recorder: &mut Recorder, goal: Goal, wide: bool) {

@@ -10,6 +10,9 @@ use crate::bind::{
 use crate::broad_phase::block_bvh::{Pass, Tree, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
+use crate::broad_phase::scheduled::Scheduled;
+use crate::broad_phase::worker_counts::Counted;
+use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -20,6 +23,8 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::rules::Rules;
 use std::ops::Range;
 
 /// The source of a session.
@@ -49,33 +54,68 @@ enum Finder {
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
 impl Source {
-    /// Room for a mesh with these numbers of vertices, edges and faces.
-    pub fn new(
+    /// Room for a mesh with these numbers of vertices, edges and faces, with buffers of another
+    /// source: all of blocks, and lists of every other, as far as they are large enough. That one
+    /// may be used again, if this fails.
+    pub fn reusing(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
+        rules: Option<&Rules>,
         count: [u32; 3],
+        old: Option<&Self>,
     ) -> Result<Self, Error> {
+        let old_tree = match old {
+            Some(Self::Blocks(tree)) => Some(&**tree),
+            _ => None,
+        };
         let choice = options.broad_phase;
         let finder = match options.pipeline {
             Pipeline::Triangles(own) => {
-                Finder::Triangles(Box::new(TrianglePairs::new(device, mesh, options, own, count)?))
+                let pairs = TrianglePairs::new(device, mesh, options, own, (rules, count))?;
+                Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
+                let mut tree = Tree::reusing(device, options.scheduling, count, old_tree)?;
+                tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
+                return Ok(Self::Blocks(Box::new(tree)));
             }
             _ => Finder::Features(method::source(device, choice, options.scheduling, count)?),
         };
         // A feature overlaps some tens of others on real scenes; a list that is too short grows.
         let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
-        Ok(Self::Listed(Listed {
+        let mut new = Self::Listed(Listed {
             finder,
             pairs: [
                 list("overlapping vertices and faces", count[2])?,
                 list("overlapping edges", count[1])?,
             ],
             groups: groups(device),
-        }))
+        });
+        if let Some(old @ Self::Listed(_)) = old {
+            for (list, old) in new.lists_mut().into_iter().zip(old.lists()) {
+                old.replace_shorter(list);
+            }
+        }
+        Ok(new)
+    }
+
+    /// Takes other rules; the next frame sorts.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        rules: Option<&Rules>,
+    ) -> Result<(), Error> {
+        match self {
+            Self::Blocks(tree) => tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?,
+            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => {
+                triangles.set_bodies(device, mesh, options, rules)?;
+            }
+            Self::Listed(_) => {}
+        }
+        Ok(())
     }
 
     /// The boxes of all sets.
@@ -104,13 +144,13 @@ impl Source {
 
     /// Whether a part of the pairs can be filtered before all others.
     pub fn samples(&self) -> bool {
-        matches!(self, Self::Blocks(_))
+        matches!(self, Self::Blocks(tree) if tree.scheduled().is_none())
     }
 
     /// All lists.
     pub fn lists(&self) -> Vec<&List> {
         match self {
-            Self::Blocks(tree) => tree.lists().collect(),
+            Self::Blocks(tree) => tree.lists(),
             Self::Listed(listed) => {
                 listed.source().lists().into_iter().chain(&listed.pairs).collect()
             }
@@ -120,7 +160,7 @@ impl Source {
     /// The same, to be replaced by larger ones.
     pub fn lists_mut(&mut self) -> Vec<&mut List> {
         match self {
-            Self::Blocks(tree) => tree.pairs.iter_mut().flatten().collect(),
+            Self::Blocks(tree) => tree.lists_mut(),
             Self::Listed(listed) => {
                 let Listed { finder, pairs, .. } = listed;
                 let lists = match finder {
@@ -132,17 +172,30 @@ impl Source {
         }
     }
 
-    /// The source of pairs that are listed.
-    pub fn listed(&self) -> Option<&dyn PairSource> {
+    /// What fronts the last search left; `None` without any.
+    pub fn front(&self) -> Option<FrontCounts> {
         match self {
-            Self::Blocks(_) => None,
-            Self::Listed(listed) => Some(listed.source()),
+            Self::Blocks(tree) => tree.scheduled().and_then(Scheduled::front),
+            Self::Listed(listed) => listed.source().front(),
+        }
+    }
+
+    /// Where workers count what they do, by kind of pairs.
+    pub fn worker_counts(&self) -> Vec<Counted<'_>> {
+        match self {
+            Self::Blocks(tree) => {
+                tree.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
+            }
+            Self::Listed(listed) => listed.source().worker_counts(),
         }
     }
 
     /// Bytes of buffers that [`Source::settle`] wants to see.
     pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.listed().map(PairSource::counters).unwrap_or_default()
+        match self {
+            Self::Blocks(tree) => tree.scheduled().map(Scheduled::counters).unwrap_or_default(),
+            Self::Listed(listed) => listed.source().counters(),
+        }
     }
 
     /// The results of a search were read; see [`PairSource::settle`].
@@ -153,7 +206,10 @@ impl Source {
         complete: bool,
     ) -> Result<bool, Error> {
         match self {
-            Self::Blocks(_) => Ok(false),
+            Self::Blocks(tree) => match tree.scheduled_mut() {
+                Some(scheduled) => scheduled.settle(device, counted, complete),
+                None => Ok(false),
+            },
             Self::Listed(Listed { finder: Finder::Features(source), .. }) => {
                 source.settle(device, counted, complete)
             }
@@ -198,8 +254,12 @@ impl Source {
     /// What must be zero besides the headers of lists.
     pub fn clear(&self, recorder: &mut Recorder, keeps_order: bool) {
         match self {
-            Self::Blocks(_) if keeps_order => {}
-            Self::Blocks(tree) => tree.clear_bounds(recorder),
+            Self::Blocks(tree) => {
+                tree.clear(recorder);
+                if !keeps_order {
+                    tree.clear_bounds(recorder);
+                }
+            }
             Self::Listed(listed) => listed.source().clear(recorder),
         }
     }
@@ -230,7 +290,7 @@ impl Source {
         match self {
             Self::Blocks(tree) => {
                 recorder.stage("block pairs");
-                tree.descend(recorder, frame, &[0, 1]);
+                tree.descend(recorder, frame, &[0, 1], keeps_order);
             }
             Self::Listed(listed) => {
                 let pairs = &listed.pairs;

@@ -9,6 +9,7 @@ use crate::bind;
 use crate::broad_phase::block_bvh::{DISPATCH_LIMIT, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
+use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -21,6 +22,7 @@ use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::{FrontCounts, TriangleCounts};
+use ccd_core::model::rules::Rules;
 use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::triangle_pairs::free_regions::{FreeRegions, NONE};
 use ccd_core::triangle_pairs::near_tests::NearTests;
@@ -42,26 +44,97 @@ pub struct TrianglePairs {
     /// What that is told.
     frame: Frame,
     pairs: List,
+    told: Told,
+    /// Whether neighbours have tests of their own.
+    orphans: bool,
+    regions: Option<FreeRegions>,
+    counts: wgpu::Buffer,
+    groups: u32,
+}
+
+/// What kernels are told of triangles, by the rules of bodies.
+struct Told {
     triangles: wgpu::Buffer,
     /// Those of neighbours, and how many.
     tests: wgpu::Buffer,
     n_tests: u32,
     own: Expansion,
-    regions: Option<FreeRegions>,
-    /// The certified region of each triangle.
+    /// The certified region of each triangle, then the table of rules.
     of_triangle: wgpu::Buffer,
-    counts: wgpu::Buffer,
-    groups: u32,
+}
+
+impl Told {
+    fn new(
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        orphans: bool,
+        (rules, has_regions): (Option<&Rules>, bool),
+    ) -> Result<Self, Error> {
+        let triangles = Triangles::new(mesh);
+        let n = triangles.len() as u32;
+        let sent = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
+            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
+            device.queue().write_buffer(&buffer, 0, bytes);
+            Ok(buffer)
+        };
+        let body = |t: u32| rules.map_or(0, |rules| rules.word(triangles.corners(t)[0]));
+        let records: Vec<Triangle> = (0..n).map(|t| triangles.record(t, body(t))).collect();
+        let near = orphans.then(|| near_tests(mesh, options, &triangles)).flatten();
+        // Where the list is too long for the device, neighbours are tested like all others.
+        let near = match near {
+            None => None,
+            Some(near) => match sent("tests of neighbours", bytemuck::cast_slice(&near.tests)) {
+                Ok(buffer) => Some((near, buffer)),
+                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => None,
+                Err(e) => return Err(e),
+            },
+        };
+        let mut own = Expansion::default();
+        let (mut n_tests, mut tests) = (0, None);
+        if let Some((near, buffer)) = near {
+            own.flags |= Expansion::FLAG_ORPHANS;
+            (own.n_vf, own.orphans) = (near.n_vf, near.orphans);
+            (n_tests, tests) = (near.tests.len() as u32, Some(buffer));
+        }
+        let mut words = Vec::new();
+        if has_regions {
+            own.flags |= Expansion::FLAG_REGIONS;
+            words.resize(n as usize, NONE);
+        }
+        own.rules = words.len() as u32;
+        words.extend(rules.map_or(&[][..], Rules::table));
+        Ok(Self {
+            triangles: sent("triangles", bytemuck::cast_slice(&records))?,
+            tests: tests.map_or_else(|| sent("no tests of neighbours", &[]), Ok)?,
+            n_tests,
+            own,
+            of_triangle: sent("free regions and rules", bytemuck::cast_slice(&words))?,
+        })
+    }
 }
 
 impl TrianglePairs {
+    /// Takes other rules.
+    pub fn set_bodies(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+        rules: Option<&Rules>,
+    ) -> Result<(), Error> {
+        let regions = self.regions.is_some();
+        self.told = Told::new(device, mesh, options, self.orphans, (rules, regions))?;
+        Ok(())
+    }
+
     /// Room for a mesh with these numbers of vertices, edges and faces.
     pub fn new(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
         own: TriangleOptions,
-        count: [u32; 3],
+        (rules, count): (Option<&Rules>, [u32; 3]),
     ) -> Result<Self, Error> {
         let triangles = Triangles::new(mesh);
         let n = triangles.len();
@@ -72,40 +145,9 @@ impl TrianglePairs {
         }
         let n = n as u32;
         let frame = frame_of([0, n, 0]);
-        let sent = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.queue().write_buffer(&buffer, 0, bytes);
-            Ok(buffer)
-        };
-        let body = |t: u32| {
-            let words = options.bodies.as_ref().map(|bodies| bodies.words());
-            words.map_or(0, |words| words[triangles.corners(t)[0] as usize])
-        };
-        let records: Vec<Triangle> = (0..n).map(|t| triangles.record(t, body(t))).collect();
-        let near = own.orphans.then(|| near_tests(mesh, options, &triangles)).flatten();
-        // Where the list is too long for the device, neighbours are tested like all others.
-        let near = match near {
-            None => None,
-            Some(near) => match sent("tests of neighbours", bytemuck::cast_slice(&near.tests)) {
-                Ok(buffer) => Some((near, buffer)),
-                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => None,
-                Err(e) => return Err(e),
-            },
-        };
         let cones = own.cones && options.min_distance == 0.0;
         let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
-        let mut own = Expansion::default();
-        let (mut n_tests, mut tests) = (0, None);
-        if let Some((near, buffer)) = near {
-            own.flags |= Expansion::FLAG_ORPHANS;
-            (own.n_vf, own.orphans) = (near.n_vf, near.orphans);
-            (n_tests, tests) = (near.tests.len() as u32, Some(buffer));
-        }
-        let mut words = Vec::new();
-        if regions.is_some() {
-            own.flags |= Expansion::FLAG_REGIONS;
-            words.resize(n as usize, NONE);
-        }
+        let told = Told::new(device, mesh, options, own.orphans, (rules, regions.is_some()))?;
         // A triangle overlaps some tens of others on real scenes; a list that is too short grows.
         let room = n.saturating_mul(16).max(4096);
         Ok(Self {
@@ -113,12 +155,9 @@ impl TrianglePairs {
             source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
             pairs: List::new(device, "overlapping triangles", 2, room)?,
-            triangles: sent("triangles", bytemuck::cast_slice(&records))?,
-            tests: tests.map_or_else(|| sent("no tests of neighbours", &[]), Ok)?,
-            n_tests,
-            own,
+            told,
+            orphans: own.orphans,
             regions,
-            of_triangle: sent("free regions", bytemuck::cast_slice(&words))?,
             counts: device.buffer(
                 "counts of triangles",
                 COUNT_BYTES,
@@ -146,7 +185,7 @@ impl TrianglePairs {
             });
         });
         let words = bytemuck::cast_slice(regions.of_face());
-        device.queue().write_buffer(&self.of_triangle, 0, words);
+        device.queue().write_buffer(&self.told.of_triangle, 0, words);
     }
 
     /// What was counted, [`COUNT_BYTES`] bytes.
@@ -163,7 +202,7 @@ impl TrianglePairs {
         mut run: impl FnMut(&Params<Expansion>, u32),
     ) {
         let [vf, ee] = search.pairs;
-        let own = Expansion { room_ee: ee.room(), ..self.own };
+        let own = Expansion { room_ee: ee.room(), ..self.told.own };
         for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
             let part = (n - first).min(DISPATCH_LIMIT);
             let dispatch = Dispatch { n: part, first, room_in: n, room_out: vf.room() };
@@ -206,8 +245,9 @@ impl PairSource for TrianglePairs {
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        let Self { boxes, source, frame, triangles, tests, counts, .. } = self;
-        let (n, swept, regions) = (frame.count[1], source.boxes(), &self.of_triangle);
+        let Self { boxes, source, frame, told, counts, .. } = self;
+        let Told { triangles, tests, .. } = told;
+        let (n, swept, regions) = (frame.count[1], source.boxes(), &self.told.of_triangle);
         let dispatch = Dispatch { n, ..Dispatch::default() };
         let p = Params { frame: *search.frame, dispatch, own: Plain::default() };
         recorder.each(&bind::SweepTriangles { triangles, boxes, swept }, &p, n);
@@ -223,7 +263,7 @@ impl PairSource for TrianglePairs {
         });
         recorder.detail("neighbours");
         let kernel = bind::NearTests { tests, regions, swept, boxes, vf, ee, counts };
-        self.each_part(self.n_tests, search, Id::NearTests.threads(), |p, groups| {
+        self.each_part(told.n_tests, search, Id::NearTests.threads(), |p, groups| {
             recorder.dispatch(&kernel, p, groups);
         });
     }
@@ -253,7 +293,7 @@ impl PairSource for TrianglePairs {
         self.source.front()
     }
 
-    fn worker_counts(&self) -> Vec<(&wgpu::Buffer, u64, u32)> {
+    fn worker_counts(&self) -> Vec<Counted<'_>> {
         self.source.worker_counts()
     }
 

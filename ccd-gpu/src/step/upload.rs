@@ -44,14 +44,20 @@ pub enum Boxes {
 }
 
 impl Positions {
-    /// Room for the paths of `n` vertices.
-    pub fn new(device: &Device, n: usize) -> Result<Self, Error> {
+    /// Room for the paths of `n` vertices, with buffers that others had as far as they are large
+    /// enough.
+    pub fn reusing(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
+        let of = |old, what, bytes| device.buffer_or(old, what, bytes, usage);
+        let [paths, wide, keys] = match old {
+            Some(old) => [&old.paths, &old.wide, &old.keys].map(Some),
+            None => [None; 3],
+        };
         Ok(Self {
-            paths: device.buffer("paths", (n * size_of::<Path>()) as u64, usage)?,
-            // Made when first needed.
-            wide: device.buffer("positions in f64", 0, usage)?,
-            keys: device.buffer("keys of exact boxes", 0, usage)?,
+            paths: of(paths, "paths", (n * size_of::<Path>()) as u64)?,
+            // Grow when they are needed.
+            wide: of(wide, "positions in f64", 0)?,
+            keys: of(keys, "keys of exact boxes", 0)?,
             boxes: Boxes::OfPaths,
             exact: true,
             table: Table::AS_GIVEN,

@@ -22,8 +22,8 @@ use spirv_std::spirv;
 
 /// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list,
 /// hits that are candidates.
-const HITS: u32 = 4;
-const KEPT: u32 = 5;
+pub(super) const HITS: u32 = 4;
+pub(super) const KEPT: u32 = 5;
 const BASE: u32 = 6;
 const WANTED: u32 = 7;
 /// Hits of the pool that a thread works on, at most.
@@ -32,7 +32,7 @@ const SHARE: u32 = POOL / THREADS;
 /// Rounds of workgroup `own` of `groups`: how often it takes `TEAMS` of the entries from
 /// `dispatch.first` on, every `own.step`-th.
 #[inline(always)]
-fn rounds(params: &Params<Blocks>, there: u32, own: u32, groups: u32) -> u32 {
+pub(super) fn rounds(params: &Params<Blocks>, there: u32, own: u32, groups: u32) -> u32 {
     let n = entries(params, there).div_ceil(TEAMS);
     if n > own { (n - own).div_ceil(groups) } else { 0 }
 }
@@ -51,7 +51,7 @@ fn entries(params: &Params<Blocks>, there: u32) -> u32 {
 /// The pair of nodes of a team; the second part says whether there is one: a team without tests
 /// nothing, see [`gather`].
 #[inline(always)]
-fn team_pair(
+pub(super) fn team_pair(
     params: &Params<Blocks>,
     list: &[u32],
     there: u32,
@@ -67,7 +67,7 @@ fn team_pair(
 }
 
 #[inline(always)]
-fn clear(lane: u32, counters: &mut [u32; 8]) {
+pub(super) fn clear(lane: u32, counters: &mut [u32; 8]) {
     if lane < 8 {
         set(counters, lane, 0);
     }
@@ -78,7 +78,7 @@ fn clear(lane: u32, counters: &mut [u32; 8]) {
 /// does not reach into the second.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-fn gather(
+pub(super) fn gather(
     lane: u32,
     params: &Params<Blocks>,
     pair: Pair,
@@ -145,7 +145,7 @@ fn test(
 
 /// Reserves room in `list` for what the workgroup kept, `counters[KEPT]`; returns where it begins.
 #[inline(always)]
-fn reserve(lane: u32, counters: &mut [u32; 8], list: &mut [u32]) -> u32 {
+pub(super) fn reserve(lane: u32, counters: &mut [u32; 8], list: &mut [u32]) -> u32 {
     barrier();
     if lane == 0 {
         let n = get(counters, KEPT);

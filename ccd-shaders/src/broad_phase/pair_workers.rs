@@ -1,53 +1,152 @@
-//! Workers that descend pairs of nodes of binary trees, and fronts at which they begin; see
-//! `ccd_core::broad_phase::pair_workers`.
+//! Workers that descend pairs of nodes, of binary trees or of blocks, and fronts at which they
+//! begin; see `ccd_core::broad_phase::pair_workers`.
 //!
 //! A turn of a worker: its first thread says how many pairs come from the stack and how many from
-//! the tasks; a thread expands one; inner pairs go onto the stack or, where that is full, to the
-//! tasks of the next round, pairs of leaves to `pairs`, and what ends to the front, if one is kept.
+//! the tasks; a thread, or a team of some, expands one; inner pairs go onto the stack or, where
+//! that is full, to the tasks of the next round, pairs of leaves to `pairs`, and what ends to the
+//! front, if one is kept.
 
-use super::pair_descent::{count_front, fate, reserve};
+use super::binary_pair_tree::{BinaryTrees, Boxes, Oriented};
+use super::block_pair_tree::BlockTrees;
+use super::pair_descent::{count_front, reserve};
+use super::pair_tree::{INNER, PairTree};
 use super::worker::{
-    APART, Child, ENDED, ENDED_BASE, EXPANDED, INNER, LEAF, LEAVES, LEAVES_BASE, NEXT, NODES,
-    Round, SPILL_BASE, TOP, TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan,
-    put_away, put_ended, take, write_task,
+    Child, ENDED, ENDED_BASE, EXPANDED, LEAVES, LEAVES_BASE, NEXT, NODES, Round, SPILL_BASE,
+    Shared, Stack, TOP, TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan,
+    put_ended, take, write_task,
 };
-use crate::records::ObbWords;
-use crate::workgroup::{add, barrier, count, get, get_uniform, group, set};
-use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::broad_phase::oriented_nodes::{only_reaching, reach};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, children, expand};
+use crate::records::{BoxWords, ObbWords};
+use crate::workgroup::{add, barrier, count, get, get_uniform, group, read_pair, set};
+use ccd_core::broad_phase::block_workers::packed;
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::broad_phase::pair_workers::{THREADS, counts, listed};
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Node, NodeDescent, Params};
-use ccd_core::model::method::Descent;
+use ccd_core::layout::{BlockDescent, Node, NodeDescent, Params};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
-/// Of the children of a pair, those that meet.
-macro_rules! meeting {
-    ($within:ident, $all:expr, $internal:ident, $first:ident, $a:ident, $b:ident) => {
-        $all
-    };
-    ($within:ident, $all:expr, $internal:ident, $first:ident, $a:ident, $b:ident, $obb:ident) => {
-        only_reaching($within, $all, $internal, $first, $a, $b, $obb, $obb)
-    };
+/// What worker `me` does in a round.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
+fn descend<T: PairTree>(
+    params: &Params<T::Own>,
+    me: u32,
+    lane: u32,
+    state: &mut [u32; 1],
+    shared: &mut Shared,
+    stack: &mut Stack,
+    a: &[T::Node],
+    b: &[T::Node],
+    more: &[T::More],
+    control: &mut [u32],
+    nodes: &mut [u32],
+    pairs: &mut [u32],
+    front: &mut [u32],
+) {
+    let own = &T::descent(&params.own);
+    let round = Round::new(own, &params.dispatch, me, control);
+    if lane == 0 {
+        set(shared, TOP, 0);
+        set(shared, NEXT, 0);
+        set(shared, TURNS, 0);
+        set(shared, EXPANDED, 0);
+    }
+    for turn in 0..own.turns {
+        if lane == 0 {
+            let next = plan::<T>(own, round, turn, shared, control);
+            set(state, 0, next);
+        }
+        if get_uniform(state, 0) != WORKS {
+            break;
+        }
+        let pair = take(T::index(lane), round.input, shared, stack, nodes);
+        let found = T::expand(params, lane, pair, a, b, more, shared);
+        let to = T::claim(found, own.room_front, shared);
+        barrier();
+        if lane == 0 {
+            make_room(own, round.number, shared, control, nodes, pairs);
+        }
+        barrier();
+        T::put_away(own, round, found, to, a, b, shared, stack, nodes, pairs, front);
+    }
+    if lane == 0 {
+        make_room_for_rest(own, round, shared, control, nodes);
+        add(control, counts(me), get(shared, TURNS));
+        add(control, counts(me) + 1, get(shared, EXPANDED));
+    }
+    barrier();
+    leave_rest(own, round, lane, shared, stack, control, nodes);
 }
 
-/// Whether a pair whose boxes overlap meets.
-macro_rules! meets {
-    ($within:ident, $pair:ident, $internal:ident, $first:ident, $a:ident, $b:ident) => {
-        true
-    };
-    ($within:ident, $pair:ident, $internal:ident, $first:ident, $a:ident, $b:ident, $obb:ident) => {
-        reach($within, $pair, $internal, $first, $a, $b, $obb, $obb)
-    };
+/// A thread looks at a pair at which a search may begin, if it has one: it is a task, or ends here.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "as above")]
+fn begin<T: PairTree>(
+    params: &Params<T::Own>,
+    pair: NodePair,
+    lane: u32,
+    shared: &mut Shared,
+    a: &[T::Node],
+    b: &[T::Node],
+    more: &[T::More],
+    control: &mut [u32],
+    nodes: &mut [u32],
+    pairs: &mut [u32],
+    front: &mut [u32],
+) {
+    let own = &T::descent(&params.own);
+    if lane == 0 {
+        set(shared, NODES, 0);
+        set(shared, LEAVES, 0);
+        set(shared, ENDED, 0);
+    }
+    barrier();
+    let mut fate = 0;
+    if pair[0] != NONE {
+        fate = T::fate(params, pair, a, b, more);
+    }
+    let to = claim(fate, own.room_front, shared);
+    barrier();
+    if lane == 0 {
+        let (n_nodes, n_leaves) = (get(shared, NODES), get(shared, LEAVES));
+        if n_nodes > 0 {
+            set(shared, SPILL_BASE, reserve(control, listed(0), nodes, n_nodes));
+        }
+        if n_leaves > 0 {
+            set(shared, LEAVES_BASE, count(pairs, 0, n_leaves));
+        }
+        if get(shared, ENDED) > 0 {
+            set(shared, ENDED_BASE, count_front(control, get(shared, ENDED)));
+        }
+    }
+    barrier();
+    if fate == INNER {
+        write_task(own, 0, nodes, get(shared, SPILL_BASE) + to[0], pair);
+    } else if fate != 0 {
+        let (child, room) = (Child { pair, fate }, params.dispatch.room_out);
+        put_ended::<T>(own, room, child, to, a, b, shared, pairs, front);
+    }
 }
 
-/// The kernels of one volume: `$obb` is there for oriented boxes. The numbers are bindings.
+/// Pair `i` of the `dispatch.n` of the front of the search before.
+#[inline(always)]
+fn of_front<T: PairTree>(params: &Params<T::Own>, i: u32, front: &[u32]) -> NodePair {
+    let own = T::descent(&params.own);
+    let mut pair = NO_PAIR;
+    if i < params.dispatch.n {
+        let place = 2 * ((1 - own.written) * own.room_front + i) as usize;
+        pair = [at(front, place), at(front, place + 1)];
+    }
+    pair
+}
+
+/// The kernels of a tree of pairs: its nodes, and as what they are passed on. The numbers are
+/// bindings.
 macro_rules! kernels {
-    ($workers:ident, $resume:ident, $control:tt $nodes:tt $pairs:tt $front:tt
-        $(, $obb:ident $binding:tt)?) => {
+    ($workers:ident, $resume:ident, $tree:ty, $own:ident, ($a:ident $b:ident $more:ident),
+        $($view:ident: $record:ty = $binding:tt),*;
+        $control:tt $nodes:tt $pairs:tt $front:tt) => {
         /// Workgroup `i` is worker `i` of round `dispatch.first`.
         #[spirv(compute(threads(128)))]
         pub fn $workers(
@@ -55,79 +154,30 @@ macro_rules! kernels {
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             #[spirv(workgroup)] state: &mut [u32; 1],
-            #[spirv(workgroup)] shared: &mut [u32; 18],
-            #[spirv(workgroup)] stack: &mut [u32; 2048],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $binding)] $obb: &[ObbWords],)?
+            #[spirv(workgroup)] shared: &mut Shared,
+            #[spirv(workgroup)] stack: &mut Stack,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<$own>,
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $binding)] $view: &[$record],)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = $control)] control: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $nodes)] nodes: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $pairs)] pairs: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $front)] front: &mut [u32],
         ) {
-            let own = params.own;
-            let round = Round::new(params, group(id, n), control);
-            let within = own.kind == 1;
-            let [set_a, set_b] = sets(own.kind);
-            let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
-            $(let _ = $obb;
-            let first = [params.frame.start[set_a], params.frame.start[set_b]];)?
-            let rule = if own.larger != 0 { Descent::Larger } else { Descent::Both };
-            if lane == 0 {
-                set(shared, TOP, 0);
-                set(shared, NEXT, 0);
-                set(shared, TURNS, 0);
-                set(shared, EXPANDED, 0);
-            }
-            for turn in 0..own.turns {
-                if lane == 0 {
-                    let next = plan(&own, round, turn, shared, control);
-                    set(state, 0, next);
-                }
-                if get_uniform(state, 0) != WORKS {
-                    break;
-                }
-                let pair = take(lane, round.input, shared, stack, nodes);
-                let (mut p, mut q) = (Child::NONE, Child::NONE);
-                let (mut r, mut s) = (Child::NONE, Child::NONE);
-                if pair[0] != NONE {
-                    let found = expand(rule, within, a_nodes, b_nodes, pair);
-                    let met = meeting!(within, found, internal, first, a_nodes, b_nodes $(, $obb)?);
-                    let mut all = met;
-                    if own.room_front > 0 {
-                        all = children(rule, within, a_nodes, b_nodes, pair);
-                    }
-                    p = Child::new(met[0], all[0], internal);
-                    q = Child::new(met[1], all[1], internal);
-                    r = Child::new(met[2], all[2], internal);
-                    s = Child::new(met[3], all[3], internal);
-                    // A pair of the cut may be one of leaves already.
-                    if fate(pair, internal) == LEAF {
-                        p = Child { pair, fate: LEAF };
-                    }
-                }
-                let room = own.room_front;
-                let (to_p, to_q) = (claim(p.fate, room, shared), claim(q.fate, room, shared));
-                let (to_r, to_s) = (claim(r.fate, room, shared), claim(s.fate, room, shared));
-                barrier();
-                if lane == 0 {
-                    make_room(&own, round.number, shared, control, nodes, pairs);
-                }
-                barrier();
-                let (to, x, y) = (round.output, a_nodes, b_nodes);
-                put_away(params, to, p, to_p, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, q, to_q, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, r, to_r, shared, stack, x, y, nodes, pairs, front);
-                put_away(params, to, s, to_s, shared, stack, x, y, nodes, pairs, front);
-            }
-            if lane == 0 {
-                make_room_for_rest(&own, round, shared, control, nodes);
-                add(control, counts(round.me), get(shared, TURNS));
-                add(control, counts(round.me) + 1, get(shared, EXPANDED));
-            }
-            barrier();
-            leave_rest(&own, round, lane, shared, stack, control, nodes);
+            descend::<$tree>(
+                params,
+                group(id, n),
+                lane,
+                state,
+                shared,
+                stack,
+                $a,
+                $b,
+                $more,
+                control,
+                nodes,
+                pairs,
+                front,
+            );
         }
 
         /// Thread `i` looks at pair `i` of the `dispatch.n` of the front of the search before.
@@ -136,63 +186,62 @@ macro_rules! kernels {
             #[spirv(workgroup_id)] id: UVec3,
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
-            #[spirv(workgroup)] shared: &mut [u32; 18],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $binding)] $obb: &[ObbWords],)?
+            #[spirv(workgroup)] shared: &mut Shared,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<$own>,
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $binding)] $view: &[$record],)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = $control)] control: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $nodes)] nodes: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $pairs)] pairs: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $front)] front: &mut [u32],
         ) {
-            let i = group(id, n) * THREADS + lane;
-            let own = params.own;
-            let [set_a, set_b] = sets(own.kind);
-            let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
-            $(let (_, within) = ($obb, own.kind == 1);
-            let first = [params.frame.start[set_a], params.frame.start[set_b]];)?
-            if lane == 0 {
-                set(shared, NODES, 0);
-                set(shared, LEAVES, 0);
-                set(shared, ENDED, 0);
-            }
-            barrier();
-            let (mut pair, mut fate) = (NO_PAIR, 0);
-            if i < params.dispatch.n {
-                let place = 2 * ((1 - own.written) * own.room_front + i) as usize;
-                pair = [at(front, place), at(front, place + 1)];
-                let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
-                fate = APART;
-                if x.aabb().overlaps(&y.aabb())
-                    && meets!(within, pair, internal, first, a_nodes, b_nodes $(, $obb)?)
-                {
-                    fate = super::pair_descent::fate(pair, internal);
-                }
-            }
-            let to = claim(fate, own.room_front, shared);
-            barrier();
-            if lane == 0 {
-                let (n_nodes, n_leaves) = (get(shared, NODES), get(shared, LEAVES));
-                if n_nodes > 0 {
-                    set(shared, SPILL_BASE, reserve(control, listed(0), nodes, n_nodes));
-                }
-                if n_leaves > 0 {
-                    set(shared, LEAVES_BASE, count(pairs, 0, n_leaves));
-                }
-                if get(shared, ENDED) > 0 {
-                    set(shared, ENDED_BASE, count_front(control, get(shared, ENDED)));
-                }
-            }
-            barrier();
-            if fate == INNER {
-                write_task(&own, 0, nodes, get(shared, SPILL_BASE) + to[0], pair);
-            } else if fate != 0 {
-                put_ended(params, pair, fate, to, shared, a_nodes, b_nodes, pairs, front);
-            }
+            let pair = of_front::<$tree>(params, group(id, n) * THREADS + lane, front);
+            begin::<$tree>(
+                params, pair, lane, shared, $a, $b, $more, control, nodes, pairs, front,
+            );
         }
     };
 }
 
-kernels!(pair_workers, resume_front, 3 4 5 6);
-kernels!(pair_workers_oriented, resume_front_oriented, 4 5 6 7, oriented 3);
+kernels!(
+    pair_workers, resume_front, BinaryTrees<Boxes>, NodeDescent, (a_nodes b_nodes a_nodes),
+    a_nodes: Node = 1, b_nodes: Node = 2;
+    3 4 5 6
+);
+kernels!(
+    pair_workers_oriented, resume_front_oriented, BinaryTrees<Oriented>, NodeDescent,
+    (a_nodes b_nodes oriented),
+    a_nodes: Node = 1, b_nodes: Node = 2, oriented: ObbWords = 3;
+    4 5 6 7
+);
+kernels!(
+    block_workers, resume_block_front, BlockTrees, BlockDescent, (boxes boxes boxes),
+    boxes: BoxWords = 1;
+    2 3 4 5
+);
+
+/// Thread `i` looks at pair `i` of the `dispatch.n` of level `dispatch.first`, where a search of
+/// pairs of blocks begins without a front.
+#[spirv(compute(threads(128)))]
+pub fn first_block_pairs(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] shared: &mut Shared,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<BlockDescent>,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[BoxWords],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] first: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] control: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] pairs: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] front: &mut [u32],
+) {
+    let i = group(id, n) * THREADS + lane;
+    let mut pair = NO_PAIR;
+    if i < params.dispatch.n {
+        let of = read_pair(first, i);
+        pair = packed(params.dispatch.first, of.a, of.b);
+    }
+    begin::<BlockTrees>(
+        params, pair, lane, shared, boxes, boxes, boxes, control, nodes, pairs, front,
+    );
+}

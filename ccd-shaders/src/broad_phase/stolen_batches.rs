@@ -4,10 +4,11 @@
 //! The threads say to each other which batch was taken by words of workgroup memory. Between what
 //! two functions here do, in the order in which a turn calls them, stands a barrier of buffers.
 
-use super::worker::{ENDS, FROM_STACK, FROM_TASKS, Round, STOPS, TOP, WORKS, plan};
+use super::pair_tree::PairTree;
+use super::worker::{ENDS, FROM_STACK, FROM_TASKS, Round, STOPS, Shared, Stack, TOP, WORKS, plan};
 use crate::workgroup::{DeviceWords, add, get, load, lower_shared, set};
 use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::pair_workers::{STACK, THREADS, deques, idle, stolen, thieves};
+use ccd_core::broad_phase::pair_workers::{deques, idle, stolen, thieves};
 use ccd_core::layout::NodeDescent;
 use ccd_core::scheduling::stealing::{HANDS, Workers};
 
@@ -84,22 +85,22 @@ pub(super) fn take_from_hand(batch: &mut Batch, workers: Workers, me: u32, contr
 
 /// The first thread says what its worker does in this turn.
 #[inline(always)]
-pub(super) fn look(
+pub(super) fn look<T: PairTree>(
     own: &NodeDescent,
     round: Round,
     turn: u32,
-    shared: &mut [u32; 18],
+    shared: &mut Shared,
     batch: &mut Batch,
     control: &mut [u32],
 ) -> u32 {
     let workers = thieves(own);
-    let mut next = plan(own, round, turn, shared, control);
+    let mut next = plan::<T>(own, round, turn, shared, control);
     set(batch, N_TAKEN, 0);
     set(batch, SOURCE, 0);
     set(batch, HAND, HANDS);
     set(batch, TO_PUSH, NO_SLOT);
     let busy = get(shared, FROM_STACK) + get(shared, FROM_TASKS);
-    if busy + own.batch <= THREADS {
+    if busy + own.batch <= T::WIDTH {
         if pop(batch, workers, round.me, control) != 0 {
             next = WORKS;
         }
@@ -118,14 +119,14 @@ pub(super) fn look(
             }
         }
     } else {
-        found(round, batch, control);
+        found_work(round, batch, control);
     }
     next
 }
 
 /// The first thread, when the worker has work: it is idle no more.
 #[inline(always)]
-pub(super) fn found(round: Round, batch: &mut Batch, control: &mut [u32]) {
+pub(super) fn found_work(round: Round, batch: &mut Batch, control: &mut [u32]) {
     if get(batch, FRUITLESS) > 0 {
         set(batch, FRUITLESS, 0);
         add(control, idle(round.number), u32::MAX);
@@ -179,7 +180,7 @@ pub(super) fn reach_out(
 pub(super) fn reserve_slot(
     own: &NodeDescent,
     me: u32,
-    shared: &[u32; 18],
+    shared: &Shared,
     batch: &mut Batch,
     control: &mut [u32],
 ) {
@@ -198,9 +199,9 @@ pub(super) fn copy_batch(
     own: &NodeDescent,
     me: u32,
     lane: u32,
-    shared: &[u32; 18],
+    shared: &Shared,
     batch: &Batch,
-    stack: &mut [u32; 2 * STACK as usize],
+    stack: &mut Stack,
     control: &mut [u32],
 ) {
     let (workers, slot) = (thieves(own), get(batch, TO_PUSH));

@@ -1,15 +1,20 @@
 //! What the threads of a worker share, and the parts of its turn; see
 //! `ccd_core::broad_phase::pair_workers`. A scheduler of its own has another [`plan`].
 
-use super::pair_descent::{count_front, fate, reserve, write_front};
+use super::pair_descent::{count_front, reserve, write_front};
+use super::pair_tree::{INNER, LEAF, PairTree};
 use crate::workgroup::{add, add_shared, count, get, load, raise, read_pair, set, write_pair};
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::broad_phase::pair_workers::{
     LEFT, QUANTUM, STACK, THREADS, idle, is_over, listed, piece, share, taken,
 };
-use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Node, NodeDescent, Pair, Params};
+use ccd_core::layout::{Dispatch, NodeDescent, Pair};
+
+/// Pairs in the memory of a worker.
+pub(super) type Stack = [u32; 2 * STACK as usize];
+/// What its threads say to each other.
+pub(super) type Shared = [u32; 22];
 
 /// Words that the threads of a worker share: pairs on its stack; of those, how many are expanded in
 /// this turn, and how many tasks are; the first of these, and from each to the next.
@@ -37,6 +42,8 @@ pub(super) const REST_BASE: u32 = 17;
 /// Turns of the worker so far, and pairs that it expanded.
 pub(super) const TURNS: u32 = 15;
 pub(super) const EXPANDED: u32 = 16;
+/// Of blocks, a word each team of threads: which columns there are.
+pub(super) const COLUMNS: u32 = 18;
 
 /// What a worker does next.
 pub(super) const WORKS: u32 = 0;
@@ -44,11 +51,6 @@ pub(super) const WORKS: u32 = 0;
 pub(super) const ENDS: u32 = 1;
 /// It leaves what it has to the next round.
 pub(super) const STOPS: u32 = 2;
-
-/// What becomes of a pair, as `fate` says it; and of one that is apart.
-pub(super) const INNER: u32 = 1;
-pub(super) const LEAF: u32 = 2;
-pub(super) const APART: u32 = 3;
 
 /// A round, as each worker sees it.
 #[derive(Clone, Copy)]
@@ -61,20 +63,23 @@ pub(super) struct Round {
     /// First entry of its tasks, and of those of the next, in the list.
     pub input: u32,
     pub output: u32,
+    /// Entries that the list of results has room for.
+    pub room_pairs: u32,
 }
 
 impl Round {
     #[inline(always)]
-    pub(super) fn new(params: &Params<NodeDescent>, me: u32, control: &[u32]) -> Self {
-        let (number, room) = (params.dispatch.first, params.own.room_nodes);
+    pub(super) fn new(own: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
+        let (number, room) = (dispatch.first, own.room_nodes);
         let is_odd = number % 2;
         Self {
             me,
-            workers: params.own.workers,
+            workers: own.workers,
             number,
             tasks: at(control, listed(number)).min(room),
             input: is_odd * room,
             output: (1 - is_odd) * room,
+            room_pairs: dispatch.room_out,
         }
     }
 }
@@ -82,14 +87,14 @@ impl Round {
 /// The first thread says what its worker does in this turn, by what is on the stack and what tasks
 /// there are: returns whether it works at all.
 #[inline(always)]
-pub(super) fn plan(
+pub(super) fn plan<T: PairTree>(
     own: &NodeDescent,
     round: Round,
     turn: u32,
-    shared: &mut [u32; 18],
+    shared: &mut Shared,
     control: &mut [u32],
 ) -> u32 {
-    let from_stack = get(shared, TOP).min(THREADS);
+    let from_stack = get(shared, TOP).min(T::WIDTH);
     let mut state = WORKS;
     if own.idle > 0 && turn >= QUANTUM {
         if is_over(load(control, idle(round.number)), round.workers, own.idle) {
@@ -97,7 +102,7 @@ pub(super) fn plan(
         }
     }
     let mut from_tasks = 0;
-    let room = THREADS - from_stack;
+    let room = T::WIDTH - from_stack;
     if state == WORKS && room > 0 {
         let next = get(shared, NEXT);
         if own.tasks == NodeDescent::TASKS_DEALT {
@@ -126,25 +131,20 @@ pub(super) fn plan(
     set(shared, NODES, 0);
     set(shared, LEAVES, 0);
     set(shared, ENDED, 0);
+    T::begin(shared);
     state
 }
 
-/// The pair that this thread expands in this turn, from the top of the stack or from the tasks.
+/// Pair `i` of those that are expanded in this turn, from the top of the stack or from the tasks.
 #[inline(always)]
-pub(super) fn take(
-    lane: u32,
-    input: u32,
-    shared: &[u32; 18],
-    stack: &[u32; 2 * STACK as usize],
-    nodes: &[u32],
-) -> NodePair {
+pub(super) fn take(i: u32, input: u32, shared: &Shared, stack: &Stack, nodes: &[u32]) -> NodePair {
     let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
     let mut out = NO_PAIR;
-    if lane < from_stack {
-        let place = 2 * (get(shared, TOP) - 1 - lane);
+    if i < from_stack {
+        let place = 2 * (get(shared, TOP) - 1 - i);
         out = [get(stack, place), get(stack, place + 1)];
-    } else if lane < from_stack + from_tasks {
-        let task = get(shared, FIRST) + (lane - from_stack) * get(shared, STRIDE);
+    } else if i < from_stack + from_tasks {
+        let task = get(shared, FIRST) + (i - from_stack) * get(shared, STRIDE);
         let pair = read_pair(nodes, input + task);
         out = [pair.a, pair.b];
     }
@@ -160,21 +160,11 @@ pub(super) struct Child {
 
 impl Child {
     pub(super) const NONE: Self = Self { pair: NO_PAIR, fate: 0 };
-
-    /// The child if it meets, or else, where one is kept for the front, the child that is apart.
-    #[inline(always)]
-    pub(super) fn new(met: NodePair, child: NodePair, internal: [u32; 2]) -> Self {
-        let mut out = Self { pair: met, fate: fate(met, internal) };
-        if out.fate == 0 && child[0] != NONE {
-            out = Self { pair: child, fate: APART };
-        }
-        out
-    }
 }
 
 /// Counts a pair in its worker; returns the number that it has among its like, and in the front.
 #[inline(always)]
-pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 18]) -> [u32; 2] {
+pub(super) fn claim(fate: u32, room_front: u32, shared: &mut Shared) -> [u32; 2] {
     let mut to = [0, 0];
     if fate == INNER {
         to[0] = add_shared(shared, NODES, 1);
@@ -192,7 +182,7 @@ pub(super) fn claim(fate: u32, room_front: u32, shared: &mut [u32; 18]) -> [u32;
 pub(super) fn make_room(
     own: &NodeDescent,
     number: u32,
-    shared: &mut [u32; 18],
+    shared: &mut Shared,
     control: &mut [u32],
     nodes: &mut [u32],
     pairs: &mut [u32],
@@ -237,15 +227,15 @@ pub(super) fn spill(
 /// Writes a pair to where it belongs.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn put_away(
-    params: &Params<NodeDescent>,
-    output: u32,
+pub(super) fn put_away<T: PairTree>(
+    own: &NodeDescent,
+    round: Round,
     child: Child,
     to: [u32; 2],
-    shared: &[u32; 18],
-    stack: &mut [u32; 2 * STACK as usize],
-    a_nodes: &[Node],
-    b_nodes: &[Node],
+    a: &[T::Node],
+    b: &[T::Node],
+    shared: &Shared,
+    stack: &mut Stack,
     nodes: &mut [u32],
     pairs: &mut [u32],
     front: &mut [u32],
@@ -259,34 +249,34 @@ pub(super) fn put_away(
             set(stack, place + 1, pair[1]);
         } else {
             let i = get(shared, SPILL_BASE) + to[0] - to_stack;
-            write_task(&params.own, output, nodes, i, pair);
+            write_task(own, round.output, nodes, i, pair);
         }
     } else if fate != 0 {
-        put_ended(params, pair, fate, to, shared, a_nodes, b_nodes, pairs, front);
+        put_ended::<T>(own, round.room_pairs, child, to, a, b, shared, pairs, front);
     }
 }
 
 /// Writes a pair at which the descent ends.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "as above")]
-pub(super) fn put_ended(
-    params: &Params<NodeDescent>,
-    pair: NodePair,
-    fate: u32,
+pub(super) fn put_ended<T: PairTree>(
+    own: &NodeDescent,
+    room_pairs: u32,
+    child: Child,
     to: [u32; 2],
-    shared: &[u32; 18],
-    a_nodes: &[Node],
-    b_nodes: &[Node],
+    a: &[T::Node],
+    b: &[T::Node],
+    shared: &Shared,
     pairs: &mut [u32],
     front: &mut [u32],
 ) {
+    let Child { pair, fate } = child;
     if fate == LEAF {
-        let (a, b) = (at(a_nodes, pair[0] as usize).left, at(b_nodes, pair[1] as usize).left);
-        let ids = if params.own.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } };
-        write_pair(pairs, params.dispatch.room_out, get(shared, LEAVES_BASE) + to[0], ids);
+        let found = T::result(own, pair, a, b);
+        write_pair(pairs, room_pairs, get(shared, LEAVES_BASE) + to[0], found);
     }
-    if params.own.room_front > 0 {
-        write_front(&params.own, front, get(shared, ENDED_BASE) + to[1], pair);
+    if own.room_front > 0 {
+        write_front(own, front, get(shared, ENDED_BASE) + to[1], pair);
     }
 }
 
@@ -310,7 +300,7 @@ pub(super) fn write_task(
 pub(super) fn make_room_for_rest(
     own: &NodeDescent,
     round: Round,
-    shared: &mut [u32; 18],
+    shared: &mut Shared,
     control: &mut [u32],
     nodes: &mut [u32],
 ) {
@@ -332,8 +322,8 @@ pub(super) fn leave_rest(
     own: &NodeDescent,
     round: Round,
     lane: u32,
-    shared: &[u32; 18],
-    stack: &[u32; 2 * STACK as usize],
+    shared: &Shared,
+    stack: &Stack,
     control: &mut [u32],
     nodes: &mut [u32],
 ) {

@@ -45,6 +45,7 @@ fn write_touch(list: &mut [u32], room: u32, i: u32, touch: &Touch) {
         put(list, to + 3, touch.b);
         put(list, to + 4, touch.toi[0]);
         put(list, to + 5, touch.toi[1]);
+        put(list, to + 6, touch.approach);
     }
 }
 
@@ -69,17 +70,19 @@ macro_rules! decide_wide_entry {
             let there = length(input, params.dispatch.room_in);
             for round in 0..decide::rounds(there, own, groups, THREADS) {
                 let i = (own + round * groups) * THREADS + lane;
-                let mut touch = Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2] };
+                let mut touch =
+                    Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
                 let mut found = false;
                 if i < there {
                     let pair = read_pair(input, i);
-                    let Verdicts { touches, undecided, toi } =
+                    let Verdicts { touches, undecided, approach, toi } =
                         $body(pair, &params.frame, paths, positions, elements);
                     found = touches;
                     touch.a = pair.a;
                     touch.b = pair.b;
                     touch.state = undecided;
                     touch.toi = toi;
+                    touch.approach = approach;
                     if found {
                         lower(earliest, 0, decide::earliest_key(toi));
                     }
@@ -131,7 +134,8 @@ macro_rules! decide_entry {
             let there = length(input, params.dispatch.room_in);
             for round in 0..decide::rounds(there, own, groups, THREADS) {
                 let i = (own + round * groups) * THREADS + lane;
-                let mut touch = Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2] };
+                let mut touch =
+                    Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
                 let (mut certain, mut open) = (false, false);
                 if i < there {
                     let pair = read_pair(input, i);
@@ -141,6 +145,7 @@ macro_rules! decide_entry {
                     touch.a = pair.a;
                     touch.b = pair.b;
                     touch.toi = verdict.toi;
+                    touch.approach = verdict.approach;
                     if certain {
                         lower(earliest, 0, decide::earliest_key(verdict.toi));
                     }

@@ -84,8 +84,9 @@ pub fn sweep_faces(
     }
 }
 
-/// Thread `i` cuts path `i` at the earliest time of impact so far; `of_vf` and `of_ee` hold the
-/// bits of those of each kind, or a greater number if there is none.
+/// Thread `i` cuts path `i` to the times that matter, which end at the earliest time of impact so
+/// far; `of_vf` and `of_ee` hold the bits of those of each kind, or a greater number if there is
+/// none.
 #[spirv(compute(threads(256)))]
 pub fn shorten(
     #[spirv(workgroup_id)] id: UVec3,
@@ -99,13 +100,9 @@ pub fn shorten(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.frame.count[0] {
-        put(
-            shortened,
-            i as usize,
-            swept_box::shorten(
-                &at(paths, i as usize),
-                decide::until(at(of_vf, 0).min(at(of_ee, 0))),
-            ),
-        );
+        let until = decide::until(at(of_vf, 0).min(at(of_ee, 0)));
+        let until = if until < params.frame.until { until } else { params.frame.until };
+        let path = swept_box::shorten(&at(paths, i as usize), params.frame.from, until);
+        put(shortened, i as usize, path);
     }
 }

@@ -200,11 +200,9 @@ impl Runner {
             },
             Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
                 Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
-                Err(
-                    gpu::Error::Input(Error::Method { .. })
-                    | gpu::Error::OfTrees { .. }
-                    | gpu::Error::Unavailable { .. },
-                ) => Ok(None),
+                Err(gpu::Error::Input(Error::Method { .. }) | gpu::Error::Unavailable { .. }) => {
+                    Ok(None)
+                }
                 Err(e) => Err(e.to_string()),
             },
         }
@@ -294,7 +292,7 @@ fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
 }
 
 /// Of all turns of all threads, if every worker went on for as long as the last, those that
-/// expanded a pair; `None` without workers.
+/// expanded a pair, or helped to; `None` without workers.
 fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, String> {
     let n_kinds = if session.options().pipeline == Pipeline::Features { 2 } else { 1 };
     let counts = session.worker_counts().map_err(|e| e.to_string())?;
@@ -302,7 +300,8 @@ fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, String> {
     for kind in counts.chunks((counts.len() / n_kinds).max(1)) {
         let last = kind.iter().map(|worker| worker.turns as u64).max().unwrap_or(0);
         expanded += kind.iter().map(|worker| worker.expanded as u64).sum::<u64>();
-        turns += last * kind.len() as u64 * gpu::WorkerCounts::THREADS as u64;
+        let width = kind.first().map_or(1, |worker| worker.width as u64);
+        turns += last * kind.len() as u64 * width;
     }
     Ok((turns > 0).then(|| expanded as f64 / turns as f64))
 }

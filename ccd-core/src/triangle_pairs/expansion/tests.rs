@@ -6,7 +6,9 @@ use super::*;
 use crate::broad_phase::swept_box;
 use crate::layout::Triangle;
 use crate::model::bodies::Bodies;
+use crate::model::groups::Groups;
 use crate::model::mesh::Mesh;
+use crate::model::rules::Rules;
 use crate::triangle_pairs::near_tests::NearTests;
 use crate::triangle_pairs::orphans::OrphanSets;
 use crate::triangle_pairs::representatives::Triangles;
@@ -29,18 +31,25 @@ struct Scene {
 type Found = BTreeMap<(u32, Pair), usize>;
 
 impl Scene {
-    fn new(mesh: Mesh, bodies: Option<Bodies>, vertices: &[Aabb<f32>], regions: Vec<u32>) -> Self {
+    fn new(
+        mesh: Mesh,
+        bodies: Option<Bodies>,
+        vertices: &[Aabb<f32>],
+        mut regions: Vec<u32>,
+    ) -> Self {
         let triangles = Triangles::new(&mesh);
-        let body =
-            |t: u32| bodies.as_ref().map_or(0, |b| b.words()[triangles.corners(t)[0] as usize]);
+        let rules = bodies.as_ref().map(|bodies| Rules::new(bodies).expect("few classes"));
+        let body = |t: u32| rules.as_ref().map_or(0, |of| of.word(triangles.corners(t)[0]));
         let all = 0..triangles.len() as u32;
         let records = all.clone().map(|t| triangles.record(t, body(t))).collect();
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
         let [v, e, f] = count;
         let mut frame = Frame { count, start: [0, v, v + e, v + e + f], ..Frame::default() };
-        if let Some(bodies) = &bodies {
+        if let Some(rules) = &rules {
             frame.flags |= Frame::FLAG_BODIES;
-            frame.flags |= if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 };
+            frame.flags |= if rules.has_table() { Frame::FLAG_RULES } else { 0 };
+            regions.resize(triangles.len(), u32::MAX);
+            regions.extend(rules.table());
         }
         let mut boxes = vertices.to_vec();
         boxes.extend((0..e as usize).map(|i| swept_box::edge(i, mesh.edges(), vertices)));
@@ -62,7 +71,8 @@ impl Scene {
         });
         let orphans = if near_tests.is_some() { Expansion::FLAG_ORPHANS } else { 0 };
         let NearTests { tests, n_vf, orphans: of_list } = near_tests.unwrap_or_default();
-        let own = Expansion { flags: flags | orphans, n_vf, orphans: of_list, room_ee: 0 };
+        let rules = self.triangles.len() as u32;
+        let own = Expansion { flags: flags | orphans, n_vf, orphans: of_list, room_ee: 0, rules };
         let (mut found, mut counts) = (Found::new(), [0; N_COUNTS]);
         let mut take = |one: Expanded| (0..N_COUNTS).for_each(|k| counts[k] += one.counts[k]);
         for b in 0..self.records.len() as u32 {
@@ -150,7 +160,11 @@ fn random(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
     let wires: Vec<[u32; 2]> = (0..6).map(|i| core::array::from_fn(|_| point(i % 2))).collect();
     let mesh = Mesh::with_edges(n as usize, &faces, &wires).unwrap();
     let of_vertex: Vec<u32> = (0..n).map(|v| (v >= half) as u32).collect();
-    let bodies = with_bodies.then(|| Bodies::new(&of_vertex, &[below(2) == 1], below(2) == 1));
+    let groups = Groups { memberships: 1 + below(3), filter: 1 + below(3) };
+    let fixed = [below(4) == 1];
+    let mut rules = |bodies: Bodies| bodies.with_groups(below(2), groups);
+    let bodies = with_bodies.then(|| rules(Bodies::new(&of_vertex, &fixed, true)));
+    let bodies = bodies.map(|bodies| bodies.with_self_contact(1, n % 3 > 0));
     let vertices: Vec<Aabb<f32>> = (0..n)
         .map(|_| {
             let min = [below(12), below(12), below(12)].map(|x| x as f32);

@@ -4,6 +4,7 @@ pub mod adversary;
 pub mod ascent;
 pub mod distance;
 pub mod exact;
+pub mod exact_distance;
 pub mod motion;
 #[path = "../../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;

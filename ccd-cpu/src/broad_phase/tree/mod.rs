@@ -14,7 +14,7 @@ mod traversal;
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::pair_source::{
-    Fixed, Order, Pairs, PairsOfNodes, RowSource, Rows, Scratch, Sides,
+    Marks, Order, Pairs, PairsOfNodes, RowSource, Rows, Scratch, Sides,
 };
 use crate::threads::Threads;
 pub use statistics::TreeStatistics;
@@ -66,7 +66,7 @@ impl Order for TreeSource {
         threads: &Threads,
         set: Set,
         boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
+        _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
         if self.trees.len() <= set.index {

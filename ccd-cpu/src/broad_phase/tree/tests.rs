@@ -119,7 +119,7 @@ fn oriented_boxes_hold_all_leaves_below() {
                 let mut source = TreeSource::new(options).unwrap();
                 let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
                 let threads = Threads::new(n_threads).unwrap();
-                threads.enter(|| leaves.build(&threads, &mut source, &boxes, None));
+                threads.enter(|| leaves.build(&threads, &mut source, &boxes, Marks::default()));
                 for _ in 0..2 {
                     let tree = source.tree(0);
                     assert_eq!(tree.oriented().len(), n - 1);
@@ -129,7 +129,7 @@ fn oriented_boxes_hold_all_leaves_below() {
                         }
                     }
                     boxes.iter_mut().for_each(|b| b.max[1] += 0.25);
-                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
+                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes, false));
                 }
             }
         }
@@ -150,7 +150,7 @@ fn built(builder: Builder, n_threads: usize, boxes: &[Aabb<f32>]) -> (TreeSource
     let mut source = TreeSource::new(TreeOptions::default().builder(builder)).unwrap();
     let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
     let threads = Threads::new(n_threads).unwrap();
-    threads.enter(|| leaves.build(&threads, &mut source, boxes, None));
+    threads.enter(|| leaves.build(&threads, &mut source, boxes, Marks::default()));
     (source, leaves)
 }
 
@@ -177,7 +177,7 @@ fn trees_of_every_builder_are_well_formed() {
                     let mut moved = boxes.clone();
                     moved.iter_mut().for_each(|b| b.max[1] += unit());
                     let threads = Threads::new(n_threads).unwrap();
-                    threads.enter(|| leaves.refit(&threads, &mut source, &moved));
+                    threads.enter(|| leaves.refit(&threads, &mut source, &moved, false));
                     check(&source, &leaves, &moved);
                     (source.tree(0).branches.clone(), leaves.order().to_vec())
                 });
@@ -283,14 +283,7 @@ fn chain(
 struct Given(Vec<u32>);
 
 impl Order for Given {
-    fn sort(
-        &mut self,
-        _: &Threads,
-        _: Set,
-        _: &[Aabb<f32>],
-        _: Option<Fixed>,
-        order: &mut Vec<u32>,
-    ) {
+    fn sort(&mut self, _: &Threads, _: Set, _: &[Aabb<f32>], _: &Marks, order: &mut Vec<u32>) {
         order.clone_from(&self.0);
     }
 }
@@ -300,7 +293,7 @@ fn check_chain(n: usize, to_left: &(dyn Fn(usize) -> bool + Sync), boxes: &[Aabb
     let threads = Threads::new(1).unwrap();
     let (mut tree, order) = chain(n, &threads, to_left);
     let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
-    leaves.build(&threads, &mut Given(order.clone()), boxes, None);
+    leaves.build(&threads, &mut Given(order.clone()), boxes, Marks::default());
     tree.fit(&threads, &leaves);
     check_well_formed(&tree, &order, boxes, n).unwrap();
     let figures = TreeStatistics::of(&tree, &threads, &leaves);

@@ -11,10 +11,11 @@
 //! shared evenly and no thread keeps a stack, but every pair of nodes is written and read once, and
 //! so many dispatches take their time.
 
-use super::{Descended, Schedule};
+use super::{BinaryTrees, Descended, Schedule, Trees};
 use crate::bind::{ExpandPairs, ExpandPairsOriented};
 use crate::broad_phase::block_bvh::groups;
 use crate::broad_phase::front::Written;
+use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -61,9 +62,10 @@ impl Schedule for Levels {
     }
 
     fn run(&self, recorder: &mut Recorder, of: &Descended, _: Written) {
-        let (a_nodes, b_nodes) = (of.a_nodes, of.b_nodes);
+        let Trees::Binary(trees) = of.trees else { return };
+        let BinaryTrees { a_nodes, b_nodes, oriented, n_levels, .. } = trees;
         let (levels, pairs) = (&self.counters, of.pairs.buffer());
-        for level in 0..of.n_levels {
+        for level in 0..n_levels {
             let lists = [&self.even, &self.odd];
             let [input, output] = [lists[level as usize % 2], lists[1 - level as usize % 2]];
             let own = NodeDescent { room_nodes: output.room(), ..NodeDescent::default() };
@@ -71,7 +73,7 @@ impl Schedule for Levels {
             p.dispatch.room_in = input.room();
             let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
             let (input, output) = (input.buffer(), output.buffer());
-            match of.oriented {
+            match oriented {
                 None => {
                     let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
                     recorder.dispatch(&kernel, &p, n_groups);
@@ -104,7 +106,7 @@ impl Schedule for Levels {
         Ok(())
     }
 
-    fn counts(&self) -> Option<(&wgpu::Buffer, u64, u32)> {
+    fn counts(&self) -> Option<Counted<'_>> {
         None
     }
 }

@@ -1,5 +1,5 @@
-//! Schedulers of a device: which workgroup expands which pairs of nodes of binary trees, where
-//! nobody knows beforehand what is below one.
+//! Schedulers of a device: which workgroup expands which pairs of nodes, of binary trees or of
+//! blocks, where nobody knows beforehand what is below one.
 //!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
@@ -15,17 +15,24 @@
 //! is a number of rounds, recorded one after the other; the host sees whether any pair is left
 //! after the last one, and then runs a search of more rounds.
 //!
+//! Levels are those of binary trees; of blocks they are [`Tree::descend`], and `frontier` with a
+//! front is workers without stacks, for either.
+//!
 //! docs/SCHEDULING.md compares them.
+//!
+//! [`Tree::descend`]: super::block_bvh::Tree::descend
 
+pub mod kernels;
 pub mod levels;
 pub mod workers;
 
 use super::front::Written;
+use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::{Dispatch, Frame, NodeDescent, Params};
+use ccd_core::layout::{BlockDescent, Dispatch, Frame, MAX_LEVELS, NodeDescent, Params};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
 use levels::Levels;
@@ -36,6 +43,20 @@ use workers::{Rule, Workers};
 pub struct Descended<'a> {
     pub frame: &'a Frame,
     pub kind: u32,
+    pub trees: Trees<'a>,
+    pub pairs: &'a List,
+}
+
+/// Trees of which pairs are descended.
+#[derive(Clone, Copy)]
+pub enum Trees<'a> {
+    Binary(BinaryTrees<'a>),
+    Blocks(BlockTrees<'a>),
+}
+
+/// Two binary trees.
+#[derive(Clone, Copy)]
+pub struct BinaryTrees<'a> {
     pub a_nodes: &'a wgpu::Buffer,
     pub b_nodes: &'a wgpu::Buffer,
     /// Oriented boxes of the nodes of all trees.
@@ -44,15 +65,35 @@ pub struct Descended<'a> {
     pub n_levels: u32,
     /// 1: of two nodes the larger is split, 0: both.
     pub larger: u32,
-    pub pairs: &'a List,
+}
+
+/// Block trees over two sets.
+#[derive(Clone, Copy)]
+pub struct BlockTrees<'a> {
+    /// Boxes of the nodes of all sets.
+    pub boxes: &'a wgpu::Buffer,
+    /// First node of either on each level.
+    pub slots: [[u32; 2]; MAX_LEVELS],
 }
 
 impl Descended<'_> {
     /// The parameters of a dispatch; `first` and `n` as its kernel has them.
     pub fn params(&self, own: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
-        let (kind, larger) = (self.kind, self.larger);
+        let larger = match self.trees {
+            Trees::Binary(trees) => trees.larger,
+            Trees::Blocks(_) => 0,
+        };
         let dispatch = Dispatch { n, first, room_in: own.room_nodes, room_out: self.pairs.room() };
-        Params { frame: *self.frame, dispatch, own: NodeDescent { kind, larger, ..own } }
+        let own = NodeDescent { kind: self.kind, larger, ..own };
+        Params { frame: *self.frame, dispatch, own }
+    }
+}
+
+impl BlockTrees<'_> {
+    /// The same for a kernel of blocks.
+    pub fn params(&self, p: &Params<NodeDescent>) -> Params<BlockDescent> {
+        let own = BlockDescent { of_pairs: p.own, slots: self.slots };
+        Params { frame: p.frame, dispatch: p.dispatch, own }
     }
 }
 
@@ -77,15 +118,28 @@ pub trait Schedule: Send + Sync {
     /// A search is over, and lists have grown; if it is `complete`, none had to.
     fn settle(&mut self, device: &Device, complete: bool) -> Result<(), Error>;
 
-    /// What each worker counted in the last search, two words each: where, and how many workers.
-    fn counts(&self) -> Option<(&wgpu::Buffer, u64, u32)>;
+    /// What each worker counted in the last search.
+    fn counts(&self) -> Option<Counted<'_>>;
 }
 
-/// The schedule of a choice, with room for tasks of about `n` boxes.
-pub fn new(device: &Device, choice: Scheduling, n: u32) -> Result<Box<dyn Schedule>, Error> {
-    let front = choice.front != Front::Off;
+/// Whether it is level by level, without a front.
+pub fn is_by_levels(choice: Scheduling) -> bool {
+    let is_frontier = choice.scheduler.is_none_or(|other| other == Scheduler::Frontier);
+    is_frontier && choice.front == Front::Off
+}
+
+/// The schedule of a choice, with room for tasks of about `n` boxes, of which a worker expands so
+/// many in a turn.
+pub fn new(
+    device: &Device,
+    choice: Scheduling,
+    width: u32,
+    n: u32,
+) -> Result<Box<dyn Schedule>, Error> {
+    if is_by_levels(choice) {
+        return Ok(Box::new(Levels::new(device, n)?));
+    }
     let rule = match choice.scheduler.unwrap_or(Scheduler::Frontier) {
-        Scheduler::Frontier if !front => return Ok(Box::new(Levels::new(device, n)?)),
         Scheduler::Frontier => Rule::FRONTIER,
         Scheduler::Static => Rule::STATIC,
         Scheduler::SelfScheduling => Rule::SELF_SCHEDULING,
@@ -97,5 +151,5 @@ pub fn new(device: &Device, choice: Scheduling, n: u32) -> Result<Box<dyn Schedu
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
     };
-    Ok(Box::new(Workers::new(device, rule, n)?))
+    Ok(Box::new(Workers::new(device, rule, width, n)?))
 }

@@ -20,9 +20,10 @@
 //! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
 //! were busy.
 
+use super::kernels::{self, Buffers};
 use super::{Descended, Schedule};
-use crate::bind::{PairWorkers, PairWorkersOriented, StealPairs, StealPairsOriented};
 use crate::broad_phase::front::Written;
+use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -58,7 +59,7 @@ pub struct Rule {
 pub struct Steal {
     /// Batches for which there is room in a deque.
     pub batches: u32,
-    /// Pairs of a batch, at most [`THREADS`].
+    /// Pairs of a batch, at most as many as a worker expands in a turn.
     pub batch: u32,
     /// Batches that are stolen from one deque at once, at most; 0: one, of one worker alone.
     pub most: u32,
@@ -100,9 +101,19 @@ impl Rule {
     pub const LAZY_STEALING: Self = Self { steal: Some(Steal::LAZY), ..Self::SELF_SCHEDULING };
 }
 
+impl Steal {
+    /// The same in parts of a turn, for workers that expand so many pairs in one.
+    fn of_width(self, width: u32) -> Self {
+        let part = |n: u32| (n * width / THREADS).max(1);
+        Self { batch: part(self.batch), push: part(self.push), ..self }
+    }
+}
+
 /// The tasks of two rounds, and what all rounds count.
 pub struct Workers {
     rule: Rule,
+    /// Pairs that a worker expands in a turn.
+    width: u32,
     control: wgpu::Buffer,
     /// Tasks of two rounds, used in turn: of each entry that there is room for, a pair each.
     nodes: List,
@@ -129,15 +140,17 @@ fn bytes(rule: Rule, workers: u32) -> u64 {
 }
 
 impl Workers {
-    /// Room for `n` tasks a round.
-    pub fn new(device: &Device, rule: Rule, n: u32) -> Result<Self, Error> {
+    /// Room for `n` tasks a round. `width`: pairs that a worker expands in a turn.
+    pub fn new(device: &Device, rule: Rule, width: u32, n: u32) -> Result<Self, Error> {
         if rule.steal.is_some() {
             device.check_native()?;
         }
+        let rule = Rule { steal: rule.steal.map(|steal| steal.of_width(width)), ..rule };
         let (workers, usage) = (workers(device), U::STORAGE | U::COPY_DST | U::COPY_SRC);
         let bytes = bytes(rule, workers);
         Ok(Self {
             rule,
+            width,
             control: device.buffer("counters of workers", bytes, usage)?,
             nodes: List::new(device, "pairs of nodes", 4, n)?,
             left: List::new(device, "pairs that are left", 0, 0)?,
@@ -156,14 +169,13 @@ impl Schedule for Workers {
     }
 
     fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written) {
-        let Self { rule, control, nodes, left, workers } = self;
+        let Self { rule, control, nodes, left, workers, .. } = self;
         let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
         let stealing = steal.map_or(NodeDescent::default(), |steal| {
             let Steal { batches, batch, most, push, patience } = steal;
             NodeDescent { batches, batch, most, push, patience, ..NodeDescent::default() }
         });
-        let (a_nodes, b_nodes, front) = (of.a_nodes, of.b_nodes, written.front);
-        let (list, pairs) = (nodes.buffer(), of.pairs.buffer());
+        let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         for round in 0..rounds {
             let last = (round + 1 == rounds) as u32;
             let NodeDescent { room_front, written, .. } = written.record();
@@ -171,41 +183,7 @@ impl Schedule for Workers {
             let own = NodeDescent { tasks, piece, idle, stack, turns, last, ..own };
             let own = NodeDescent { workers: *workers, ..own };
             let p = of.params(own, round, 0);
-            let nodes = list;
-            match (of.oriented, steal) {
-                (None, None) => {
-                    let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
-                    recorder.dispatch(&kernel, &p, 1 << workers);
-                }
-                (None, Some(_)) => {
-                    let kernel = StealPairs { a_nodes, b_nodes, control, nodes, pairs, front };
-                    recorder.dispatch(&kernel, &p, 1 << workers);
-                }
-                (Some(oriented), None) => {
-                    let kernel = PairWorkersOriented {
-                        a_nodes,
-                        b_nodes,
-                        oriented,
-                        control,
-                        nodes,
-                        pairs,
-                        front,
-                    };
-                    recorder.dispatch(&kernel, &p, 1 << workers);
-                }
-                (Some(oriented), Some(_)) => {
-                    let kernel = StealPairsOriented {
-                        a_nodes,
-                        b_nodes,
-                        oriented,
-                        control,
-                        nodes,
-                        pairs,
-                        front,
-                    };
-                    recorder.dispatch(&kernel, &p, 1 << workers);
-                }
-            }
+            kernels::round(recorder, of, buffers, &p, 1 << workers);
         }
         recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);
     }
@@ -230,7 +208,8 @@ impl Schedule for Workers {
         Ok(())
     }
 
-    fn counts(&self) -> Option<(&wgpu::Buffer, u64, u32)> {
-        Some((&self.control, 4 * COUNTS as u64, 1 << self.workers))
+    fn counts(&self) -> Option<Counted<'_>> {
+        let (buffer, width) = (&self.control, self.width);
+        Some(Counted { buffer, first: 4 * COUNTS as u64, workers: 1 << self.workers, width })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::TreeBuilder;
 use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::pair_source::Marks;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{morton_key, radix_tree};
@@ -23,7 +24,7 @@ impl TreeBuilder for Lbvh {
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = self.morton.sort(threads, boxes, None, order);
+        let grid = self.morton.sort(threads, boxes, &Marks::default(), order);
         codes.resize(n, [0; 2]);
         threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
         branches.resize(n.saturating_sub(1), Branch { left: 0, right: 0, first: 0, last: 0 });
@@ -31,6 +32,6 @@ impl TreeBuilder for Lbvh {
     }
 
     fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, None, order);
+        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

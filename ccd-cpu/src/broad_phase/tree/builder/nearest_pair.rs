@@ -20,6 +20,7 @@
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::pair_source::Marks;
 use crate::threads::{Own, Threads};
 use ccd_core::broad_phase::nearest_pair::{Found, beginning, centre, distance, nearer, parents};
 use ccd_core::layout::Branch;
@@ -149,6 +150,6 @@ impl TreeBuilder for NearestPair {
     }
 
     fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, None, order);
+        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

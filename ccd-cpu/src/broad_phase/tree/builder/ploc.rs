@@ -19,6 +19,7 @@ use super::bottom_up::{Joins, Subtree};
 use super::ploc_search::{Search, fill_boxes};
 use crate::broad_phase::leaf_boxes::get_lane;
 use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::pair_source::Marks;
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};
 use crate::threads::Threads;
@@ -156,7 +157,7 @@ impl TreeBuilder for Ploc {
         branches: &mut Vec<Branch>,
     ) {
         let n = boxes.len();
-        let grid = self.morton.sort(threads, boxes, None, &mut self.along);
+        let grid = self.morton.sort(threads, boxes, &Marks::default(), &mut self.along);
         self.joins.begin(n);
         if n < 2 {
             order.clone_from(&self.along);
@@ -180,6 +181,6 @@ impl TreeBuilder for Ploc {
     }
 
     fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, None, order);
+        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

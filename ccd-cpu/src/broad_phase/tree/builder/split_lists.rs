@@ -13,6 +13,7 @@
 
 use super::TreeBuilder;
 use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::pair_source::Marks;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -54,7 +55,7 @@ impl TreeBuilder for SplitLists {
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = self.morton.sort(threads, boxes, None, order);
+        let grid = self.morton.sort(threads, boxes, &Marks::default(), order);
         codes.resize(n, [0; 2]);
         threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
         self.levels.resize(n.saturating_sub(1), 0);
@@ -78,7 +79,7 @@ impl TreeBuilder for SplitLists {
     }
 
     fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, None, order);
+        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }
 

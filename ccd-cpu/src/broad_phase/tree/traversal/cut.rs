@@ -137,6 +137,7 @@ impl Traverse for Cut {
 mod tests {
     use super::*;
     use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+    use crate::broad_phase::pair_source::Marks;
     use crate::broad_phase::tree::TreeSource;
     use ccd_core::Aabb;
     use ccd_core::model::method::TreeOptions;
@@ -148,7 +149,7 @@ mod tests {
             let boxes: Vec<_> = (0..n).map(|i| Aabb::of_point([(i * i) as f32; 3])).collect();
             let mut source = TreeSource::new(TreeOptions::default()).unwrap();
             let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
-            leaves.build(&threads, &mut source, &boxes, None);
+            leaves.build(&threads, &mut source, &boxes, Marks::default());
             let tree = source.tree(0);
             for n_nodes in [1, 2, 7, 256, 1024] {
                 let mut cut = Cut::new(n_nodes, Descent::Larger);

@@ -1,0 +1,108 @@
+//! `ccd merge`: the outputs of the parts of a sequence, joined.
+
+use super::output::{self, MeshSize};
+use super::sequence::{LastLine, Share, Step, summarise};
+use super::{Failure, Outcome, in_file};
+use clap::Args;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+
+#[derive(Args)]
+pub struct Merge {
+    /// What `ccd sequence --json-lines --part i/n` printed, in any order
+    #[arg(required = true, value_name = "PART.jsonl")]
+    parts: Vec<PathBuf>,
+}
+
+/// The output of a part.
+struct Output<'a> {
+    path: &'a Path,
+    /// Lines of steps, as they are.
+    lines: Vec<String>,
+    steps: Vec<Step>,
+    share: Share,
+    mesh: MeshSize,
+}
+
+impl Merge {
+    pub fn run(&self) -> Outcome {
+        let mut parts: Vec<Output> =
+            self.parts.iter().map(|path| read(path)).collect::<Result<_, _>>()?;
+        parts.sort_by_key(|part| part.share.part.index);
+        check(&parts)?;
+        for line in parts.iter().flat_map(|part| &part.lines) {
+            output::say!("{line}");
+        }
+        let steps: Vec<Step> = parts.iter_mut().flat_map(|part| part.steps.drain(..)).collect();
+        let summary = summarise(&steps);
+        let any = summary.contacts > 0;
+        let Output { mesh, .. } = parts.remove(0);
+        output::json(&LastLine { summary, mesh, part: None })?;
+        output::flush();
+        Ok(any)
+    }
+}
+
+/// Reads an output and checks that it is whole: all steps of its part, in order, and the summary.
+fn read(path: &Path) -> Result<Output<'_>, Failure> {
+    let file = std::fs::File::open(path).map_err(|e| in_file(path, e))?;
+    let mut lines: Vec<String> = Vec::new();
+    for line in BufReader::new(file).lines() {
+        lines.push(line.map_err(|e| in_file(path, e))?);
+    }
+    let last: Option<LastLine> = lines.last().and_then(|line| serde_json::from_str(line).ok());
+    let Some(last) = last else {
+        return Err(in_file(path, "does not end with a summary: the run was not finished"));
+    };
+    let Some(share) = last.part else {
+        return Err(in_file(path, "is no part: it was made without --part"));
+    };
+    lines.pop();
+    let mut steps: Vec<Step> = Vec::new();
+    let expected = share.part.steps(share.all_steps);
+    for (at, line) in lines.iter().enumerate() {
+        let bad = |what: String| in_file(path, format_args!("line {}: {what}", at + 1));
+        let step: Step = serde_json::from_str(line).map_err(|e| bad(e.to_string()))?;
+        if Some(step.frame) != expected.clone().nth(at) {
+            return Err(bad(format!("step {} is not expected here", step.frame)));
+        }
+        steps.push(step);
+    }
+    if steps.len() != expected.len() {
+        let what = format!("holds {} steps; its part has {}", steps.len(), expected.len());
+        return Err(in_file(path, what));
+    }
+    Ok(Output { path, lines, steps, share, mesh: last.mesh })
+}
+
+/// Checks that sorted parts are those of one sequence, none missing and none twice.
+fn check(parts: &[Output]) -> Result<(), Failure> {
+    let Some(first) = parts.first() else { return Err(Failure("there are no parts".into())) };
+    let (of, all) = (first.share.part.of, first.share.all_steps);
+    for other in parts {
+        let (path, whose) = (other.path, first.path.display());
+        let Share { part, all_steps } = other.share;
+        if (part.of, all_steps) != (of, all) {
+            let what = format!(
+                "is one of {} parts of {all_steps} steps, {whose} one of {of} of {all}",
+                part.of
+            );
+            return Err(in_file(path, what));
+        }
+        if other.mesh != first.mesh {
+            return Err(in_file(path, format_args!("has {}, {whose} {}", other.mesh, first.mesh)));
+        }
+    }
+    if let Some(pair) = parts.windows(2).find(|w| w[0].share.part == w[1].share.part) {
+        let (index, other) = (pair[0].share.part.index, pair[1].path.display());
+        return Err(in_file(pair[0].path, format_args!("is part {index} of {of}, as is {other}")));
+    }
+    let is_there = |index: &usize| parts.iter().any(|part| part.share.part.index == *index);
+    let missing: Vec<usize> = (1..=of).filter(|index| !is_there(index)).take(11).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let more = if missing.len() > 10 { " and more" } else { "" };
+    let names: Vec<String> = missing.iter().take(10).map(usize::to_string).collect();
+    Err(Failure(format!("of {of} parts these are missing: {}{more}", names.join(", "))))
+}

@@ -1,0 +1,156 @@
+//! Rows of CSV: contacts with where they are, candidates, whatever else has rows.
+
+use super::output::{create, ended, is_stdout};
+use super::{Failure, in_file};
+use ccd::{Contact, Kind, Mesh, State};
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+/// What contacts are between: a mesh, its positions at the start and at the end of the step, and
+/// the polygon of the file that each of its faces is a part of.
+pub struct Step<'a> {
+    pub mesh: &'a Mesh,
+    pub x0: &'a [[f64; 3]],
+    pub x1: &'a [[f64; 3]],
+    pub polygons: &'a [u32],
+}
+
+/// Columns of a contact, behind the number of the step where there are several.
+const COLUMNS: &str = "kind,a,b,toi,state,v0,v1,v2,v3,polygon,px,py,pz,nx,ny,nz,w0,w1,w2,w3";
+
+/// A file of rows, or standard output.
+pub struct Rows<'a> {
+    path: &'a Path,
+    writer: BufWriter<Box<dyn Write>>,
+}
+
+impl<'a> Rows<'a> {
+    /// Opens the file, or standard output for `-`.
+    pub fn create(path: &'a Path) -> Result<Self, Failure> {
+        let to: Box<dyn Write> = if is_stdout(path) {
+            Box::new(std::io::stdout())
+        } else {
+            Box::new(create(path, "csv")?)
+        };
+        Ok(Self { path, writer: BufWriter::with_capacity(1 << 16, to) })
+    }
+
+    pub fn row(&mut self, text: std::fmt::Arguments) -> Result<(), Failure> {
+        let written = self.writer.write_fmt(text).and_then(|()| self.writer.write_all(b"\n"));
+        written.map_err(|e| self.failure(e))
+    }
+
+    pub fn flush(&mut self) -> Result<(), Failure> {
+        self.writer.flush().map_err(|e| self.failure(e))
+    }
+
+    /// Why a row could not be written.
+    fn failure(&self, e: std::io::Error) -> Failure {
+        if is_stdout(self.path) { ended(&e) } else { in_file(self.path, e) }
+    }
+}
+
+/// Contacts, one file for one step or, with the numbers of steps, for many.
+pub struct ContactFile<'a> {
+    rows: Rows<'a>,
+    frames: bool,
+}
+
+impl<'a> ContactFile<'a> {
+    /// Opens the file and writes the names of columns.
+    pub fn create(path: &'a Path, frames: bool) -> Result<Self, Failure> {
+        let mut rows = Rows::create(path)?;
+        rows.row(format_args!("{}{COLUMNS}", if frames { "frame," } else { "" }))?;
+        rows.flush()?;
+        Ok(Self { rows, frames })
+    }
+
+    /// Appends the contacts of a step.
+    pub fn write(
+        &mut self,
+        frame: usize,
+        contacts: &[Contact],
+        step: &Step,
+    ) -> Result<(), Failure> {
+        for c in contacts {
+            let frame = if self.frames { format!("{frame},") } else { String::new() };
+            let polygon = match c.kind {
+                Kind::VertexFace => step.polygons.get(c.b as usize).map(u32::to_string),
+                _ => None,
+            };
+            let (kind, state) = (kind(c.kind), state(c.state));
+            let n = n_vertices(c.kind);
+            let [v0, v1, v2, v3] = only(n, c.vertices(step.mesh).map(|v| v.to_string()));
+            let at = c.geometry(step.mesh, step.x0, step.x1);
+            let ([px, py, pz], [nx, ny, nz]) = (at.point, at.normal);
+            let [w0, w1, w2, w3] = only(n, at.weights.map(|w| format!("{w:?}")));
+            self.rows.row(format_args!(
+                "{frame}{kind},{},{},{:?},{state},{v0},{v1},{v2},{v3},{},\
+                 {px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?},{w0},{w1},{w2},{w3}",
+                c.a,
+                c.b,
+                c.toi,
+                polygon.unwrap_or_default()
+            ))?;
+        }
+        self.rows.flush()
+    }
+}
+
+/// Vertices of a pair.
+fn n_vertices(kind: Kind) -> usize {
+    match kind {
+        Kind::VertexFace | Kind::EdgeEdge => 4,
+        Kind::VertexEdge => 3,
+        Kind::VertexVertex => 2,
+    }
+}
+
+/// The first `n`; the others are empty.
+fn only(n: usize, mut of: [String; 4]) -> [String; 4] {
+    of[n..].iter_mut().for_each(String::clear);
+    of
+}
+
+/// Candidates: kind, a, b, sorted so.
+pub struct CandidateFile<'a>(Rows<'a>);
+
+impl<'a> CandidateFile<'a> {
+    /// Opens the file and writes the names of columns.
+    pub fn create(path: &'a Path) -> Result<Self, Failure> {
+        let mut rows = Rows::create(path)?;
+        rows.row(format_args!("kind,a,b"))?;
+        rows.flush()?;
+        Ok(Self(rows))
+    }
+
+    /// Appends pairs of one kind, sorted.
+    pub fn write(
+        &mut self,
+        of: Kind,
+        pairs: impl Iterator<Item = ccd::Pair>,
+    ) -> Result<(), Failure> {
+        let mut pairs: Vec<(u32, u32)> = pairs.map(|pair| (pair.a, pair.b)).collect();
+        pairs.sort_unstable();
+        for (a, b) in pairs {
+            self.0.row(format_args!("{},{a},{b}", kind(of)))?;
+        }
+        self.0.flush()
+    }
+}
+
+pub fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::VertexFace => "vf",
+        Kind::EdgeEdge => "ee",
+        Kind::VertexEdge => "ve",
+        Kind::VertexVertex => "vv",
+    }
+}
+
+fn state(state: State) -> &'static str {
+    match state {
+        State::Hit => "hit",
+        State::Undecided => "undecided",
+    }
+}

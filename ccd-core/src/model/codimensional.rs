@@ -1,0 +1,125 @@
+//! Features that belong to nothing of a higher dimension: vertices of no edge, edges of no face.
+//!
+//! Against anything else they are covered: a vertex against a face, which is closed, or an edge
+//! against an edge, whose ends belong to it. Left are such vertices against such edges and against
+//! each other.
+
+use crate::layout::Pair;
+use crate::math::aabb::Aabb;
+use crate::math::real::Real;
+use crate::model::contact::{Contact, Kind};
+use crate::model::mesh::Mesh;
+use crate::model::quantization::margin;
+use crate::narrow_phase::codimensional::{
+    VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
+};
+use crate::narrow_phase::search::Search;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The features of a mesh that belong to nothing of a higher dimension, by id.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Codimensional {
+    /// Vertices of no edge.
+    pub vertices: Vec<u32>,
+    /// Edges of no face.
+    pub edges: Vec<u32>,
+}
+
+impl Codimensional {
+    /// Those of `mesh`; no edges if there are no such vertices.
+    pub fn of(mesh: &Mesh) -> Self {
+        let mut has_edge = vec![false; mesh.n_vertices()];
+        mesh.edges().iter().flatten().for_each(|&v| has_edge[v as usize] = true);
+        let absent = |has: Vec<bool>| {
+            (0..).zip(has).filter(|(_, has)| !has).map(|(id, _)| id).collect::<Vec<u32>>()
+        };
+        let vertices = absent(has_edge);
+        if vertices.is_empty() {
+            // Every pair has such a vertex.
+            return Self::default();
+        }
+        let mut has_face = vec![false; mesh.edges().len()];
+        for &[a, b, c] in mesh.faces() {
+            for [p, q] in [[a, b], [b, c], [c, a]] {
+                // Edges are sorted by their greater vertex, then by the lesser.
+                let key = (p.max(q), p.min(q));
+                if let Ok(at) = mesh.edges().binary_search_by_key(&key, |&[a, b]| (b, a)) {
+                    has_face[at] = true;
+                }
+            }
+        }
+        Self { vertices, edges: absent(has_face) }
+    }
+
+    /// Whether there can be no pair of them.
+    pub fn is_empty(&self) -> bool {
+        self.vertices.is_empty() || self.vertices.len() == 1 && self.edges.is_empty()
+    }
+
+    /// Swept boxes, grown by half the minimum distance, of vertex or edge `i` of this list.
+    pub fn vertex_box<T: Real>(&self, i: usize, x: [&[[T; 3]]; 2], min_distance: f64) -> Aabb<f64> {
+        swept(x, &[self.vertices[i]], min_distance)
+    }
+
+    /// The same of an edge.
+    pub fn edge_box<T: Real>(
+        &self,
+        i: usize,
+        mesh: &Mesh,
+        x: [&[[T; 3]]; 2],
+        min_distance: f64,
+    ) -> Aabb<f64> {
+        swept(x, &mesh.edges()[self.edges[i] as usize], min_distance)
+    }
+
+    /// Ids of features from a pair of numbers in these lists.
+    pub fn pair(&self, kind: Kind, at: Pair) -> Pair {
+        let b = if kind == Kind::VertexEdge { &self.edges } else { &self.vertices };
+        Pair { a: self.vertices[at.a as usize], b: b[at.b as usize] }
+    }
+}
+
+fn swept<T: Real>(x: [&[[T; 3]]; 2], ids: &[u32], min_distance: f64) -> Aabb<f64> {
+    let ends = ids.iter().flat_map(|&v| x.map(|x| x[v as usize].map(Real::to_f64)));
+    let boxes = ends.map(Aabb::of_point);
+    let all = boxes.reduce(|all, one| all.union(&one));
+    all.unwrap_or(Aabb { min: [0.0; 3], max: [0.0; 3] }).inflated(margin(min_distance))
+}
+
+/// The contact of such a pair, if there is one, from positions at both ends of the step.
+pub fn contact<T: Real>(
+    mesh: &Mesh,
+    kind: Kind,
+    pair: Pair,
+    x: [&[[T; 3]]; 2],
+    search: &Search<f64>,
+) -> Option<Contact> {
+    let [v, e0, e1, _] = mesh.vertices_of(kind, pair);
+    let at = |time: usize, v: u32| x[time][v as usize].map(Real::to_f64);
+    let answer = if kind == Kind::VertexEdge {
+        let of = |time: usize| [at(time, v), at(time, e0), at(time, e1)];
+        search_vertex_edge(&VertexEdge { t0: of(0), t1: of(1) }, search)
+    } else {
+        let of = |time: usize| [at(time, v), at(time, e0)];
+        search_vertex_vertex(&VertexVertex { t0: of(0), t1: of(1) }, search)
+    };
+    Contact::of(kind, pair, answer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_belongs_to_nothing_higher_is_told() {
+        // A triangle, a rod of two edges, a rod at a corner of the triangle, two particles.
+        let mesh = Mesh::with_edges(9, &[[0, 1, 2]], &[[3, 4], [4, 5], [6, 2]]).unwrap();
+        let found = Codimensional::of(&mesh);
+        let edges: Vec<[u32; 2]> = found.edges.iter().map(|&e| mesh.edges()[e as usize]).collect();
+        assert_eq!(found.vertices, [7, 8]);
+        assert_eq!(edges, [[3, 4], [4, 5], [2, 6]]);
+        assert!(!found.is_empty());
+        assert!(Codimensional::of(&Mesh::new(4, &[[0, 1, 2]]).unwrap()).is_empty());
+    }
+}

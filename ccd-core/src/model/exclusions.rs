@@ -1,0 +1,192 @@
+//! Pairs of features that a minimum distance must not see: near by topology, or near at rest.
+//!
+//! A mesh whose edges are shorter than the minimum distance is in contact with itself wherever it
+//! is whole. Solvers leave such pairs out.
+
+use super::mesh::Mesh;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// Pairs of features, by their ids in a mesh; sorted, each once.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Exclusions {
+    /// Vertex, face.
+    pub vf: Vec<[u32; 2]>,
+    /// Two edges, the lesser id first.
+    pub ee: Vec<[u32; 2]>,
+}
+
+impl Exclusions {
+    /// From lists in any order.
+    pub fn new(mut vf: Vec<[u32; 2]>, mut ee: Vec<[u32; 2]>) -> Self {
+        for list in [&mut vf, &mut ee] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Self { vf, ee }
+    }
+
+    /// Pairs of which some vertex of one is at most `rings` edges away from some vertex of the
+    /// other, without those that share one, which are no pairs anyway: of a regular triangle mesh
+    /// some `6 rings^2` faces a vertex, and as many edges an edge, times three.
+    ///
+    /// ```
+    /// use ccd_core::model::exclusions::Exclusions;
+    /// use ccd_core::model::mesh::Mesh;
+    ///
+    /// // A strip of three triangles.
+    /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
+    /// let near = Exclusions::of_neighbours(&mesh, 1);
+    /// // Vertex 0 reaches 1 and 2, and so the faces of these.
+    /// assert_eq!(near.vf[..2], [[0, 1], [0, 2]]);
+    /// # Ok::<(), ccd_core::Error>(())
+    /// ```
+    pub fn of_neighbours(mesh: &Mesh, rings: u32) -> Self {
+        if rings == 0 {
+            return Self::default();
+        }
+        let neighbours = Lists::of(mesh.n_vertices(), mesh.edges(), |e, k| Some(e[1 - k]));
+        let faces = Lists::of(mesh.n_vertices(), mesh.faces(), |_, _| None);
+        let edges = Lists::of(mesh.n_vertices(), mesh.edges(), |_, _| None);
+        let (mut vf, mut ee) = (Vec::new(), Vec::new());
+        let mut near = Near { distance: vec![u32::MAX; mesh.n_vertices()], found: Vec::new() };
+        for v in 0..mesh.n_vertices() as u32 {
+            near.search(v, rings, &neighbours);
+            for &w in &near.found {
+                let of_w = faces.of_vertex(w).iter();
+                vf.extend(
+                    of_w.filter(|&&f| !mesh.faces()[f as usize].contains(&v)).map(|&f| [v, f]),
+                );
+                for &a in edges.of_vertex(v) {
+                    for &b in edges.of_vertex(w) {
+                        let ([p, q], others) = (mesh.edges()[a as usize], mesh.edges()[b as usize]);
+                        if a < b && !others.contains(&p) && !others.contains(&q) {
+                            ee.push([a, b]);
+                        }
+                    }
+                }
+            }
+        }
+        Self::new(vf, ee)
+    }
+
+    /// Both together.
+    pub fn and(mut self, other: &Self) -> Self {
+        self.vf.extend_from_slice(&other.vf);
+        self.ee.extend_from_slice(&other.ee);
+        Self::new(self.vf, self.ee)
+    }
+}
+
+/// What each vertex has, one list behind the other.
+struct Lists {
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Lists {
+    /// For vertex `k` of each element what `item` says, or the element's own number.
+    fn of<const N: usize>(
+        n_vertices: usize,
+        elements: &[[u32; N]],
+        item: impl Fn(&[u32; N], usize) -> Option<u32>,
+    ) -> Self {
+        let mut starts = vec![0u32; n_vertices + 1];
+        elements.iter().flatten().for_each(|&v| starts[v as usize + 1] += 1);
+        for v in 0..n_vertices {
+            starts[v + 1] += starts[v];
+        }
+        let mut next = starts.clone();
+        let mut items = vec![0; starts[n_vertices] as usize];
+        for (i, element) in elements.iter().enumerate() {
+            for (k, &v) in element.iter().enumerate() {
+                items[next[v as usize] as usize] = item(element, k).unwrap_or(i as u32);
+                next[v as usize] += 1;
+            }
+        }
+        Self { starts, items }
+    }
+
+    fn of_vertex(&self, v: u32) -> &[u32] {
+        &self.items[self.starts[v as usize] as usize..self.starts[v as usize + 1] as usize]
+    }
+}
+
+/// Vertices within a distance of one, breadth first; buffers stay.
+struct Near {
+    distance: Vec<u32>,
+    found: Vec<u32>,
+}
+
+impl Near {
+    fn search(&mut self, from: u32, rings: u32, neighbours: &Lists) {
+        let Self { distance, found } = self;
+        found.drain(..).for_each(|v| distance[v as usize] = u32::MAX);
+        distance[from as usize] = 0;
+        found.push(from);
+        let mut next = 0;
+        while next < found.len() {
+            let v = found[next];
+            next += 1;
+            let beyond = distance[v as usize] + 1;
+            if beyond > rings {
+                break;
+            }
+            for &w in neighbours.of_vertex(v) {
+                if distance[w as usize] == u32::MAX {
+                    distance[w as usize] = beyond;
+                    found.push(w);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A grid, against distances between all vertices.
+    #[test]
+    fn neighbours_are_those_of_all_distances() {
+        let (n, mut faces) = (5u32, Vec::new());
+        for i in 0..n - 1 {
+            for j in 0..n - 1 {
+                let v = i * n + j;
+                faces.extend([[v, v + 1, v + n], [v + n, v + 1, v + n + 1]]);
+            }
+        }
+        let mesh = Mesh::new((n * n) as usize, &faces).unwrap();
+        let n = mesh.n_vertices();
+        let mut d = vec![vec![99u32; n]; n];
+        (0..n).for_each(|v| d[v][v] = 0);
+        for &[a, b] in mesh.edges() {
+            (d[a as usize][b as usize], d[b as usize][a as usize]) = (1, 1);
+        }
+        for k in 0..n {
+            for i in 0..n {
+                for j in 0..n {
+                    d[i][j] = d[i][j].min(d[i][k] + d[k][j]);
+                }
+            }
+        }
+        let least = |a: &[u32], b: &[u32]| {
+            let all = a.iter().flat_map(|&v| b.iter().map(move |&w| (v, w)));
+            all.map(|(v, w)| d[v as usize][w as usize]).min().unwrap()
+        };
+        for rings in 0..4 {
+            let (mut vf, mut ee) = (Vec::new(), Vec::new());
+            let is_near = |a: &[u32], b: &[u32]| (1..=rings).contains(&least(a, b));
+            for v in 0..n as u32 {
+                let faces = (0..).zip(mesh.faces());
+                vf.extend(faces.filter(|(_, f)| is_near(&[v], *f)).map(|(f, _)| [v, f]));
+            }
+            for (i, a) in (0..).zip(mesh.edges()) {
+                let others = (0..).zip(mesh.edges()).filter(|(j, b)| i < *j && is_near(a, *b));
+                ee.extend(others.map(|(j, _)| [i, j]));
+            }
+            assert_eq!(Exclusions::of_neighbours(&mesh, rings), Exclusions::new(vf, ee));
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Buffers into which a session gathers what is no slice, kept from step to step.
+
+use super::{Ends, Form, PositionView};
+use crate::model::error::Error;
+use crate::model::precision::{Coordinate, Given, Precision};
+use alloc::vec::Vec;
+
+/// Room for both ends of a step, in either precision; empty until it is needed.
+#[derive(Debug, Default)]
+pub struct Gathered {
+    narrow: [Vec<[f32; 3]>; 2],
+    wide: [Vec<[f64; 3]>; 2],
+}
+
+impl Gathered {
+    /// Both ends as slices: those that there are, or what is gathered.
+    ///
+    /// # Errors
+    /// What [`Strided`](super::Strided) and [`Posed`](super::Posed) say.
+    #[inline(never)]
+    pub fn slices<'a>(&'a mut self, ends: Ends<'a>) -> Result<Given<'a>, Error> {
+        Ok(match ends {
+            Precision::F32([x0, x1]) => {
+                let [into0, into1] = &mut self.narrow;
+                Precision::F32([slice(0, x0, into0)?, slice(1, x1, into1)?])
+            }
+            Precision::F64([x0, x1]) => {
+                let [into0, into1] = &mut self.wide;
+                Precision::F64([slice(0, x0, into0)?, slice(1, x1, into1)?])
+            }
+        })
+    }
+}
+
+/// The positions of one end.
+fn slice<'a, T: Coordinate>(
+    time: u8,
+    of: PositionView<'a, T>,
+    into: &'a mut Vec<[T; 3]>,
+) -> Result<&'a [[T; 3]], Error> {
+    into.clear();
+    match of.0 {
+        Form::Points(x) => return Ok(x),
+        Form::Strided(x) => into.extend(x.read(time)?),
+        Form::Posed(x) => into.extend(x.read(time)?),
+        // Only a view of `f32` has this form; an `f32` is exact in either type.
+        #[cfg(feature = "glam")]
+        Form::Padded(x) => {
+            into.extend(x.iter().map(|p| p.to_array().map(|c| T::from_f64(c as f64))));
+        }
+    }
+    Ok(into)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{AsPositions, Posed, Strided, ends};
+    use super::*;
+    use alloc::vec;
+
+    /// What both ends are gathered to.
+    fn gather<A, B>(x0: &A, x1: &B) -> Result<[Vec<[f64; 3]>; 2], Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        let mut gathered = Gathered::default();
+        Ok(match gathered.slices(ends(x0, x1))? {
+            Precision::F32(x) => x.map(|x| x.iter().map(|p| p.map(f64::from)).collect()),
+            Precision::F64(x) => x.map(<[_]>::to_vec),
+        })
+    }
+
+    #[test]
+    fn positions_between_attributes_are_found() {
+        let words: Vec<f32> = (0..24).map(|i| i as f32).collect();
+        let bytes: &[u8] = bytemuck::cast_slice(&words);
+        let want = [[3.0, 4.0, 5.0], [11.0, 12.0, 13.0], [19.0, 20.0, 21.0f32]];
+        let of = Strided::<f32>::new(bytes, 32).offset(12);
+        let [x0, x1] = gather(&of, &want).unwrap();
+        assert_eq!((x0.len(), &x0), (3, &x1));
+        assert_eq!(gather(&of.count(2), &want[..2]).unwrap()[0], x1[..2]);
+        // At any address, also of an array of records whose last attributes are missing.
+        let mut shifted = vec![0; 5];
+        shifted.extend(&bytes[..24 * 4 - 8]);
+        let of = Strided::<f32>::new(&shifted, 32).offset(5 + 12);
+        assert_eq!(gather(&of, &want).unwrap()[0], x1);
+        let wide: Vec<f64> = (0..8).map(f64::from).collect();
+        let of = Strided::<f64>::of(bytemuck::cast_slice::<f64, [f64; 4]>(&wide)).offset(8);
+        assert_eq!(gather(&of, &of).unwrap()[1], [[1.0, 2.0, 3.0], [5.0, 6.0, 7.0]]);
+    }
+
+    #[test]
+    fn wrong_strides_and_counts_say_where() {
+        let bytes = [0u8; 100];
+        let fine = [[0.0f32; 3]; 3];
+        let of = |stride| Strided::<f32>::new(&bytes, stride);
+        let refused = |of: Strided<f32>| gather(&fine, &of).unwrap_err();
+        for stride in [0, 1, 11] {
+            assert_eq!(refused(of(stride)), Error::Stride { time: 1, stride, least: 12 });
+        }
+        let bytes = |vertex, end| Error::Bytes { time: 1, vertex, end, found: 100 };
+        assert_eq!(refused(of(32).count(4)), bytes(3, 108));
+        assert_eq!(refused(of(32).offset(80).count(2)), bytes(1, 124));
+        assert_eq!(refused(of(32).offset(90).count(1)), bytes(0, 102));
+        assert_eq!(refused(of(32).offset(usize::MAX).count(1)), bytes(0, usize::MAX));
+        assert_eq!(refused(of(usize::MAX).count(2)), bytes(1, usize::MAX));
+        assert!(of(12).offset(101).is_empty() && of(12).offset(88).len() == 1);
+        assert!(of(12).offset(89).is_empty() && of(12).len() == 8);
+        let of = of(12).offset(usize::MAX).count(0);
+        assert!(gather(&of, &of).unwrap()[0].is_empty());
+    }
+
+    #[test]
+    fn matrices_move_bodies() {
+        let rest = [[1.0, 2.0, 3.0], [1.0, 0.0, 0.0f64]];
+        let turned = [[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        let with_place = |place: [f64; 4]| [turned[0], turned[1], turned[2], place];
+        let poses = [with_place([0.0, 0.0, 0.0, 1.0]), with_place([10.0, 20.0, 30.0, 1.0])];
+        let [x0, x1] =
+            gather(&Posed::one(&rest, &poses[0]), &Posed::new(&rest, &[0, 1], &poses)).unwrap();
+        assert_eq!(x0, [[-2.0, 1.0, 3.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(x1, [[-2.0, 1.0, 3.0], [10.0, 21.0, 30.0]]);
+        let refused = |of: Posed<f64>| gather(&rest, &of).unwrap_err();
+        let few = Error::BodyCount { expected: 2, found: 1 };
+        assert_eq!(refused(Posed::new(&rest, &[0], &poses)), few);
+        let pose = Error::Pose { time: 1, vertex: 1, body: 2, n_poses: 2 };
+        assert_eq!(refused(Posed::new(&rest, &[1, 2], &poses)), pose);
+        let mut poses = poses;
+        poses[1][2][3] = 0.5;
+        let row = Error::Projection { time: 1, body: 1, row: [0.0, 0.0, 0.5, 1.0] };
+        assert_eq!(refused(Posed::new(&rest, &[0, 1], &poses)), row);
+    }
+
+    #[test]
+    fn slices_are_not_copied() {
+        let (x0, x1) = ([[0.0f32; 3]; 4], vec![[1.0f32; 3]; 4]);
+        let mut gathered = Gathered::default();
+        let Ok(Precision::F32(x)) = gathered.slices(ends(&x0, &x1)) else { panic!() };
+        assert_eq!(x.map(<[_]>::as_ptr), [x0.as_ptr(), x1.as_ptr()]);
+        assert_eq!(gathered.narrow.map(|x| x.capacity()), [0, 0]);
+    }
+}

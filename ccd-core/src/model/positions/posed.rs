@@ -1,0 +1,131 @@
+//! Bodies that move as a whole: rest positions, and a matrix for each body at either end.
+
+use super::{AsPositions, Form, Point, PositionView, sealed::Sealed};
+use crate::model::error::Error;
+use crate::model::precision::Coordinate;
+
+/// Positions at one end of a step: those of rest, each moved by the matrix of its body.
+///
+/// **A step is straight.** Each vertex moves on the line between its positions at the two ends,
+/// also where a body turns: the corners of a box that turns by half a circle meet in its axis. The
+/// larger the angle of a step, the more a body shrinks in between, by `1 - cos(angle / 2)` of its
+/// radius; steps of a few degrees (1 degree: 0.004 %) are nearly rigid.
+///
+/// Matrices are affine and of columns: three axes, each with a 0, then the place with a 1, as those
+/// of `glam` (feature `glam`: `Mat4`, `DMat4`). A position is the sum `axis0 * x + axis1 * y +
+/// axis2 * z + place` in the precision of the input, from left to right, which are the bits of
+/// `Mat4::transform_point3`.
+///
+/// ```
+/// use ccd_core::model::positions::Posed;
+///
+/// let rest = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [5.0, 5.0, 5.0]];
+/// let still = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+/// let mut moved = still;
+/// moved[3][2] = -2.0;
+/// // Two bodies: the first three vertices, and the last.
+/// let x1 = Posed::new(&rest, &[0, 0, 0, 1], &[still, moved]);
+/// assert_eq!(x1.len(), 4);
+/// ```
+///
+/// # Errors
+/// A call that reads them refuses a body without a matrix, with [`Error::Pose`], a matrix whose
+/// last row is not 0, 0, 0, 1, with [`Error::Projection`], and another number of bodies' numbers
+/// than of vertices, with [`Error::BodyCount`].
+#[derive(Clone, Copy, Debug)]
+pub struct Posed<'a, T> {
+    rest: &'a [[T; 3]],
+    /// `None`: all have the first matrix.
+    body_of_vertex: Option<&'a [u32]>,
+    poses: &'a [[[T; 4]; 4]],
+}
+
+/// A matrix of four columns of four numbers: `[[f32; 4]; 4]`, `[[f64; 4]; 4]`, and with the feature
+/// `glam` its `Mat4` and `DMat4`.
+pub trait Matrix: Sealed + Sized {
+    /// The type of the numbers.
+    type Scalar: Coordinate;
+
+    /// The same memory.
+    #[doc(hidden)]
+    fn cast(of: &[Self]) -> &[[[Self::Scalar; 4]; 4]];
+}
+
+impl<T: Coordinate> Sealed for [[T; 4]; 4] {}
+
+impl<T: Coordinate> Matrix for [[T; 4]; 4] {
+    type Scalar = T;
+
+    #[inline]
+    fn cast(of: &[Self]) -> &[[[T; 4]; 4]] {
+        of
+    }
+}
+
+impl<'a, T: Coordinate> Posed<'a, T> {
+    /// Every vertex has the matrix of its body: `poses[body_of_vertex[v]]`.
+    pub fn new<P, M>(rest: &'a [P], body_of_vertex: &'a [u32], poses: &'a [M]) -> Self
+    where
+        P: Point<Scalar = T>,
+        M: Matrix<Scalar = T>,
+    {
+        let body_of_vertex = Some(body_of_vertex);
+        Self { rest: P::cast(rest), body_of_vertex, poses: M::cast(poses) }
+    }
+
+    /// All vertices have one matrix.
+    pub fn one<P, M>(rest: &'a [P], pose: &'a M) -> Self
+    where
+        P: Point<Scalar = T>,
+        M: Matrix<Scalar = T>,
+    {
+        let poses = M::cast(core::slice::from_ref(pose));
+        Self { rest: P::cast(rest), body_of_vertex: None, poses }
+    }
+
+    /// Number of positions.
+    pub fn len(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// All of them, or what is wrong with bodies or matrices.
+    pub(super) fn read(&self, time: u8) -> Result<impl Iterator<Item = [T; 3]>, Error> {
+        let &Self { rest, body_of_vertex, poses } = self;
+        let (expected, n_poses) = (rest.len(), poses.len());
+        if let Some(bodies) = body_of_vertex {
+            if bodies.len() != expected {
+                return Err(Error::BodyCount { expected, found: bodies.len() });
+            }
+            if let Some(vertex) = bodies.iter().position(|&body| body as usize >= n_poses) {
+                return Err(Error::Pose { time, vertex, body: bodies[vertex], n_poses });
+            }
+        }
+        for (body, columns) in poses.iter().enumerate() {
+            let row = columns.map(|column| column[3].to_f64());
+            if row != [0.0, 0.0, 0.0, 1.0] {
+                return Err(Error::Projection { time, body, row });
+            }
+        }
+        let body = move |v: usize| body_of_vertex.map_or(0, |bodies| bodies[v] as usize);
+        Ok(rest.iter().enumerate().map(move |(v, p)| moved(&poses[body(v)], p)))
+    }
+}
+
+/// A point moved by a matrix.
+fn moved<T: Coordinate>([x, y, z, place]: &[[T; 4]; 4], p: &[T; 3]) -> [T; 3] {
+    core::array::from_fn(|k| x[k] * p[0] + y[k] * p[1] + z[k] * p[2] + place[k])
+}
+
+impl<T: Coordinate> AsPositions for Posed<'_, T> {
+    type Scalar = T;
+
+    #[inline]
+    fn as_positions(&self) -> PositionView<'_, T> {
+        PositionView(Form::Posed(*self))
+    }
+}

@@ -1,0 +1,186 @@
+//! Whether an edge and a face meet at one moment, exactly: by the signs of determinants, which are
+//! calculated without rounding where rounding could turn them.
+//!
+//! Both are closed: touching counts, also of an edge in the plane of the face, and of a face
+//! without an area.
+
+use crate::math::expansion::{Expansion, is_safe};
+use crate::math::vec3::{cross, dot, max_abs, sub};
+use core::cmp::Ordering::{self, Equal, Greater, Less};
+
+type Point = [f64; 3];
+
+/// Whether the segment from `p` to `q` and the triangle have a point in common; `None` if exact
+/// arithmetic would overflow or underflow: some coordinate is not zero and beyond 2^200 or below
+/// 2^-200.
+pub fn segment_meets_triangle(segment: [Point; 2], triangle: [Point; 3]) -> Option<bool> {
+    let safe = |points: &[Point]| points.iter().flatten().all(|&x| is_safe(x));
+    (safe(&segment) && safe(&triangle)).then(|| meets(segment, triangle))
+}
+
+fn meets([p, q]: [Point; 2], [a, b, c]: [Point; 3]) -> bool {
+    let sides = [[a, b], [b, c], [c, a]];
+    match (orientation(a, b, c, p), orientation(a, b, c, q)) {
+        (Equal, Equal) => {
+            let is_flat = (0..3).all(|axis| turn(axis, a, b, c) == Equal);
+            sides.into_iter().any(|side| segments_meet([p, q], side))
+                || !is_flat && lies_in([a, b, c], p)
+        }
+        (Less, Less) | (Greater, Greater) => false,
+        // The line through both meets the plane in one point, which is between them.
+        _ => {
+            let around = sides.map(|[from, to]| orientation(p, q, from, to));
+            !(around.contains(&Less) && around.contains(&Greater))
+        }
+    }
+}
+
+/// Whether two segments meet.
+fn segments_meet([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
+    // Of a plane at least one projection along an axis is one to one. Segments that meet do so in
+    // all three, segments in a plane that do not meet, in that one neither.
+    orientation(p, q, a, b) == Equal && (0..3).all(|axis| meet_along(axis, [p, q], [a, b]))
+}
+
+/// The same, projected along an axis.
+fn meet_along(axis: usize, [p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
+    let turns =
+        [turn(axis, p, q, a), turn(axis, p, q, b), turn(axis, a, b, p), turn(axis, a, b, q)];
+    if turns == [Equal; 4] {
+        // On one line, or points: they meet if their shadows on both axes do.
+        return (0..3)
+            .filter(|&k| k != axis)
+            .all(|k| p[k].min(q[k]) <= a[k].max(b[k]) && a[k].min(b[k]) <= p[k].max(q[k]));
+    }
+    let apart = |one: Ordering, other: Ordering| one == other && one != Equal;
+    !apart(turns[0], turns[1]) && !apart(turns[2], turns[3])
+}
+
+/// Whether a point in the plane of a triangle that has an area is within it.
+fn lies_in([a, b, c]: [Point; 3], p: Point) -> bool {
+    let Some(axis) = (0..3).find(|&axis| turn(axis, a, b, c) != Equal) else { return false };
+    let around = [turn(axis, a, b, p), turn(axis, b, c, p), turn(axis, c, a, p)];
+    !(around.contains(&Less) && around.contains(&Greater))
+}
+
+/// On which side of the plane through `a b c` the point `d` is: the sign of a determinant.
+fn orientation(a: Point, b: Point, c: Point, d: Point) -> Ordering {
+    let (u, v, w) = (sub(a, d), sub(b, d), sub(c, d));
+    let value = dot(u, cross(v, w));
+    // Each of six products of three differences is rounded by at most 5 u of what it may be, the
+    // sums of them by 4 u more; twice as much, and what vanishes.
+    let size = max_abs(u) * max_abs(v) * max_abs(w);
+    let bound = size * (6.0 * 20.0 * f64::EPSILON / 2.0) + 256.0 * f64::MIN_POSITIVE;
+    if value.abs() > bound {
+        return if value > 0.0 { Greater } else { Less };
+    }
+    let rows = [a, b, c].map(|x| [0, 1, 2].map(|k| Expansion::difference(x[k], d[k])));
+    let minor =
+        |i: usize, j: usize| rows[1][i].times(&rows[2][j]).minus(&rows[1][j].times(&rows[2][i]));
+    let part = |k: usize| rows[0][k].times(&minor((k + 1) % 3, (k + 2) % 3));
+    part(0).plus(&part(1)).plus(&part(2)).sign()
+}
+
+/// How `a b c` turn where they are projected along an axis.
+fn turn(axis: usize, a: Point, b: Point, c: Point) -> Ordering {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let d = |x: Point, k: usize| Expansion::difference(x[k], c[k]);
+    d(a, i).times(&d(b, j)).minus(&d(a, j).times(&d(b, i))).sign()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use std::vec::Vec;
+
+    type Exact = [BigInt; 3];
+
+    /// In units of 2^-60, of which all numbers here are multiples.
+    fn exact(p: Point) -> Exact {
+        p.map(|x| {
+            let (high, low) = (x * 2f64.powi(26), (x * 2f64.powi(26)).fract() * 2f64.powi(34));
+            (BigInt::from(high.trunc() as i64) << 34) + BigInt::from(low as i64)
+        })
+    }
+
+    fn minus(a: &Exact, b: &Exact) -> Exact {
+        core::array::from_fn(|k| &a[k] - &b[k])
+    }
+
+    fn product(a: &Exact, b: &Exact) -> Exact {
+        core::array::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            &a[i] * &b[j] - &a[j] * &b[i]
+        })
+    }
+
+    /// Two convex hulls are apart exactly if a plane is between them, whose normal is a product of
+    /// two differences of their points, or of such a product and a difference, or a difference.
+    fn reference(segment: [Point; 2], triangle: [Point; 3]) -> bool {
+        let (s, t) = (segment.map(exact), triangle.map(exact));
+        let mut differences: Vec<Exact> =
+            s.iter().flat_map(|p| t.iter().map(|q| minus(p, q)).collect::<Vec<_>>()).collect();
+        differences.extend([(0, 1), (1, 2), (2, 0)].map(|(i, j)| minus(&t[i], &t[j])));
+        differences.push(minus(&s[0], &s[1]));
+        let with_all = |a: &Exact| differences.iter().map(|b| product(a, b)).collect::<Vec<_>>();
+        let normals: Vec<Exact> = differences.iter().flat_map(with_all).collect();
+        let within = normals.iter().flat_map(with_all);
+        let along = |axis: &Exact, p: &Exact| -> BigInt {
+            &axis[0] * &p[0] + &axis[1] * &p[1] + &axis[2] * &p[2]
+        };
+        let separates = |axis: &Exact| {
+            let [p, q] = [&s[..], &t[..]].map(|points| {
+                let mut of: Vec<BigInt> = points.iter().map(|x| along(axis, x)).collect();
+                of.sort();
+                [of[0].clone(), of[of.len() - 1].clone()]
+            });
+            p[0] > q[1] || q[0] > p[1]
+        };
+        !(differences.iter().any(separates)
+            || normals.iter().any(separates)
+            || within.into_iter().any(|axis| separates(&axis)))
+    }
+
+    /// Points of a small lattice, where nearly everything is degenerate, and the same moved by a
+    /// unit of roundoff.
+    #[test]
+    fn small_cases_are_decided_as_by_planes_in_between() {
+        let mut seed = 11u32;
+        let mut random = |n: u32| {
+            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (seed >> 16) % n
+        };
+        let (mut met, mut apart, mut flat) = (0, 0, 0);
+        for round in 0..1200 {
+            let scale = if round % 3 == 0 { 1.0 } else { 0.1 };
+            let mut point = || -> Point {
+                core::array::from_fn(|k| {
+                    let planar = round % 2 == 1 && k == 2;
+                    let x = (1 + if planar { 0 } else { random(3) }) as f64 * scale;
+                    let nudge = if round % 5 == 4 { random(3) as f64 - 1.0 } else { 0.0 };
+                    x + nudge * f64::EPSILON
+                })
+            };
+            let (segment, triangle) = ([point(), point()], [point(), point(), point()]);
+            let want = reference(segment, triangle);
+            let found = segment_meets_triangle(segment, triangle);
+            assert_eq!(found, Some(want), "{segment:?} {triangle:?}");
+            met += want as u32;
+            apart += !want as u32;
+            let [a, b, c] = triangle;
+            flat += (0..3).all(|axis| turn(axis, a, b, c) == Equal) as u32;
+        }
+        assert!(met > 200 && apart > 200 && flat > 50, "{met} {apart} {flat}");
+    }
+
+    #[test]
+    fn rounding_turns_no_sign() {
+        // A point off the plane `x = y` by a fraction of a unit of roundoff of the corners.
+        let (a, b, c) = ([12.0, 12.0, 0.0], [24.0, 24.0, 1.0], [24.0, 24.0, -3.0]);
+        let at = |x: f64| orientation(a, b, c, [0.5 + x, 0.5, 0.5]);
+        assert_eq!(at(0.0), Equal);
+        assert!(at(f64::EPSILON) != Equal && at(f64::EPSILON) == at(-f64::EPSILON).reverse());
+        assert_eq!(segment_meets_triangle([a, b], [a, b, [1e61, 0.0, 0.0]]), None);
+    }
+}

@@ -1,0 +1,74 @@
+//! A pass over all candidates, or over a part of them, and what becomes of the workers' results.
+
+use crate::broad_phase::method::Method;
+use crate::clock::{Instant, milliseconds};
+use crate::step::candidates::Scene;
+use crate::step::find::{expand, find};
+use crate::step::narrow_phase::Worker;
+use crate::step::prepare::Prepared;
+use crate::threads::Threads;
+use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::report::{Report, TriangleCounts};
+use std::time::Duration;
+
+/// The least time of impact that any worker found.
+pub fn least_toi(workers: &[Worker]) -> Option<f64> {
+    workers.iter().filter_map(|w| w.toi).reduce(f64::min)
+}
+
+/// Finds and decides all candidates, or those of every `part`-th task.
+pub fn detect(
+    threads: &Threads,
+    method: &mut Method,
+    prepared: &Prepared,
+    scene: &Scene,
+    part: usize,
+    workers: &mut [Worker],
+    report: &mut Report,
+) {
+    let start = Instant::now();
+    let narrow = |workers: &[Worker]| workers.iter().map(|w| w.narrow).sum::<Duration>();
+    let before = narrow(workers);
+    // If a sample came before, the last pass counts.
+    workers.iter_mut().for_each(Worker::restart_counts);
+    if prepared.triangles.is_some() {
+        expand(None, threads, method, prepared, scene, part, workers);
+    } else {
+        find(Kind::VertexFace, threads, method, prepared, scene, part, workers);
+        find(Kind::EdgeEdge, threads, method, prepared, scene, part, workers);
+    }
+    count(workers, report, prepared.triangles.is_some());
+    let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
+    report.times.narrow += narrow;
+    report.times.traverse += (milliseconds(start) - narrow).max(0.0);
+}
+
+/// Adds up what the workers counted.
+fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
+    let (mut candidates, mut filtered) = (PerKind::default(), PerKind::default());
+    let mut counts = TriangleCounts::default();
+    for worker in workers {
+        candidates = candidates.plus(worker.candidates);
+        filtered = filtered.plus(worker.filtered);
+        counts = counts.plus(worker.triangles);
+    }
+    (report.candidates, report.filtered) = (candidates, filtered);
+    report.triangles = triangles.then_some(counts);
+}
+
+/// Joins the workers' contacts.
+pub fn collect(workers: &mut [Worker], report: &mut Report) {
+    let start = Instant::now();
+    let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
+    report.contacts.reserve(total);
+    for worker in workers.iter_mut() {
+        report.contacts.extend_from_slice(&worker.contacts);
+        // Whichever worker finds them next time, there is room.
+        worker.contacts.clear();
+        worker.contacts.reserve(total + total / 8);
+    }
+    report.toi = least_toi(workers);
+    report.undecided =
+        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
+    report.times.narrow += milliseconds(start);
+}

@@ -1,0 +1,112 @@
+//! Particles and rods: pairs of features that belong to nothing of a higher dimension.
+//!
+//! Their boxes, in `f64`, go through a broad phase of their own, and every pair is decided at
+//! once: no filter is worth its table for two or three vertices.
+
+use crate::broad_phase::BroadPhase;
+use crate::step::candidates::Given;
+use crate::step::selection::Selection;
+use crate::threads::Threads;
+use ccd_core::layout::Pair;
+use ccd_core::model::codimensional::{Codimensional as Features, contact};
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::precision::Precision;
+use ccd_core::narrow_phase::search::Search;
+use ccd_core::{Aabb, Error};
+
+/// Finds such pairs, and keeps its buffers between steps.
+#[derive(Debug)]
+pub struct Codimensional {
+    features: Features,
+    broad_phase: BroadPhase,
+    vertices: Vec<Aabb<f64>>,
+    edges: Vec<Aabb<f64>>,
+    /// Candidates of the last step: vertex-edge, vertex-vertex; sorted.
+    pub pairs: [Vec<Pair>; 2],
+    found: Vec<Option<Contact>>,
+}
+
+impl Codimensional {
+    /// For steps of a mesh; `None` if it has no such pairs.
+    pub fn new(mesh: &Mesh, options: &Options) -> Result<Option<Box<Self>>, Error> {
+        let features = Features::of(mesh);
+        if features.is_empty() {
+            return Ok(None);
+        }
+        // Inside of a step, the session's threads are those of the pool.
+        let threads = if options.threads == 1 { 1 } else { 0 };
+        Ok(Some(Box::new(Self {
+            features,
+            broad_phase: BroadPhase::scheduled(threads, options.broad_phase, options.scheduling)?,
+            vertices: Vec::new(),
+            edges: Vec::new(),
+            pairs: [Vec::new(), Vec::new()],
+            found: Vec::new(),
+        })))
+    }
+
+    /// Lists the candidates of a step whose coordinates were checked.
+    pub fn list(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        (options, selection): (&Options, &Selection),
+        given: Given,
+    ) -> Result<(), Error> {
+        let Self { features, broad_phase, vertices, edges, pairs, .. } = self;
+        let distance = options.min_distance;
+        vertices.resize(features.vertices.len(), NOTHING);
+        threads.fill(vertices, |i| match given {
+            Precision::F32(x) => features.vertex_box(i, x, distance),
+            Precision::F64(x) => features.vertex_box(i, x, distance),
+        });
+        edges.resize(features.edges.len(), NOTHING);
+        threads.fill(edges, |i| match given {
+            Precision::F32(x) => features.edge_box(i, mesh, x, distance),
+            Precision::F64(x) => features.edge_box(i, mesh, x, distance),
+        });
+        for (kind, out) in KINDS.into_iter().zip(pairs) {
+            let found = match kind {
+                Kind::VertexEdge => broad_phase.pairs(vertices, edges)?,
+                _ => broad_phase.self_pairs(vertices)?,
+            };
+            out.clear();
+            out.extend(found.iter().map(|at| features.pair(kind, at)).filter(|&pair| {
+                let [v, w, ..] = mesh.vertices_of(kind, pair);
+                selection.rules.as_ref().is_none_or(|rules| rules.wants(v, w))
+                    && selection.wants(kind, pair)
+            }));
+            out.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        }
+        Ok(())
+    }
+
+    /// Decides the candidates that were listed; contacts in their order.
+    pub fn decide(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        search: &Search<f64>,
+        given: Given,
+    ) -> impl Iterator<Item = Contact> + use<'_> {
+        let Self { pairs: [ve, vv], found, .. } = self;
+        found.clear();
+        found.resize(ve.len() + vv.len(), None);
+        threads.fill(found, |i| {
+            let (kind, pair) = match ve.get(i) {
+                Some(&pair) => (Kind::VertexEdge, pair),
+                None => (Kind::VertexVertex, vv[i - ve.len()]),
+            };
+            match given {
+                Precision::F32(x) => contact(mesh, kind, pair, x, search),
+                Precision::F64(x) => contact(mesh, kind, pair, x, search),
+            }
+        });
+        found.iter().copied().flatten()
+    }
+}
+
+const KINDS: [Kind; 2] = [Kind::VertexEdge, Kind::VertexVertex];
+const NOTHING: Aabb<f64> = Aabb { min: [0.0; 3], max: [0.0; 3] };

@@ -1,0 +1,158 @@
+//! What stands still: which boxes of fixed and sleeping bodies need not be made again, because
+//! their vertices are where they were.
+//!
+//! Vertices of such bodies are compared with where they were in the step before, in the pass that
+//! looks for those that move and must not. If all are there, parts of the boxes that are theirs
+//! alone are left as they are: of vertices, edges and faces, of leaves, and of the table, if that
+//! has the same origin and unit.
+
+use crate::threads::Threads;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::quantization::Table;
+use ccd_core::model::rules::{Rules, moves};
+use ccd_core::{Error, Real};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
+
+/// Elements that are left or made together.
+const PART: usize = 256;
+
+/// The vertices that stand still, and what is known of them.
+#[derive(Debug, Default)]
+pub struct Still {
+    vertices: Vec<u32>,
+    /// Where they were; NaN after they moved.
+    at: Vec<[f64; 3]>,
+    may_move: bool,
+    /// By set: whether all of so many elements stand still.
+    parts: [Vec<bool>; 3],
+    /// What boxes are made of besides positions: bits of the input's numbers, of the distance.
+    made: Option<(u32, u64)>,
+    table: Option<Table>,
+    holds: bool,
+    holds_table: bool,
+}
+
+impl Still {
+    /// Takes other rules.
+    pub fn set(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
+        *self = Self::default();
+        let Some(rules) = rules.filter(|rules| !rules.still().is_empty()) else { return };
+        self.vertices = rules.still().to_vec();
+        self.at = vec![[f64::NAN; 3]; self.vertices.len()];
+        self.may_move = rules.may_move();
+        let parts = |n: usize, first: &dyn Fn(usize) -> u32| {
+            let part = |k: usize| k * PART..((k + 1) * PART).min(n);
+            let is_still = |k| part(k).all(|i| rules.is_still(first(i)));
+            (0..n.div_ceil(PART)).map(is_still).collect()
+        };
+        self.parts = [
+            parts(mesh.n_vertices(), &|i| i as u32),
+            parts(mesh.edges().len(), &|i| mesh.edges()[i][0]),
+            parts(mesh.faces().len(), &|i| mesh.faces()[i][0]),
+        ];
+    }
+
+    /// Whether boxes of what stands still are those of the call before.
+    pub fn holds(&self) -> bool {
+        self.holds
+    }
+
+    /// Whether what was made of the table is, too.
+    pub fn holds_table(&self) -> bool {
+        self.holds_table
+    }
+
+    /// Looks at checked positions: whether all are where they were.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::FixedMoves`].
+    pub fn look<T: Real>(
+        &mut self,
+        threads: &Threads,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        min_distance: f64,
+    ) -> Result<(), Error> {
+        (self.holds, self.holds_table) = (false, false);
+        if self.vertices.is_empty() {
+            return Ok(());
+        }
+        let (vertices, may_move) = (&self.vertices, self.may_move);
+        let (first, same) = (AtomicU32::new(u32::MAX), AtomicBool::new(true));
+        threads.chunks(&mut self.at, &|from, part| {
+            for (i, at) in part.iter_mut().enumerate() {
+                let v = vertices[from + i];
+                let (p, q) = (x0[v as usize], x1[v as usize]);
+                let moved = moves(p, q);
+                if moved && !may_move {
+                    first.fetch_min(v, Relaxed);
+                }
+                let now = if moved { [f64::NAN; 3] } else { p.map(T::to_f64) };
+                // NaN is not where it was.
+                if *at != now {
+                    same.store(false, Relaxed);
+                    *at = now;
+                }
+            }
+        });
+        let (vertex, made) = (first.into_inner(), (size_of::<T>() as u32, min_distance.to_bits()));
+        let made_so = self.made.replace(made) == Some(made);
+        if vertex != u32::MAX {
+            self.made = None;
+            return Err(Error::FixedMoves { vertex: vertex as usize });
+        }
+        self.holds = same.into_inner() && made_so;
+        Ok(())
+    }
+
+    /// Looks at the table of this step.
+    pub fn look_at_table(&mut self, table: Table) {
+        let same = self.table.replace(table) == Some(table);
+        self.holds_table = self.holds && same;
+    }
+
+    /// No call before this one was complete.
+    pub fn forget(&mut self) {
+        (self.made, self.table) = (None, None);
+    }
+
+    /// Boxes of set `set`, but for those that hold.
+    pub fn fill<B: Send>(
+        &self,
+        threads: &Threads,
+        set: usize,
+        boxes: &mut [B],
+        f: impl Fn(usize) -> B + Sync,
+    ) {
+        fill(threads, self.holds.then_some(&self.parts[set]), boxes, f);
+    }
+
+    /// The table, but for what holds of it.
+    pub fn fill_table<B: Send>(
+        &self,
+        threads: &Threads,
+        table: &mut [B],
+        f: impl Fn(usize) -> B + Sync,
+    ) {
+        fill(threads, self.holds_table.then_some(&self.parts[0]), table, f);
+    }
+}
+
+/// Fills what is not in parts that hold.
+fn fill<B: Send>(
+    threads: &Threads,
+    holds: Option<&Vec<bool>>,
+    out: &mut [B],
+    f: impl Fn(usize) -> B + Sync,
+) {
+    let Some(holds) = holds else { return threads.fill(out, f) };
+    threads.chunks(out, &|first, chunk| {
+        for (k, part) in chunk.chunks_mut(PART).enumerate() {
+            let from = first + k * PART;
+            if !holds[from / PART] {
+                part.iter_mut().enumerate().for_each(|(i, slot)| *slot = f(from + i));
+            }
+        }
+    });
+}

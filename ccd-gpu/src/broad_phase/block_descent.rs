@@ -1,0 +1,70 @@
+//! Simultaneous traversal of block trees by a scheduler's workers; without one it is a level a
+//! dispatch, [`Tree::descend`](super::block_bvh::Tree::descend).
+//!
+//! ```text
+//!   all pairs of a level with few nodes, or a front
+//!              |  those that meet
+//!         tasks of workers   each pair by 32 threads
+//!              |
+//!     pairs of blocks of 32 boxes, as every descent leaves them: filtered as they are
+//! ```
+
+use super::block_levels::Levels;
+use super::scheduled::Scheduled;
+use super::scheduler::{BlockTrees, Descended, Trees};
+use crate::bind::FirstBlockPairs;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
+use ccd_core::layout::{Frame, NodeDescent};
+use ccd_core::model::scheduling::Scheduling;
+
+/// What expands pairs of blocks.
+pub struct BlockDescent {
+    pub scheduled: Scheduled,
+}
+
+/// Boxes of all nodes, and where they are.
+pub struct Nodes<'a> {
+    pub levels: &'a Levels,
+    pub boxes: &'a wgpu::Buffer,
+}
+
+impl BlockDescent {
+    /// Between sets of so many boxes.
+    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
+        // Of nodes of level 2 and above, each overlaps some tens of others; a list that is too
+        // short grows.
+        let room = |n: u32| (n / (WIDTH * WIDTH)).saturating_mul(40).max(4096);
+        // A front has pairs of blocks, of which there are more, and grows as well.
+        let front = (count[1] / WIDTH).max(count[2] / WIDTH).saturating_mul(40);
+        let scheduled = Scheduled::new(device, scheduling, TEAMS, count, room, front)?;
+        Ok(Self { scheduled })
+    }
+
+    /// Lists the pairs of blocks of a kind that overlap, from the pairs of `first` on: all those of
+    /// the level where a descent begins.
+    pub fn run(
+        &self,
+        recorder: &mut Recorder,
+        (frame, kind, keeps_order): (&Frame, u32, bool),
+        nodes: Nodes,
+        first: &List,
+        pairs: &List,
+    ) {
+        let Nodes { levels, boxes } = nodes;
+        let slots = levels.slots.map(|slots| sets(kind).map(|set| slots[set]));
+        let trees = BlockTrees { boxes, slots };
+        let of = Descended { frame, kind, trees: Trees::Blocks(trees), pairs };
+        self.scheduled.run(recorder, &of, keeps_order, |recorder, written, (control, tasks)| {
+            let own = NodeDescent { room_nodes: tasks.room(), ..written.record() };
+            let p = of.params(own, levels.start(kind), first.room());
+            let (first, nodes, front) = (first.buffer(), tasks.buffer(), written.front);
+            let pairs = pairs.buffer();
+            let kernel = FirstBlockPairs { boxes, first, control, nodes, pairs, front };
+            recorder.each(&kernel, &trees.params(&p), p.dispatch.n);
+        });
+    }
+}

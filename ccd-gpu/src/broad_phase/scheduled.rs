@@ -1,0 +1,133 @@
+//! What binary trees and blocks have in common where a scheduler shares out their pairs: a schedule
+//! and a front for each kind of pairs.
+
+use super::front::{COUNTERS, Front, Written};
+use super::pair_source::kinds_of;
+use super::scheduler::{self, Descended, Schedule};
+use super::worker_counts::Counted;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::model::report::FrontCounts;
+use ccd_core::model::scheduling::{self, Scheduling};
+use std::ops::Range;
+use wgpu::BufferUsages as U;
+
+/// Schedules and fronts by kind.
+pub struct Scheduled {
+    of_kind: [Option<OfKind>; 2],
+    none: wgpu::Buffer,
+}
+
+struct OfKind {
+    schedule: Box<dyn Schedule>,
+    front: Option<Front>,
+}
+
+impl Scheduled {
+    /// For the kinds of pairs between sets of so many boxes. `width`: pairs that a worker expands
+    /// in a turn; `room`: tasks of a round, by the boxes of the second side; `front`: pairs for
+    /// which a front has room at first, at least.
+    pub fn new(
+        device: &Device,
+        scheduling: Scheduling,
+        width: u32,
+        count: [u32; 3],
+        room: impl Fn(u32) -> u32,
+        front: u32,
+    ) -> Result<Self, Error> {
+        let mut of_kind = [None, None];
+        for kind in kinds_of(count) {
+            let n = room(count[sets(kind)[1]]);
+            let front = match scheduling.front {
+                scheduling::Front::On(options) => {
+                    Some(Front::new(device, options, n.saturating_mul(2).max(front))?)
+                }
+                _ => None,
+            };
+            let schedule = scheduler::new(device, scheduling, width, n)?;
+            of_kind[kind as usize] = Some(OfKind { schedule, front });
+        }
+        Ok(Self { of_kind, none: device.buffer("no front", 0, U::STORAGE)? })
+    }
+
+    pub fn clear(&self, recorder: &mut Recorder) {
+        self.of_kind.iter().flatten().for_each(|of| of.schedule.clear(recorder));
+    }
+
+    /// Lists all pairs of leaves. A search begins with the pairs of a front where one is kept
+    /// (`keeps_order`: the trees are those of the search before, refitted), and else with those
+    /// that `first` makes tasks of, or pairs, or the beginning of a front.
+    pub fn run(
+        &self,
+        recorder: &mut Recorder,
+        of: &Descended,
+        keeps_order: bool,
+        first: impl FnOnce(&mut Recorder, Written, (&wgpu::Buffer, &List)),
+    ) {
+        let Some(OfKind { schedule, front }) = &self.of_kind[of.kind as usize] else { return };
+        let (begun, written) = match front {
+            Some(front) => front.begin(keeps_order),
+            None => (0, Written::none(&self.none)),
+        };
+        match front {
+            Some(front) if begun > 0 => front.resume(recorder, of, begun, schedule.tasks()),
+            _ => first(recorder, written, schedule.tasks()),
+        }
+        schedule.run(recorder, of, written);
+    }
+
+    pub fn lists(&self) -> Vec<&List> {
+        self.of_kind.iter().flatten().flat_map(|of| of.schedule.lists()).collect()
+    }
+
+    pub fn lists_mut(&mut self) -> Vec<&mut List> {
+        self.of_kind.iter_mut().flatten().flat_map(|of| of.schedule.lists_mut()).collect()
+    }
+
+    /// Bytes of buffers that [`Scheduled::settle`] wants to see.
+    pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        let with_front = self.of_kind.iter().flatten().filter(|of| of.front.is_some());
+        with_front.map(|of| (of.schedule.tasks().0, COUNTERS)).collect()
+    }
+
+    /// The results of a search were seen; see `PairSource::settle`.
+    pub fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        let mut used: u64 = self.fronts().map(Front::bytes).sum();
+        let (mut replaced, mut counted) = (false, counted.iter());
+        for OfKind { schedule, front } in self.of_kind.iter_mut().flatten() {
+            schedule.settle(device, complete)?;
+            if let Some((front, words)) = front.as_mut().zip(counted.next()) {
+                used -= front.bytes();
+                replaced |= front.settle(device, [words[0], words[1]], complete, used)?;
+                used += front.bytes();
+            }
+        }
+        Ok(replaced)
+    }
+
+    fn fronts(&self) -> impl Iterator<Item = &Front> {
+        self.of_kind.iter().flatten().filter_map(|of| of.front.as_ref())
+    }
+
+    /// What fronts the last search left, if any are kept.
+    pub fn front(&self) -> Option<FrontCounts> {
+        self.fronts().map(Front::counts).reduce(|all, one| FrontCounts {
+            pairs: all.pairs + one.pairs,
+            begun: all.begun + one.begun,
+            bytes: all.bytes + one.bytes,
+        })
+    }
+
+    /// What workers counted, by kind; see [`Schedule::counts`].
+    pub fn worker_counts(&self) -> Vec<Counted<'_>> {
+        self.of_kind.iter().flatten().filter_map(|of| of.schedule.counts()).collect()
+    }
+}

@@ -1,0 +1,95 @@
+//! Particles and rods: pairs of features that belong to nothing of a higher dimension.
+//!
+//! Their boxes go through a broad phase on the device; what overlaps is compared again in `f64` and
+//! decided on the host, one pair after the other.
+
+use crate::broad_phase::BroadPhase;
+use crate::device::Device;
+use crate::error::Error;
+use ccd_core::layout::Pair;
+use ccd_core::model::codimensional::{Codimensional as Features, contact};
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::precision::{Given, Precision};
+use ccd_core::narrow_phase::search::Search;
+use ccd_core::{Aabb, Real};
+
+/// Finds such pairs.
+pub struct Codimensional {
+    features: Features,
+    broad_phase: BroadPhase,
+    /// Candidates of the last step: vertex-edge, vertex-vertex; sorted.
+    pub pairs: [Vec<Pair>; 2],
+}
+
+impl Codimensional {
+    /// For steps of a mesh; `None` if it has no such pairs.
+    pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Option<Self>, Error> {
+        let features = Features::of(mesh);
+        if features.is_empty() {
+            return Ok(None);
+        }
+        let (method, scheduling) = (options.broad_phase, options.scheduling);
+        let broad_phase = BroadPhase::scheduled(device, method, scheduling)?;
+        Ok(Some(Self { features, broad_phase, pairs: [Vec::new(), Vec::new()] }))
+    }
+
+    /// Lists the candidates of a step whose coordinates were checked.
+    pub fn list(&mut self, mesh: &Mesh, options: &Options, given: Given) -> Result<(), Error> {
+        match given {
+            Precision::F32(x) => self.list_of(mesh, options, x),
+            Precision::F64(x) => self.list_of(mesh, options, x),
+        }
+    }
+
+    fn list_of<T: Real>(
+        &mut self,
+        mesh: &Mesh,
+        options: &Options,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<(), Error> {
+        let Self { features, broad_phase, pairs } = self;
+        let distance = options.min_distance;
+        let vertices: Vec<Aabb<f64>> =
+            (0..features.vertices.len()).map(|i| features.vertex_box(i, x, distance)).collect();
+        let edges: Vec<Aabb<f64>> =
+            (0..features.edges.len()).map(|i| features.edge_box(i, mesh, x, distance)).collect();
+        let rounded = |boxes: &[Aabb<f64>]| boxes.iter().map(Aabb::round_out).collect::<Vec<_>>();
+        let (points, segments) = (rounded(&vertices), rounded(&edges));
+        let all = [
+            (Kind::VertexEdge, broad_phase.pairs(&points, &segments)?, &edges),
+            (Kind::VertexVertex, broad_phase.self_pairs(&points)?, &vertices),
+        ];
+        for ((kind, found, second), out) in all.into_iter().zip(pairs) {
+            let overlap = |at: &Pair| vertices[at.a as usize].overlaps(&second[at.b as usize]);
+            out.clear();
+            out.extend(found.into_iter().filter(overlap).map(|at| features.pair(kind, at)).filter(
+                |&pair| {
+                    let [v, w, ..] = mesh.vertices_of(kind, pair);
+                    options.bodies.as_ref().is_none_or(|bodies| {
+                        bodies.wants(v, w) && !bodies.excludes(kind, pair.a, pair.b)
+                    })
+                },
+            ));
+            out.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        }
+        Ok(())
+    }
+
+    /// The contacts among the candidates that were listed, in their order.
+    pub fn contacts<'a>(
+        &'a self,
+        mesh: &'a Mesh,
+        search: &'a Search<f64>,
+        given: Given<'a>,
+    ) -> impl Iterator<Item = Contact> + use<'a> {
+        let kinds = [Kind::VertexEdge, Kind::VertexVertex].into_iter().zip(&self.pairs);
+        kinds.flat_map(|(kind, pairs)| pairs.iter().map(move |&pair| (kind, pair))).filter_map(
+            move |(kind, pair)| match given {
+                Precision::F32(x) => contact(mesh, kind, pair, x, search),
+                Precision::F64(x) => contact(mesh, kind, pair, x, search),
+            },
+        )
+    }
+}

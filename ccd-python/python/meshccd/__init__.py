@@ -1,0 +1,47 @@
+"""Continuous collision detection for triangle meshes.
+
+Which vertices and faces, and which edges, touch while every vertex moves on a straight line from
+its position at the start of a step to that at its end, and when. No contact is missed, and no time
+of impact is late, rounding included.
+
+- `Mesh`: faces and edges; `Session`: a mesh stepped frame by frame; `Report`: what a step found.
+- `BroadPhase`: boxes in, overlapping pairs out.
+- `vertex_face`, `edge_edge`: single queries, or arrays of them.
+- `Kind`, `State`: what the numbers in the columns of a report mean.
+
+What is refused is a ValueError that says what, where and the value.
+"""
+
+import enum
+
+from ._native import BroadPhase, Mesh, Report, Session, __version__, edge_edge, vertex_face
+
+__all__ = [
+    "BroadPhase",
+    "Kind",
+    "Mesh",
+    "Report",
+    "Session",
+    "State",
+    "__version__",
+    "edge_edge",
+    "vertex_face",
+]
+
+
+class Kind(enum.IntEnum):
+    """Which features touch."""
+
+    VERTEX_FACE = 0
+    EDGE_EDGE = 1
+
+
+class State(enum.IntEnum):
+    """How certain an answer is."""
+
+    MISS = 0
+    """Certainly no contact."""
+    HIT = 1
+    """Certainly a contact; its time of impact is at most 1e-6 of the step early."""
+    UNDECIDED = 2
+    """Neither is certain: to be treated as a contact. There is none before its time of impact."""

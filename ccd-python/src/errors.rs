@@ -1,0 +1,26 @@
+//! Our messages as Python's exceptions: `ValueError` for input, `RuntimeError` for a device.
+
+use ccd::any;
+use pyo3::PyErr;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use std::fmt::Display;
+use std::sync::{Mutex, MutexGuard};
+
+/// Input that is refused, with our message.
+pub fn refused(why: impl Display) -> PyErr {
+    PyValueError::new_err(why.to_string())
+}
+
+/// Input that is refused, or a device that did not do what was asked.
+pub fn failed(why: any::Error) -> PyErr {
+    match why {
+        any::Error::Input(why) => refused(why),
+        why => PyRuntimeError::new_err(why.to_string()),
+    }
+}
+
+/// What a mutex guards; an error after a panic, which may have left anything in it.
+pub fn lock<T>(mutex: &Mutex<T>) -> Result<MutexGuard<'_, T>, PyErr> {
+    let broken = "an earlier call panicked: make a new object";
+    mutex.lock().map_err(|_| PyRuntimeError::new_err(broken))
+}

@@ -1,0 +1,254 @@
+//! A mesh stepped frame by frame, on the CPU or on a GPU.
+
+use crate::arrays::{Floats, flat_ids, numbers, pair_array};
+use crate::errors::{failed, lock, refused};
+use crate::mesh::Mesh;
+use crate::report::{Columns, Report};
+use ccd::any::{self, Backend};
+use ccd::{Bodies, Coordinate, Options};
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use std::sync::Mutex;
+
+/// Continuous collision detection of one mesh over many steps: keep it for the next frames.
+///
+/// Every call takes the positions of all vertices at the start and at the end of a step, arrays of
+/// shape (n_vertices, 3), between which they move on straight lines. C-ordered float32 and float64
+/// are read where they are and must not be written to meanwhile; anything else is copied. If one
+/// array is float32 and the other is not, both are taken as float64.
+///
+/// The interpreter is released during the work. Calls from several threads take turns.
+///
+/// Parameters
+/// ----------
+/// mesh : Mesh
+/// min_distance : float
+///     Contact means a distance of at most this; 0 means touching.
+/// threads : int
+///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
+/// bodies : (n_vertices,) array of integers, optional
+///     The body that each vertex belongs to.
+/// fixed : (n_bodies,) array of bool, optional
+///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at.
+/// self_contact : bool, optional
+///     Whether pairs within one body are looked at; by default they are.
+/// device : str, optional
+///     None or "cpu"; "gpu", an error if there is none; or "auto", a GPU if there is one and work
+///     enough for it.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If the options do not fit the mesh.
+/// RuntimeError
+///     If there is no GPU and one was asked for.
+#[pyclass(frozen, module = "meshccd")]
+pub struct Session {
+    #[pyo3(get)]
+    /// The mesh.
+    mesh: Py<Mesh>,
+    inner: Mutex<any::Session>,
+}
+
+#[pymethods]
+impl Session {
+    #[new]
+    #[pyo3(signature = (
+        mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, self_contact=None,
+        device=None
+    ))]
+    #[allow(clippy::too_many_arguments, reason = "Python's, by name")]
+    fn new(
+        py: Python<'_>,
+        mesh: Py<Mesh>,
+        min_distance: f64,
+        threads: usize,
+        bodies: Option<&Bound<'_, PyAny>>,
+        fixed: Option<Vec<bool>>,
+        self_contact: Option<bool>,
+        device: Option<&str>,
+    ) -> PyResult<Self> {
+        if bodies.is_none() && (fixed.is_some() || self_contact.is_some()) {
+            return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
+        }
+        let bodies = bodies.map(|bodies| flat_ids("bodies", bodies)).transpose()?;
+        let bodies = bodies.map(|bodies| {
+            Bodies::new(&bodies, &fixed.unwrap_or_default(), self_contact.unwrap_or(true))
+        });
+        let options = Options::default()
+            .with_min_distance(min_distance)
+            .with_threads(threads)
+            .with_bodies(bodies);
+        let backend = backend(device)?;
+        let topology = &mesh.get().inner;
+        let inner = py.detach(|| {
+            options.check(topology)?;
+            let choice = backend.choose(topology.edges().len())?;
+            any::Session::new(&choice, topology.clone(), options)
+        });
+        Ok(Self { inner: Mutex::new(inner.map_err(failed)?), mesh })
+    }
+
+    /// Every contact of the step from `x0` to `x1`.
+    fn step(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+    ) -> PyResult<Report> {
+        self.with(py, x0, x1, Step)?.into_report(py)
+    }
+
+    /// The earliest time of impact of the step, never late; None if all of it is free. Cheaper
+    /// than `step`.
+    fn earliest_toi(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+    ) -> PyResult<Option<f64>> {
+        self.with(py, x0, x1, Earliest)
+    }
+
+    /// The part of the step that is free of contact, in [0, 1]: the earliest time of impact, or 1
+    /// if all of the step is free. Before that time nothing touches; at it something may.
+    fn collision_free_stepsize(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+    ) -> PyResult<f64> {
+        Ok(self.earliest_toi(py, x0, x1)?.unwrap_or(1.0))
+    }
+
+    /// Whether nothing touches during the step, both ends included. False if that could not be
+    /// certified.
+    fn is_step_collision_free(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+    ) -> PyResult<bool> {
+        Ok(self.earliest_toi(py, x0, x1)?.is_none())
+    }
+
+    /// All candidates of the step: pairs of features without a common vertex whose swept boxes
+    /// overlap. Two arrays of shape (n, 2), uint32, in no particular order: vertex and face, and
+    /// two edges, the lesser id first.
+    #[allow(clippy::type_complexity, reason = "two arrays")]
+    fn candidates<'py>(
+        &self,
+        py: Python<'py>,
+        x0: &Bound<'py, PyAny>,
+        x1: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
+        let [vf, ee] = self.with(py, x0, x1, Candidates)?;
+        Ok((pair_array(py, vf)?, pair_array(py, ee)?))
+    }
+
+    /// Where steps run: "2 threads", or the name of the GPU.
+    #[getter]
+    fn place(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| Ok(lock(&self.inner)?.place().to_string()))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let (place, n) = (self.place(py)?, self.mesh.get().inner.n_vertices());
+        Ok(format!("<Session of {n} vertices on {place}>"))
+    }
+}
+
+/// A call of a session, for positions of either precision.
+trait Call: Send {
+    type Found: Send;
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Self::Found, any::Error>;
+}
+
+struct Step;
+struct Earliest;
+struct Candidates;
+
+impl Call for Step {
+    type Found = Columns;
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Columns, any::Error> {
+        session.step(x0, x1)?;
+        Ok(Columns::new(session.report(), session.mesh()))
+    }
+}
+
+impl Call for Earliest {
+    type Found = Option<f64>;
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Option<f64>, any::Error> {
+        session.earliest_toi(x0, x1)
+    }
+}
+
+impl Call for Candidates {
+    type Found = [Vec<u32>; 2];
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<[Vec<u32>; 2], any::Error> {
+        let all = session.candidates(x0, x1)?;
+        Ok([all.vf, all.ee].map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
+    }
+}
+
+impl Session {
+    /// Makes a call without the interpreter.
+    fn with<C: Call>(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+        call: C,
+    ) -> PyResult<C::Found> {
+        let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
+        match &positions {
+            Floats::F32([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, call),
+            Floats::F64([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, call),
+        }
+    }
+
+    fn run<T: Coordinate, C: Call>(
+        &self,
+        py: Python<'_>,
+        x0: &[T],
+        x1: &[T],
+        call: C,
+    ) -> PyResult<C::Found> {
+        py.detach(|| {
+            let mut session = lock(&self.inner)?;
+            call.call(&mut session, x0.as_chunks().0, x1.as_chunks().0).map_err(failed)
+        })
+    }
+}
+
+/// The backend of a name.
+pub fn backend(device: Option<&str>) -> PyResult<Backend> {
+    match device {
+        None | Some("cpu") => Ok(Backend::Cpu),
+        Some("gpu") => Ok(Backend::Gpu),
+        Some("auto") => Ok(Backend::Auto),
+        Some(name) => Err(refused(format!(
+            "device is {name:?}; it must be None, \"cpu\", \"gpu\" or \"auto\""
+        ))),
+    }
+}

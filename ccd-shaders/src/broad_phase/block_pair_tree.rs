@@ -1,0 +1,197 @@
+//! Pairs of blocks: 32 threads expand one, each a child of the first node against those of the
+//! second; see `ccd_core::broad_phase::block_workers`.
+//!
+//! Which children of the second reach into the first is a word of workgroup memory a team of 32;
+//! their boxes are read again by all threads of the team at once. A thread keeps those that it met
+//! as bits, so that it finds up to 32 children and claims places for all of them by one addition.
+
+use super::pair_tree::{APART, INNER, LEAF, PairTree};
+use super::worker::{COLUMNS, Child, ENDED, LEAVES, NODES, Round, Shared, Stack, put_away};
+use crate::records::{BoxWords, box_at};
+use crate::workgroup::{add_shared, barrier, get, or_shared, set};
+use ccd_core::Aabb;
+use ccd_core::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
+use ccd_core::broad_phase::block_workers::{
+    children_there, meeting, nodes_on, packed, partners, unpacked,
+};
+use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::broad_phase::stack_traversal::NONE;
+use ccd_core::layout::{BlockDescent, NodeDescent, Pair, Params};
+
+/// Block trees, whose nodes are in one buffer.
+pub(super) struct BlockTrees;
+
+/// Children of a pair that are below one child of its first node.
+#[derive(Clone, Copy)]
+pub(super) struct Columns {
+    /// Their level.
+    level: u32,
+    /// The child of the first node, the first child of the second.
+    a: u32,
+    b: u32,
+    /// Of those of the second, those that it meets, and those that it does not, as bits.
+    met: u32,
+    apart: u32,
+}
+
+impl Columns {
+    /// What becomes of those that meet.
+    #[inline(always)]
+    fn fate(self) -> u32 {
+        if self.level > 1 { INNER } else { LEAF }
+    }
+}
+
+/// Where node `i` of a side is.
+#[inline(always)]
+fn slot(params: &Params<BlockDescent>, level: u32, side: usize, i: u32) -> usize {
+    (params.own.slots[level as usize][side] + i) as usize
+}
+
+impl PairTree for BlockTrees {
+    type Own = BlockDescent;
+    type Node = BoxWords;
+    type More = BoxWords;
+    type Found = Columns;
+    type Places = [u32; 2];
+
+    const WIDTH: u32 = TEAMS;
+
+    #[inline(always)]
+    fn descent(own: &BlockDescent) -> NodeDescent {
+        own.of_pairs
+    }
+
+    #[inline(always)]
+    fn index(lane: u32) -> u32 {
+        lane / WIDTH
+    }
+
+    #[inline(always)]
+    fn begin(shared: &mut Shared) {
+        for team in 0..TEAMS {
+            set(shared, COLUMNS + team, 0);
+        }
+    }
+
+    #[inline(always)]
+    fn expand(
+        params: &Params<BlockDescent>,
+        lane: u32,
+        pair: NodePair,
+        boxes: &[BoxWords],
+        _: &[BoxWords],
+        _: &[BoxWords],
+        shared: &mut Shared,
+    ) -> Columns {
+        let (team, i) = (lane / WIDTH, lane % WIDTH);
+        let some = pair[0] != NONE;
+        // Of no pair, that of the first two nodes is looked at in vain.
+        let [above, x, y] = unpacked(if some { pair } else { packed(1, 0, 0) });
+        let level = above - 1;
+        let (a, b) = (x * WIDTH + i, y * WIDTH);
+        let [set_a, set_b] = sets(params.own.of_pairs.kind);
+        let there = children_there(nodes_on(params.frame.count[set_b], level), y);
+        let first = slot(params, level, 1, b);
+        let (mut row, mut is_row) = (Aabb::EMPTY, false);
+        if some {
+            if there >> i & 1 == 1 {
+                let column = box_at(boxes, first + i as usize);
+                if column.overlaps(&box_at(boxes, slot(params, above, 0, x))) {
+                    or_shared(shared, COLUMNS + team, 1 << i);
+                }
+            }
+            if a < nodes_on(params.frame.count[set_a], level) {
+                row = box_at(boxes, slot(params, level, 0, a));
+                is_row = true;
+            }
+        }
+        barrier();
+        let (mut met, mut apart) = (0, 0);
+        if is_row {
+            let tested = partners(params.own.of_pairs.kind == 1 && x == y, i);
+            if row.overlaps(&box_at(boxes, slot(params, above, 1, y))) {
+                met = meeting(&row, get(shared, COLUMNS + team) & tested, first, boxes);
+            }
+            if params.own.of_pairs.room_front > 0 {
+                apart = there & tested & !met;
+            }
+        }
+        Columns { level, a, b, met, apart }
+    }
+
+    #[inline(always)]
+    fn claim(found: Columns, room_front: u32, shared: &mut Shared) -> [u32; 2] {
+        let mut to = [0, 0];
+        let mut n_ended = found.apart.count_ones();
+        let n_met = found.met.count_ones();
+        if n_met > 0 {
+            if found.fate() == INNER {
+                to[0] = add_shared(shared, NODES, n_met);
+            } else {
+                to[0] = add_shared(shared, LEAVES, n_met);
+                n_ended += n_met;
+            }
+        }
+        if room_front > 0 && n_ended > 0 {
+            to[1] = add_shared(shared, ENDED, n_ended);
+        }
+        to
+    }
+
+    #[inline(always)]
+    fn put_away(
+        own: &NodeDescent,
+        round: Round,
+        found: Columns,
+        to: [u32; 2],
+        a: &[BoxWords],
+        b: &[BoxWords],
+        shared: &Shared,
+        stack: &mut Stack,
+        nodes: &mut [u32],
+        pairs: &mut [u32],
+        front: &mut [u32],
+    ) {
+        let (mut left, is_apart) = (found.met | found.apart, found.apart);
+        let [mut next, mut next_ended] = to;
+        let fate = found.fate();
+        for _ in 0..WIDTH {
+            if left == 0 {
+                break;
+            }
+            let j = left.trailing_zeros();
+            left &= left - 1;
+            let pair = packed(found.level, found.a, found.b + j);
+            let child = Child { pair, fate: if is_apart >> j & 1 == 1 { APART } else { fate } };
+            let at = [next, next_ended];
+            put_away::<Self>(own, round, child, at, a, b, shared, stack, nodes, pairs, front);
+            next += (child.fate != APART) as u32;
+            next_ended += (child.fate != INNER) as u32;
+        }
+    }
+
+    #[inline(always)]
+    fn fate(
+        params: &Params<BlockDescent>,
+        pair: NodePair,
+        boxes: &[BoxWords],
+        _: &[BoxWords],
+        _: &[BoxWords],
+    ) -> u32 {
+        let [level, x, y] = unpacked(pair);
+        let a = box_at(boxes, slot(params, level, 0, x));
+        let b = box_at(boxes, slot(params, level, 1, y));
+        let mut out = APART;
+        if a.overlaps(&b) {
+            out = if level > 1 { INNER } else { LEAF };
+        }
+        out
+    }
+
+    #[inline(always)]
+    fn result(_: &NodeDescent, pair: NodePair, _: &[BoxWords], _: &[BoxWords]) -> Pair {
+        let [_, a, b] = unpacked(pair);
+        Pair { a, b }
+    }
+}

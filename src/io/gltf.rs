@@ -1,0 +1,165 @@
+//! glTF 2.0 through the crate `gltf`: all meshes of the scene, where its nodes put them.
+//!
+//! The file's default scene, or its first, is read; positions are transformed by their nodes in
+//! `f64`. Triangles, strips and fans are faces, lines are edges, points are vertices. Within a node
+//! vertices with exactly the same position are one: files repeat a vertex for each of its normals.
+//! Skins, morph targets and animations are not applied; positions must be three `float`s.
+
+use super::weld::Weld;
+use super::{Frame, ReadErrorKind, quote};
+use base64::Engine;
+use gltf::accessor::{DataType, Dimensions};
+use gltf::mesh::Mode;
+use std::path::Path;
+
+pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
+    let file = std::io::BufReader::new(std::fs::File::open(path)?);
+    let mut gltf =
+        gltf::Gltf::from_reader(file).map_err(|e| ReadErrorKind::Format(quote(&e.to_string())))?;
+    let mut blob = gltf.blob.take();
+    let mut buffers = Vec::new();
+    for buffer in gltf.buffers() {
+        let bad = |what: String| ReadErrorKind::Element {
+            element: "buffer",
+            at: buffer.index(),
+            what: quote(&what),
+        };
+        let data = match buffer.source() {
+            gltf::buffer::Source::Bin => blob.take().ok_or_else(|| bad("has no data".into()))?,
+            gltf::buffer::Source::Uri(uri) => fetch(path, uri).map_err(bad)?,
+        };
+        if data.len() < buffer.length() {
+            let (has, says) = (data.len(), buffer.length());
+            return Err(bad(format!("has {has} bytes, not the {says} that it says")));
+        }
+        buffers.push(data);
+    }
+    let scene = gltf.default_scene().or_else(|| gltf.scenes().next());
+    let scene = scene.ok_or_else(|| ReadErrorKind::Header("there is no scene".into()))?;
+    let identity = [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| (i == j) as u8 as f64));
+    let mut reading = Reading { buffers: &buffers, frame: Frame::default() };
+    // Nodes to come, the next one last. A node has one parent: there are no more of them.
+    let mut nodes: Vec<_> = scene.nodes().map(|node| (node, identity)).collect();
+    nodes.reverse();
+    let mut n_left = gltf.nodes().count();
+    while let Some((node, parent)) = nodes.pop() {
+        if n_left == 0 {
+            return Err(ReadErrorKind::Header("a node has two parents".into()));
+        }
+        n_left -= 1;
+        let local = node.transform().matrix().map(|column| column.map(f64::from));
+        let place = local.map(|column| apply(&parent, column));
+        if let Some(mesh) = node.mesh() {
+            let mut weld = Weld::default();
+            for primitive in mesh.primitives() {
+                reading.primitive(&primitive, &place, &mut weld).map_err(|what| {
+                    ReadErrorKind::Element { element: "mesh", at: mesh.index(), what }
+                })?;
+            }
+        }
+        let at = nodes.len();
+        nodes.extend(node.children().map(|child| (child, place)));
+        nodes[at..].reverse();
+    }
+    Ok(reading.frame)
+}
+
+/// A matrix, by columns, times a vector.
+fn apply(matrix: &[[f64; 4]; 4], v: [f64; 4]) -> [f64; 4] {
+    [0, 1, 2, 3].map(|row| (0..4).map(|k| matrix[k][row] * v[k]).sum())
+}
+
+/// The bytes that an address means: of a file beside this one, or the address's own.
+fn fetch(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+    if let Some(rest) = uri.strip_prefix("data:") {
+        let (_, text) = rest.split_once(";base64,").ok_or("its data are not base64")?;
+        return base64::engine::general_purpose::STANDARD.decode(text).map_err(|e| e.to_string());
+    }
+    if uri.contains(':') {
+        return Err(format!("`{uri}` is no file beside this one"));
+    }
+    let name = urlencoding::decode(uri).map_err(|e| format!("`{uri}`: {e}"))?;
+    std::fs::read(path.with_file_name(&*name)).map_err(|e| format!("`{name}`: {e}"))
+}
+
+struct Reading<'a> {
+    buffers: &'a [Vec<u8>],
+    frame: Frame,
+}
+
+impl Reading<'_> {
+    fn primitive(
+        &mut self,
+        primitive: &gltf::Primitive,
+        place: &[[f64; 4]; 4],
+        weld: &mut Weld,
+    ) -> Result<(), String> {
+        let accessor = primitive.get(&gltf::Semantic::Positions).ok_or("has no positions")?;
+        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
+            return Err("has positions that are not three floats".into());
+        }
+        let sizes = |a: &gltf::Accessor| {
+            let counts = [Some(a.count()), a.sparse().map(|sparse| sparse.count())];
+            counts.into_iter().flatten().all(|n| (1..=1 << 31).contains(&n))
+        };
+        let is_index = |a: &gltf::Accessor| {
+            let kind = matches!(a.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+            kind && a.dimensions() == Dimensions::Scalar
+        };
+        if primitive.indices().is_some_and(|indices| !is_index(&indices)) {
+            return Err("has indices that are no unsigned integers".into());
+        }
+        if !sizes(&accessor) || primitive.indices().is_some_and(|indices| !sizes(&indices)) {
+            return Err("has a list of no elements, or of too many".into());
+        }
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(|b| &b[..]));
+        let outside = "has a list beyond the end of its buffer";
+        let mut vertices = Vec::new();
+        for p in reader.read_positions().ok_or(outside)? {
+            let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
+            vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame.positions));
+        }
+        let order: Vec<u32> = match primitive.indices() {
+            None => vertices.clone(),
+            Some(_) => {
+                let indices = reader.read_indices().ok_or(outside)?.into_u32();
+                let vertex = |i: u32| vertices.get(i as usize).copied();
+                let order: Option<Vec<u32>> = indices.map(vertex).collect();
+                order.ok_or("names a vertex that is not there")?
+            }
+        };
+        let frame = &mut self.frame;
+        let n = order.len();
+        match primitive.mode() {
+            Mode::Triangles if n.is_multiple_of(3) => {
+                order.chunks_exact(3).for_each(|corners| frame.push_polygon(corners));
+            }
+            Mode::TriangleStrip => {
+                for (i, w) in order.windows(3).enumerate() {
+                    // Every second one is wound the other way.
+                    let (b, c) = if i % 2 == 0 { (w[1], w[2]) } else { (w[2], w[1]) };
+                    frame.push_polygon(&[w[0], b, c]);
+                }
+            }
+            Mode::TriangleFan => {
+                for w in order[1..].windows(2) {
+                    frame.push_polygon(&[w[0], w[1], order[0]]);
+                }
+            }
+            Mode::Lines if n.is_multiple_of(2) => {
+                frame.edges.extend(order.chunks_exact(2).map(|e| [e[0], e[1]]));
+            }
+            Mode::LineStrip | Mode::LineLoop => {
+                frame.edges.extend(order.windows(2).map(|e| [e[0], e[1]]));
+                if primitive.mode() == Mode::LineLoop {
+                    frame.edges.push([order[n - 1], order[0]]);
+                }
+            }
+            Mode::Points => {}
+            Mode::Triangles | Mode::Lines => {
+                return Err(format!("has {n} indices, no whole number of triangles or lines"));
+            }
+        }
+        Ok(())
+    }
+}

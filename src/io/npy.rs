@@ -1,0 +1,77 @@
+//! NPY, the format of NumPy's arrays: where the numbers begin, what they are, how many.
+//!
+//! Versions 1 to 3; `f4` and `f8` of either byte order, in C order, in three dimensions of which
+//! the last is 3.
+
+use super::{ReadErrorKind, quote};
+use std::io::Read;
+
+/// An array of frames.
+pub(super) struct Header {
+    /// Bytes before the numbers.
+    pub start: u64,
+    pub n_frames: u64,
+    pub n_vertices: u64,
+    /// Whether numbers are `f64`, and whether their most significant byte comes first.
+    pub wide: bool,
+    pub big_endian: bool,
+}
+
+pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
+    let bad = |what: &str| ReadErrorKind::Header(what.into());
+    let mut first = [0; 8];
+    from.read_exact(&mut first).map_err(|_| bad("the file is no array of NumPy"))?;
+    if &first[..6] != b"\x93NUMPY" || !(1..=3).contains(&first[6]) {
+        return Err(bad("the file is no array of NumPy, version 1 to 3"));
+    }
+    let mut size = [0; 4];
+    let n_bytes = if first[6] == 1 { 2 } else { 4 };
+    from.read_exact(&mut size[..n_bytes]).map_err(|_| bad("the file ends in its header"))?;
+    let length = u32::from_le_bytes(size);
+    let mut text = Vec::new();
+    from.take(length.into()).read_to_end(&mut text)?;
+    if text.len() as u64 != u64::from(length) {
+        return Err(bad("the file ends in its header"));
+    }
+    let text = String::from_utf8_lossy(&text);
+    let missing = |key: &str| bad(&format!("has no {key}: {}", quote(text.trim())));
+    let kind = value(&text, "descr").ok_or_else(|| missing("descr"))?;
+    let kind = kind.trim_matches(['\'', '"']);
+    let (wide, big_endian) = match kind {
+        "<f4" => (false, false),
+        "<f8" => (true, false),
+        ">f4" => (false, true),
+        ">f8" => (true, true),
+        _ => {
+            let what = format!("numbers are `{}`; float32 or float64 are read", quote(kind));
+            return Err(ReadErrorKind::Header(what));
+        }
+    };
+    if value(&text, "fortran_order").ok_or_else(|| missing("fortran_order"))? != "False" {
+        return Err(bad("is in Fortran order; numpy.ascontiguousarray makes one that is read"));
+    }
+    let shape = value(&text, "shape").ok_or_else(|| missing("shape"))?;
+    let sizes = shape.trim_matches(['(', ')']).split(',').map(str::trim);
+    let sizes: Result<Vec<u64>, _> = sizes.filter(|s| !s.is_empty()).map(str::parse).collect();
+    match sizes.as_deref() {
+        Ok(&[n_frames, n_vertices, 3]) => {
+            let start = 8 + n_bytes as u64 + u64::from(length);
+            Ok(Header { start, n_frames, n_vertices, wide, big_endian })
+        }
+        _ => {
+            let shape = quote(shape);
+            Err(ReadErrorKind::Header(format!("the shape is {shape}, expected (frames, n, 3)")))
+        }
+    }
+}
+
+/// What stands for a key in the header, a dictionary as Python writes it.
+fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
+    let at = ['\'', '"'].iter().find_map(|quote| {
+        let name = format!("{quote}{key}{quote}");
+        text.find(&name).map(|at| at + name.len())
+    })?;
+    let rest = text[at..].trim_start().strip_prefix(':')?.trim_start();
+    let end = if rest.starts_with('(') { rest.find(')')? + 1 } else { rest.find([',', '}'])? };
+    Some(rest[..end].trim())
+}

@@ -1,0 +1,120 @@
+//! Changes between steps on a device: after each, a session finds what a new one would, in the
+//! buffers that it has where they are large enough.
+
+use ccd::gpu::{Device, Error, Session};
+use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
+use ccd::{
+    Bodies, BroadPhaseMethod, Digest, Front, Options, Pipeline, Posed, Scheduler, Scheduling,
+    Strided, Traversal, TreeOptions, TriangleOptions,
+};
+
+pub const TESTS: crate::Tests = &[
+    ("changes_between_steps", check_changes),
+    ("changes_that_are_refused", check_refused),
+    ("forms_of_positions", check_forms),
+];
+
+/// Contacts and candidates of a session are those of a new one; returns how many contacts.
+fn check(what: &str, device: &Device, session: &mut Session, step: &Step) -> usize {
+    let options = session.options().clone();
+    let mut fresh = Session::new(device, session.mesh().clone(), options).expect("a session");
+    // The other way round, at once after: with the order that is kept.
+    for [x0, x1] in [[&step.x0, &step.x1], [&step.x1, &step.x0]] {
+        let digests = |session: &mut Session| {
+            let found = session.candidates(x0, x1).expect("candidates");
+            [Digest::of(0, found.vf.into_iter()), Digest::of(1, found.ee.into_iter())]
+        };
+        assert_eq!(digests(session), digests(&mut fresh), "{what}: candidates");
+        let report = session.step(x0, x1).expect("a step");
+        let want = fresh.step(x0, x1).expect("a step");
+        assert!(report.contacts == want.contacts, "{what}: other contacts");
+        assert_eq!(report.mesh(), &step.mesh, "{what}");
+        let (toi, first) = (report.toi, session.earliest_toi(x0, x1).expect("a step"));
+        let near = |a: f64, b: f64| a <= b && a > b - 2e-6;
+        assert!(toi.zip(first).is_none_or(|(toi, first)| near(first, toi)), "{what}: {first:?}");
+        assert_eq!(toi.is_some(), first.is_some(), "{what}");
+    }
+    session.report().candidates.total() as usize
+}
+
+fn check_changes(device: &Device) {
+    let (small, large) = (crumpled_sheet(7, 1), crumpled_sheet(14, 2));
+    let soup = triangle_soup(40, 0.3, 5);
+    let tree = TreeOptions::default();
+    let cut = BroadPhaseMethod::Tree(tree.traversal(Traversal::CUT));
+    let front = Scheduling::default().scheduler(Scheduler::SelfScheduling).front(Front::ON);
+    let cones = Pipeline::Triangles(TriangleOptions::default().cones(true));
+    let plain = Scheduling::default();
+    let all = [
+        (BroadPhaseMethod::Blocks, Pipeline::Features, plain),
+        (BroadPhaseMethod::Blocks, cones, plain),
+        (BroadPhaseMethod::Tree(tree), Pipeline::Features, plain),
+        (cut, Pipeline::TRIANGLES, front),
+        (cut, Pipeline::Features, front),
+        (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),
+    ];
+    let of: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
+    let bodies = Bodies::new(&of, &[true, false, true], false);
+    let mut last = Session::new(device, &small.mesh, Options::default()).expect("a session");
+    for (method, pipeline, scheduling) in all {
+        let what = format!("{method}, {pipeline:?}, {scheduling}");
+        let options = Options::default()
+            .with_broad_phase(method)
+            .with_pipeline(pipeline)
+            .with_scheduling(scheduling);
+        let mut session = Session::new(device, &small.mesh, options.clone()).expect("a session");
+        let mut n = vec![check(&what, device, &mut session, &small)];
+        for (step, distance) in [(&large, 0.0), (&soup, 0.01), (&small, 0.0), (&large, 0.01)] {
+            let before = session.paths().clone();
+            session.set_mesh(&step.mesh).expect("another mesh");
+            let kept = *session.paths() == before;
+            assert_eq!(kept, step.mesh.n_vertices() * 32 <= before.size() as usize, "{what}");
+            session.set_min_distance(distance).expect("a distance");
+            n.push(check(&what, device, &mut session, step));
+        }
+        session.set_min_distance(0.0).expect("a distance");
+        n.push(check(&what, device, &mut session, &large));
+        // The control: each of these has other candidates.
+        assert!(n.windows(2).all(|two| two[0] != two[1]), "{what}: {n:?}");
+        session.set_mesh_and_bodies(&soup.mesh, bodies.clone()).expect("with bodies");
+        check(&what, device, &mut session, &soup);
+
+        // From method to method in one session.
+        last.set_options(options.with_min_distance(0.003)).expect("other options");
+        check(&format!("changed to {what}"), device, &mut last, &small);
+    }
+}
+
+/// What is refused leaves the session as it was.
+fn check_refused(device: &Device) {
+    let (small, large) = (crumpled_sheet(7, 1), crumpled_sheet(9, 2));
+    let bodies = Bodies::new(&vec![1; small.mesh.n_vertices()], &[], true);
+    let options = Options::default().with_bodies(bodies);
+    let mut session = Session::new(device, &small.mesh, options.clone()).expect("a session");
+    let n = check("before", device, &mut session, &small);
+    let why = session.set_mesh(&large.mesh).expect_err("bodies that do not fit");
+    assert!(matches!(why, Error::Input(ccd::Error::BodyCount { .. })), "{why}");
+    assert!(session.set_min_distance(-1.0).is_err());
+    let lacking = options.clone().with_broad_phase(BroadPhaseMethod::SweepInStrips);
+    let why = session.set_options(lacking).expect_err("a method of the CPU");
+    assert!(matches!(why, Error::Input(ccd::Error::Method { .. })), "{why}");
+    assert_eq!((session.options(), &**session.mesh()), (&options, &small.mesh));
+    assert_eq!(check("after", device, &mut session, &small), n);
+}
+
+/// Positions with a stride, and posed ones.
+fn check_forms(device: &Device) {
+    let step = crumpled_sheet(9, 3);
+    let still = [[1.0f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let still = [still[0], still[1], still[2], [0.0, 0.0, 0.0, 1.0]];
+    let [x0, x1] = step.rounded();
+    let rows: Vec<[f32; 5]> = x1.iter().map(|p| [7.0, 8.0, p[0], p[1], p[2]]).collect();
+    let mut session = Session::new(device, &step.mesh, Options::default()).expect("a session");
+    let want = session.step(&x0, &x1).expect("a step").contacts.clone();
+    assert!(!want.is_empty());
+    let (posed, strided) = (Posed::one(&x0, &still), Strided::<f32>::of(&rows).offset(8));
+    assert!(session.step(&posed, &strided).expect("a step").contacts == want);
+    assert_ne!(session.step(&strided, &posed).expect("a step").contacts, want);
+    let why = session.step(&posed, &strided.offset(12)).expect_err("beyond the last row");
+    assert!(matches!(why, Error::Input(ccd::Error::Bytes { time: 1, .. })), "{why}");
+}

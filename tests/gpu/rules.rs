@@ -1,0 +1,216 @@
+//! Rules of bodies and worlds on a device: kernels against plain twins, sessions against those of
+//! the CPU, whose rules are tested against brute force.
+
+use crate::scenes::{check_pairs, check_reports, check_step};
+use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
+use crate::twin::{code, union};
+use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
+use ccd::gpu::{Device, Session};
+use ccd::scenes::{Step, copies};
+use ccd::{Aabb, Bodies, Error, Groups, Kind, Options, Pipeline};
+use ccd_core::layout::{Dispatch, Params, Worlds};
+use ccd_testkit::compare;
+use ccd_testkit::generate::{crumpled_sheet, triangle_soup};
+
+pub const TESTS: crate::Tests = &[
+    ("world_kernels", check_kernels),
+    ("rules", check_rules),
+    ("rules_change", check_changes),
+    ("worlds", check_worlds),
+];
+
+/// Every vertex, edge and face by its place, in worlds.
+fn check_kernels(device: &Device) {
+    let (twin, _) = twin(60, 1);
+    let n = twin.boxes.len() as u32;
+    let n_worlds = 11;
+    for spread in [7, 500] {
+        let world_of = |i: u32| i / spread * 3 % n_worlds;
+        let worlds: Vec<u32> = (0..n).map(world_of).collect();
+        let p = Params {
+            frame: twin.frame,
+            dispatch: Dispatch { n, ..Dispatch::default() },
+            own: Worlds { bits: 4 },
+        };
+        let kernel = WorldBounds {
+            boxes: bytes(&twin.boxes),
+            worlds: bytes(&worlds),
+            bounds: zeros::<[u32; 6]>(n_worlds as usize),
+        };
+        let WorldBounds { boxes, worlds, bounds } = run(device, kernel, &p, n.div_ceil(2048));
+        let words: Vec<u32> = read(&bounds);
+        let of = |world: u32| {
+            union((0..n).filter(|&i| world_of(i) == world).map(|i| &twin.boxes[i as usize]))
+        };
+        let want: Vec<Aabb> = (0..n_worlds).map(of).collect();
+        let got: Vec<Aabb> =
+            (0..n_worlds).map(|w| ccd_core::broad_phase::worlds::bounds(&words, w)).collect();
+        check_boxes("world", &want, &got);
+        let kernel = WorldKeys {
+            boxes,
+            worlds,
+            bounds,
+            keys: zeros::<u32>(n as usize),
+            order: zeros::<u32>(n as usize),
+        };
+        let done = run(device, kernel, &p, n.div_ceil(256));
+        let keys: Vec<u32> = read(&done.keys);
+        let mut same = 0;
+        for i in 0..n {
+            let world = world_of(i);
+            let code = code(&twin.boxes[i as usize], &want[world as usize]) >> 4;
+            let key = twin.keys[i as usize] >> 30 << 30 | world << 26 | code;
+            assert_eq!(keys[i as usize] >> 26, key >> 26, "set and world of box {i}");
+            same += (keys[i as usize] == key) as u32;
+        }
+        assert!(same * 1000 >= n * 995, "{same} of {n} keys");
+        assert!(read::<u32>(&done.order).into_iter().eq(0..n));
+    }
+    // Leaves in order: worlds of lengths of their own, in each set.
+    let world_of = |k: u32| k / 77;
+    let mut of_leaves = vec![0u32; twin.tree.slots[0][3] as usize];
+    for set in 0..3 {
+        for k in 0..twin.frame.count[set] {
+            of_leaves[(twin.tree.slots[0][set] + k) as usize] = world_of(k);
+        }
+    }
+    for kind in [0, 1] {
+        let above = twin.node_pairs(2, kind);
+        let all = twin.node_pairs(1, kind);
+        let sets = ccd_core::broad_phase::block_bvh::sets(kind);
+        let range = |set: usize, i: u32| {
+            let last = (32 * i + 31).min(twin.frame.count[sets[set]] - 1);
+            world_of(32 * i)..=world_of(last)
+        };
+        let mut want = all.clone();
+        want.retain(|pair| {
+            let (a, b) = (range(0, pair.a), range(1, pair.b));
+            a.start() <= b.end() && b.start() <= a.end()
+        });
+        assert!(want.len() > 50 && want.len() * 2 < all.len(), "{} show nothing", want.len());
+        let (nodes, worlds) = (bytes(&twin.nodes), bytes(&of_leaves));
+        for groups in [1, 40] {
+            let (nodes, worlds) = (nodes.clone(), worlds.clone());
+            let kernel =
+                NodePairsOfWorlds { nodes, worlds, input: list(&above), output: room(50_000) };
+            let done = run(device, kernel, &twin.pass(kind, 2, above.len(), 50_000), groups);
+            check_pairs("node pairs of worlds", want.clone(), entries(&done.output));
+            let found = entries(&done.output);
+            assert!(compare::fails(|| check_pairs("control", all.clone(), found)));
+        }
+    }
+}
+
+/// Triangles of nine bodies with rules of all sorts; `which`: of some sorts alone.
+fn soup(which: u32) -> (Step, Bodies) {
+    let step = triangle_soup(250, 0.2, 5);
+    let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 9).collect();
+    let mut bodies = Bodies::new(&body, &[], true).with_fixed_motion(true);
+    if which & 1 != 0 {
+        bodies = bodies.with_fixed(2, true).with_sleeping(3, true).with_self_contact(4, false);
+    }
+    if which & 2 != 0 {
+        bodies = bodies.with_groups(0, Groups { memberships: 1, filter: 2 });
+        bodies = bodies.with_groups(1, Groups { memberships: 3, filter: 1 });
+        bodies = bodies.with_excluded_bodies(&[[5, 6], [7, 8]]);
+    }
+    if which & 4 != 0 {
+        let report = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+        for kind in [Kind::VertexFace, Kind::EdgeEdge] {
+            let of_kind = report.contacts.iter().filter(|c| c.kind == kind).step_by(2);
+            let pairs: Vec<[u32; 2]> = of_kind.map(|c| [c.a, c.b]).collect();
+            assert!(pairs.len() > 3);
+            bodies = bodies.with_excluded_features(kind, &pairs);
+        }
+    }
+    if which & 8 != 0 {
+        bodies = bodies.with_worlds(&[0, 0, 700, 700, 3, 3, 0, 700, 3]);
+    }
+    (step, bodies)
+}
+
+fn check_rules(device: &Device) {
+    for which in [1, 2, 4, 8, 15] {
+        let (step, bodies) = soup(which);
+        let options = Options::default().with_bodies(bodies);
+        check_step(device, &step, options.clone());
+        check_step(device, &step, options.clone().with_pipeline(Pipeline::TRIANGLES));
+        if which == 15 {
+            for method in methods(device) {
+                check_step(device, &step, options.clone().with_broad_phase(method));
+            }
+        }
+        let mut cpu = ccd::Session::new(step.mesh.clone(), options.clone()).unwrap();
+        let mut gpu = Session::new(device, step.mesh.clone(), options).unwrap();
+        let want = cpu.candidates(&step.x0, &step.x1).unwrap();
+        let found = gpu.candidates(&step.x0, &step.x1).unwrap();
+        check_pairs("vf", want.vf.to_vec(), found.vf);
+        check_pairs("ee", want.ee.to_vec(), found.ee);
+    }
+}
+
+/// Rules that change between steps give what a new session gives.
+fn check_changes(device: &Device) {
+    for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
+        let options = Options::default().with_pipeline(pipeline);
+        let (step, _) = soup(0);
+        let (x0, x1) = (&step.x0, &step.x1);
+        let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
+        let check = |session: &mut Session| {
+            let options = session.options().clone();
+            let cpu = ccd::step(&step.mesh, x0, x1, &options).unwrap();
+            check_reports(&cpu, session.step(x0, x1).unwrap(), false);
+            cpu.candidates.total()
+        };
+        let mut counts = vec![check(&mut session)];
+        for which in [15, 1, 8, 2, 8, 4, 0] {
+            session.set_bodies(soup(which).1).unwrap();
+            counts.push(check(&mut session));
+            assert_eq!(check(&mut session), counts[counts.len() - 1]);
+        }
+        session.set_sleeping(1, true).unwrap();
+        session.set_fixed(2, true).unwrap();
+        counts.push(check(&mut session));
+        session.set_fixed_motion(false).unwrap();
+        let refused = session.step(x0, x1).map(|_| ()).unwrap_err();
+        let is =
+            |e: ccd::gpu::Error, want: Error| matches!(e, ccd::gpu::Error::Input(e) if e == want);
+        assert!(is(refused, Error::FixedMoves { vertex: 3 }));
+        assert!(is(session.set_sleeping(9, true).unwrap_err(), Error::NoBody { body: 9 }));
+        let refused = session.set_filter(|_, _, _| true).unwrap_err();
+        assert!(is(refused, Error::Filter { backend: "gpu" }));
+        session.set_bodies(None).unwrap();
+        assert_eq!(check(&mut session), counts[0]);
+        counts.sort_unstable();
+        counts.dedup();
+        assert!(counts.len() > 6, "{counts:?}: rules that change nothing");
+    }
+}
+
+/// Copies in one place: what each world has is what one has.
+fn check_worlds(device: &Device) {
+    let one = crumpled_sheet(12, 3);
+    let single = ccd::step(&one.mesh, &one.x0, &one.x1, &Options::default()).unwrap();
+    let (n_v, n_e) = (one.mesh.n_vertices() as u32, one.mesh.edges().len() as u32);
+    let n_f = one.mesh.faces().len() as u32;
+    for n in [3, 90] {
+        let (all, bodies) = copies(&one, n);
+        let options = Options::default().with_bodies(bodies);
+        let mut session = Session::new(device, all.mesh.clone(), options).unwrap();
+        let report = session.step(&all.x0, &all.x1).unwrap();
+        assert_eq!(report.candidates.total(), single.candidates.total() * n as u64);
+        let mut found: Vec<_> = report.contacts.iter().map(|c| (c.kind, c.a, c.b)).collect();
+        let shifted = |c: &ccd::Contact, w: u32| match c.kind {
+            Kind::VertexFace => (c.kind, c.a + w * n_v, c.b + w * n_f),
+            _ => (c.kind, c.a + w * n_e, c.b + w * n_e),
+        };
+        let worlds = 0..n as u32;
+        let want = worlds.flat_map(|w| single.contacts.iter().map(move |c| shifted(c, w)));
+        let mut want: Vec<_> = want.collect();
+        want.sort_unstable();
+        found.sort_unstable();
+        assert!(found == want && want.len() > n * 20, "{} of {}", found.len(), want.len());
+        let toi = session.earliest_toi(&all.x0, &all.x1).unwrap();
+        assert!(toi <= single.toi && toi.is_some());
+    }
+}

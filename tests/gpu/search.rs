@@ -1,0 +1,146 @@
+//! Searches by workers, dispatch after dispatch, of any tree of pairs: what stands in buffers
+//! between dispatches, and in which ways pairs are shared out.
+
+use crate::support::read;
+use ccd::Pair;
+use ccd::gpu::Device;
+use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::broad_phase::pair_workers::{
+    FRONT, LEFT, ROUNDS, STACK, THREADS, counts, listed, stolen,
+};
+use ccd_core::layout::{Dispatch, NodeDescent};
+use ccd_testkit::generate::Random;
+
+/// Room of the lists of tasks and of results.
+pub const ROOM: u32 = 12_000;
+/// Of the number of workers, the power of two.
+pub const WORKERS: u32 = 3;
+
+/// What kernels of workers write.
+#[derive(Clone)]
+pub struct Buffers {
+    pub control: Vec<u8>,
+    pub nodes: Vec<u8>,
+    pub pairs: Vec<u8>,
+    pub front: Vec<u8>,
+}
+
+/// A tree of pairs with its kernels.
+pub trait Descends {
+    /// Pairs that a worker expands in a turn.
+    fn width(&self) -> u32;
+    /// The first tasks, without a front, for lists of `own.room_nodes` and [`ROOM`] entries.
+    fn first(&self, device: &Device, own: NodeDescent) -> Buffers;
+    /// The tasks with which a search begins at the front that another has left.
+    fn resume(&self, device: &Device, own: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers;
+    /// A round of `2^WORKERS` workers.
+    fn round(&self, device: &Device, own: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers;
+    /// What must be found, by brute force.
+    fn want(&self) -> Vec<Pair>;
+    /// Pairs below these tasks, these included, that workers expand.
+    fn below(&self, own: NodeDescent, tasks: Vec<NodePair>) -> u64;
+    /// Each pair of leaves is below exactly one pair of a front.
+    fn check_covers(&self, front: &[NodePair]);
+    /// The same trees over boxes that are somewhere else, at most so far.
+    fn moved(&self, random: &mut Random, by: f32) -> Box<dyn Descends>;
+}
+
+/// As schedulers tell workers: what there is, and ways of which there is little.
+pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
+    let (dealt, counted) = (NodeDescent::TASKS_DEALT, NodeDescent::TASKS_COUNTED);
+    let usual = NodeDescent {
+        tasks: dealt,
+        workers: WORKERS,
+        piece: 1,
+        stack: STACK,
+        turns: 4096,
+        room_nodes: ROOM,
+        ..NodeDescent::default()
+    };
+    let mut all = vec![
+        ("static", usual),
+        ("self-scheduling", NodeDescent { tasks: counted, ..usual }),
+        ("frontier", NodeDescent { tasks: counted, piece: THREADS, stack: 0, ..usual }),
+        ("balanced at 1 %", NodeDescent { idle: 1, ..usual }),
+        ("balanced at 100 %", NodeDescent { idle: 100, ..usual }),
+        ("static, a turn", NodeDescent { turns: 1, ..usual }),
+        ("self-scheduling, a few turns", NodeDescent { tasks: counted, turns: 9, ..usual }),
+        ("self-scheduling, a small stack", NodeDescent { tasks: counted, stack: 9, ..usual }),
+    ];
+    if device.check_native().is_ok() {
+        let steals = NodeDescent { tasks: counted, patience: 32, batches: 16, ..usual };
+        let steals = NodeDescent { batch: width / 2, most: 0, push: width, ..steals };
+        let little = NodeDescent { batches: 2, batch: width.min(4), push: 8, ..steals };
+        all.extend([
+            ("stealing", steals),
+            ("lazy stealing", NodeDescent { most: 2, push: 2 * width, ..steals }),
+            ("stealing, some turns", NodeDescent { turns: 9, ..little }),
+            ("lazy stealing, some turns", NodeDescent { most: 1, turns: 9, ..little }),
+            ("stealing, hardly a deque", little),
+            ("lazy stealing, hardly a deque", NodeDescent { most: 2, ..little }),
+            ("lazy stealing, a small stack", NodeDescent { most: 2, stack: 9, ..little }),
+        ]);
+    }
+    all
+}
+
+/// A search that has begun.
+pub struct Search<'a> {
+    device: &'a Device,
+    of: &'a dyn Descends,
+    pub buffers: Buffers,
+}
+
+impl<'a> Search<'a> {
+    /// Without a front.
+    pub fn new(device: &'a Device, of: &'a dyn Descends, own: NodeDescent) -> Self {
+        Self { device, of, buffers: of.first(device, own) }
+    }
+
+    /// The search after this one, of other trees: begins at the front that this one has written.
+    pub fn resumed(&self, of: &'a dyn Descends, own: NodeDescent) -> Self {
+        let n = self.word(FRONT);
+        assert!(n <= own.room_front, "{n} pairs of a front");
+        let dispatch = Dispatch { n, room_out: ROOM, ..Dispatch::default() };
+        let buffers = of.resume(self.device, own, dispatch, self.buffers.front.clone());
+        Self { device: self.device, of, buffers }
+    }
+
+    pub fn word(&self, i: usize) -> u32 {
+        read::<u32>(&self.buffers.control)[i]
+    }
+
+    /// Round after round until nothing is left; how many there were.
+    pub fn run(&mut self, own: NodeDescent) -> u32 {
+        for round in 0..ROUNDS - 1 {
+            if self.word(listed(round)) == 0 {
+                assert_eq!(self.word(LEFT), 0);
+                return round;
+            }
+            self.round(own, round);
+        }
+        panic!("pairs are left after {ROUNDS} rounds: {own:?}");
+    }
+
+    pub fn round(&mut self, own: NodeDescent, round: u32) {
+        let dispatch = Dispatch { first: round, room_out: ROOM, ..Dispatch::default() };
+        self.buffers = self.of.round(self.device, own, dispatch, self.buffers.clone());
+    }
+
+    /// Pairs that workers expanded, all together.
+    pub fn expanded(&self) -> u64 {
+        (0..1 << WORKERS).map(|me| self.word(counts(me) + 1) as u64).sum()
+    }
+
+    /// Batches that workers popped, and stole; pushes for which a deque had no room.
+    pub fn batches(&self) -> [u32; 3] {
+        std::array::from_fn(|i| self.word(stolen(1 << WORKERS) + i))
+    }
+
+    /// The front that was written.
+    pub fn written(&self, own: NodeDescent) -> Vec<NodePair> {
+        let from = (own.written * own.room_front) as usize;
+        let all: Vec<NodePair> = read(&self.buffers.front);
+        all[from..from + self.word(FRONT) as usize].to_vec()
+    }
+}

@@ -1,0 +1,139 @@
+//! Scenes of glTF: nodes, ways to list triangles, where bytes come from.
+
+use crate::{check_refused, read};
+
+/// A scene of one mesh with three positions, or what is put in its place.
+struct Scene {
+    nodes: &'static str,
+    primitive: &'static str,
+    accessors: String,
+    uri: String,
+}
+
+/// Four points, the last where the second is, and the indices 0, 1, 2, 2, 3, 0 as `u16`.
+fn bytes() -> Vec<u8> {
+    let points = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0]];
+    let points = points.as_flattened().iter().flat_map(|c| c.to_le_bytes());
+    points.chain([0u16, 1, 2, 2, 3, 0].iter().flat_map(|i| i.to_le_bytes())).collect()
+}
+
+fn base64(bytes: &[u8]) -> String {
+    let sextets = |three: &[u8]| {
+        let word = three.iter().fold(0u32, |word, &b| word << 8 | b as u32);
+        [18, 12, 6, 0].map(|shift| (word >> shift & 63) as usize)
+    };
+    let letters = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    bytes.chunks_exact(3).flat_map(sextets).map(|i| letters[i] as char).collect()
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            nodes: r#"{"mesh": 0}"#,
+            primitive: r#"{"attributes": {"POSITION": 0}, "indices": 1}"#,
+            accessors: r#"{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                "min": [0, 0, 0], "max": [1, 2, 0]},
+                {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}"#
+                .into(),
+            uri: format!("data:application/octet-stream;base64,{}", base64(&bytes())),
+        }
+    }
+}
+
+impl Scene {
+    fn json(&self) -> String {
+        let Self { nodes, primitive, accessors, uri } = self;
+        let buffer = if uri.is_empty() { String::new() } else { format!(", \"uri\": \"{uri}\"") };
+        format!(
+            r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+            "nodes": [{nodes}], "meshes": [{{"primitives": [{primitive}]}}],
+            "accessors": [{accessors}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 48}},
+                {{"buffer": 0, "byteOffset": 48, "byteLength": 12}}],
+            "buffers": [{{"byteLength": 60{buffer}}}]}}"#
+        )
+    }
+}
+
+#[test]
+fn a_scene_is_read_with_its_nodes() {
+    let frame = read("a.gltf", Scene::default().json().as_bytes()).unwrap();
+    assert_eq!(frame.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]);
+    assert_eq!((&frame.faces[..], &frame.polygons[..]), (&[[0, 1, 2], [2, 1, 0]][..], &[0, 1][..]));
+    // A child of a node that moves and scales; both have the mesh, and are apart.
+    let nodes = r#"{"mesh": 0, "translation": [0, 0, 5], "children": [1]},
+        {"mesh": 0, "scale": [2, 2, 2]}"#;
+    let moved = read("b.gltf", Scene { nodes, ..Scene::default() }.json().as_bytes()).unwrap();
+    assert_eq!(moved.positions[..2], [[0.0, 0.0, 5.0], [1.0, 0.0, 5.0]]);
+    assert_eq!(moved.positions[3..], [[0.0, 0.0, 5.0], [2.0, 0.0, 5.0], [0.0, 4.0, 5.0]]);
+    assert_eq!(moved.faces[2..], [[3, 4, 5], [5, 4, 3]]);
+}
+
+#[test]
+fn every_mode_is_read() {
+    let faces = |primitive| {
+        let frame = read("a.gltf", Scene { primitive, ..Scene::default() }.json().as_bytes());
+        let frame = frame.unwrap();
+        (frame.faces, frame.edges)
+    };
+    let strip = faces(r#"{"attributes": {"POSITION": 0}, "mode": 5}"#).0;
+    assert_eq!(strip, [[0, 1, 2], [1, 1, 2]]);
+    let fan = faces(r#"{"attributes": {"POSITION": 0}, "mode": 6}"#).0;
+    assert_eq!(fan, [[1, 2, 0], [2, 1, 0]]);
+    let lines = faces(r#"{"attributes": {"POSITION": 0}, "mode": 1}"#);
+    assert_eq!(lines, (vec![], vec![[0, 1], [2, 1]]));
+    let strip = faces(r#"{"attributes": {"POSITION": 0}, "mode": 3}"#).1;
+    assert_eq!(strip, [[0, 1], [1, 2], [2, 1]]);
+    let ring = faces(r#"{"attributes": {"POSITION": 0}, "mode": 2}"#).1;
+    assert_eq!(ring, [[0, 1], [1, 2], [2, 1], [1, 0]]);
+    let points = faces(r#"{"attributes": {"POSITION": 0}, "mode": 0}"#);
+    assert_eq!(points, (vec![], vec![]));
+}
+
+#[test]
+fn bytes_are_beside_the_file_or_in_it() {
+    let want = read("a.gltf", Scene::default().json().as_bytes()).unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("the bytes.bin"), bytes()).unwrap();
+    let path = dir.path().join("a.gltf");
+    let scene = Scene { uri: "the%20bytes.bin".into(), ..Scene::default() };
+    std::fs::write(&path, scene.json()).unwrap();
+    assert_eq!(ccd::io::read_frame(&path).unwrap(), want);
+
+    let mut json = Scene { uri: String::new(), ..Scene::default() }.json().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let word = |n: usize| (n as u32).to_le_bytes();
+    let mut glb: Vec<u8> = b"glTF".to_vec();
+    glb.extend(word(2).into_iter().chain(word(12 + 8 + json.len() + 8 + 60)));
+    glb.extend(word(json.len()).into_iter().chain(*b"JSON").chain(json));
+    glb.extend(word(60).into_iter().chain(*b"BIN\0").chain(bytes()));
+    assert_eq!(read("a.glb", &glb).unwrap(), want);
+    assert!(read("cut.glb", &glb[..glb.len() - 3]).is_err());
+}
+
+#[test]
+fn bad_scenes_are_refused() {
+    let refused = |scene: Scene, says: &str| {
+        check_refused("bad.gltf", scene.json().as_bytes(), says);
+    };
+    let uri = |uri: &str| Scene { uri: uri.into(), ..Scene::default() };
+    refused(uri("nowhere.bin"), "`nowhere.bin`");
+    refused(uri("http://a/b.bin"), "no file beside");
+    refused(uri(&Scene::default().uri[..90]), "buffer 1 (counted from 1)");
+    let accessors = |from: &str, to: &str| {
+        let accessors = Scene::default().accessors;
+        assert!(accessors.contains(from));
+        Scene { accessors: accessors.replacen(from, to, 1), ..Scene::default() }
+    };
+    refused(accessors("\"count\": 4", "\"count\": 5"), "beyond the end");
+    refused(accessors("\"count\": 6", "\"count\": 7"), "beyond the end");
+    refused(accessors("\"count\": 6", "\"count\": 5"), "no whole number");
+    refused(accessors("\"count\": 6", "\"count\": 0"), "no elements");
+    refused(accessors("\"count\": 4", "\"count\": 2"), "names a vertex");
+    refused(accessors("\"type\": \"VEC3\"", "\"type\": \"VEC2\""), "three floats");
+    refused(accessors("5123", "5126"), "unsigned");
+    let nodes = r#"{"mesh": 0, "children": [1]}, {"children": [0]}"#;
+    refused(Scene { nodes, ..Scene::default() }, "two parents");
+    check_refused("none.gltf", br#"{"asset": {"version": "2.0"}}"#, "no scene");
+    check_refused("text.gltf", b"solid", "text.gltf");
+}

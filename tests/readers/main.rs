@@ -1,0 +1,169 @@
+//! Every format of meshes and of positions over time: what is read, and what is refused with which
+//! words.
+
+mod gltf;
+mod over_time;
+
+use ccd::io::{Frame, read_frame};
+use std::path::{Path, PathBuf};
+
+fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
+    let path = dir.join(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+fn read(name: &str, content: &[u8]) -> Result<Frame, String> {
+    let dir = tempfile::tempdir().unwrap();
+    read_frame(&write(dir.path(), name, content)).map_err(|e| {
+        let text = e.to_string();
+        assert!(text.contains(name), "{text:?} names the file");
+        text
+    })
+}
+
+fn check_refused(name: &str, content: &[u8], says: &str) {
+    let text = read(name, content).expect_err(says);
+    assert!(text.contains(says), "{text:?} does not say {says:?}");
+}
+
+/// A square of one polygon and a triangle beside it.
+const POSITIONS: [[f64; 3]; 5] =
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25], [2.0, 0.0, 0.1]];
+const FACES: [[u32; 3]; 3] = [[0, 1, 2], [0, 2, 3], [1, 4, 2]];
+
+#[test]
+fn polygons_are_remembered() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n\
+        property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n\
+        0 0 0\n1 0 0\n1 1 0\n0 1 0.25\n2 0 0.1\n4 0 1 2 3\n3 1 4 2\n";
+    let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.25\nv 2 0 0.1\nf 1 2 3 4\nf 2 5 3\n";
+    let off = "OFF\n# a comment\n5 2 0\n0 0 0\n1 0 0 # here, too\n1 1 0\n\n0 1 0.25\n2 0 0.1\n\
+        4 0 1 2 3 255 0 0\n3 1 4 2\n";
+    for (name, text) in [("a.ply", ply), ("a.obj", obj), ("a.off", off)] {
+        let frame = read(name, text.as_bytes()).unwrap();
+        assert_eq!(frame.positions, POSITIONS, "{name}");
+        assert_eq!((&frame.faces[..], &frame.polygons[..]), (&FACES[..], &[0, 0, 1][..]), "{name}");
+    }
+}
+
+#[test]
+fn off_is_read_in_its_variants() {
+    let body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let want = read("a.off", format!("OFF\n3 1 3\n{body}").as_bytes()).unwrap();
+    assert_eq!(want.faces, [[0, 1, 2]]);
+    let colours = "COFF\r\n3 1\r\n0 0 0 1 0 0 1\r\n1 0 0 0 1 0 1\r\n0 1 0 0 0 1 1\r\n3 0 1 2\r\n";
+    for text in
+        [format!("OFF 3 1 3\n{body}"), format!("# x\nNOFF\n3 1 0 # y\n{body}"), colours.into()]
+    {
+        assert_eq!(read("a.off", text.as_bytes()).unwrap(), want, "{text:?}");
+    }
+    let refused = |text: &str, says: &str| check_refused("bad.off", text.as_bytes(), says);
+    refused("", "empty");
+    refused("ply\n", "line 1: `ply` is not OFF");
+    refused("OFF BINARY\n", "binary");
+    refused("4OFF\n1 0 0\n", "dimensions");
+    refused("OFF\n3\n", "line 2");
+    refused("OFF\n-1 0 0\n", "`-1` is no number of elements");
+    refused("OFF\n2 0 0\n0 0 0\n", "vertex 2 (counted from 1): the file ends");
+    refused(&format!("OFF\n3 2 0\n{body}"), "face 2 (counted from 1): the file ends");
+    refused(&format!("OFF\n3 1 0\n{body}3 0 1 2\n"), "line 7: `3 0 1 2` is more");
+    refused(
+        &format!("OFF\n3 1 0\n{}", body.replace("1 2\n", "1 3\n")),
+        "line 6: `3` is none of the 3",
+    );
+    refused(&format!("OFF\n3 1 0\n{}", body.replace("3 0 1 2", "3 0 1")), "line 6: has 2");
+    refused(&format!("OFF\n3 1 0\n{}", body.replace("3 0 1 2", "2 0 1")), "fewer than 3");
+    refused(&format!("OFF\n3 1 0\n{}", body.replace("1 0 0", "1 nan 0")), "line 4: `nan`");
+}
+
+/// Two triangles with a common side: six corners, four vertices.
+const TRIANGLES: [[[f32; 3]; 3]; 2] = [
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]],
+    [[0.0, 1.0, 0.5], [1.0, -0.0, 0.0], [1.0, 1.0, 0.0]],
+];
+
+#[test]
+fn stl_is_read_as_text_and_binary() {
+    let mut text = String::from("solid first  solid\n");
+    let mut binary = vec![b' '; 80];
+    binary[..5].copy_from_slice(b"solid");
+    binary.extend(2u32.to_le_bytes());
+    for (k, corners) in TRIANGLES.iter().enumerate() {
+        // A text may hold several solids.
+        text += if k == 1 { "endsolid first\nSOLID\n" } else { "" };
+        text += "  facet normal 0 0 1\n    outer loop\n";
+        binary.extend([0u8; 12]);
+        for p in corners {
+            text += &format!("      vertex {:e} {} {}\n", p[0], p[1], p[2]);
+            binary.extend(p.iter().flat_map(|c| c.to_le_bytes()));
+        }
+        text += "    endloop\n  endfacet\n";
+        binary.extend([7, 0]);
+    }
+    text += "endsolid\n";
+    let want = read("a.stl", &binary).unwrap();
+    assert_eq!(want.positions.len(), 4, "vertices in one place are one, both zeros too");
+    assert_eq!((&want.faces[..], &want.polygons[..]), (&[[0, 1, 2], [2, 1, 3]][..], &[0, 1][..]));
+    assert_eq!(read("b.stl", text.as_bytes()).unwrap(), want);
+    assert_eq!(read("crlf.stl", text.replace('\n', "\r\n").as_bytes()).unwrap(), want);
+    let tenth = text.replace(" 0.5\n", " 0.1\n");
+    assert_eq!(read("wide.stl", tenth.as_bytes()).unwrap().positions[2], [0.0, 1.0, 0.1]);
+
+    check_refused("short.stl", &binary[..binary.len() - 1], "line 1");
+    binary[0] = b'x';
+    check_refused(
+        "long.stl",
+        &[&binary[..], &[0]].concat(),
+        "promises 2 triangles, which take 184",
+    );
+    check_refused("tiny.stl", b"soli", "neither binary STL nor its text");
+    let refused = |from: &str, to: &str, says: &str| {
+        assert!(text.contains(from));
+        check_refused("bad.stl", text.replacen(from, to, 1).as_bytes(), says);
+    };
+    refused("vertex 1e0 0 0", "vertex 1e0 0", "line 5: a vertex needs three");
+    refused("vertex 1e0 0 0", "vertex 1e0 0 0 0", "line 5: `vertex 1e0 0 0 0` has more");
+    refused("vertex 1e0 0 0", "vertex one 0 0", "line 5: `one` is not a number");
+    refused("vertex 1e0 0 0", "", "line 8: the facet has 2 vertices");
+    refused("endfacet", "endface", "line 8: `endface`");
+    refused("endsolid first\n", "", "line 9: `SOLID` is not expected");
+    check_refused("open.stl", text.trim_end_matches("endsolid\n").as_bytes(), "ends within");
+}
+
+#[test]
+fn errors_name_the_place_and_quote_little() {
+    let word = "x".repeat(1000);
+    for (name, text) in [
+        ("long.obj", format!("v 0 0 {word}\n")),
+        ("key.obj", format!("{word}\n")),
+        ("face.obj", format!("v 0 0 0\nf 1 1 {word}\n")),
+        ("long.off", format!("OFF\n1 0 0\n0 0 {word}\n")),
+        ("long.stl", format!("solid a\n{word} {word}\n")),
+        (
+            "long.ply",
+            format!(
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nend_header\n{word}\n"
+            ),
+        ),
+        ("head.ply", format!("ply\nformat ascii 1.0\n{word}\n")),
+        ("long.gltf", format!("{{\"{word}\": ")),
+    ] {
+        let error = read(name, text.as_bytes()).unwrap_err();
+        assert!(error.len() < 420, "{name}: {error}");
+    }
+    // A vertex that never comes is named with the line that uses it.
+    check_refused(
+        "a.obj",
+        b"v 0 0 0\nf 1 1 4\nl 1 3\nv 1 0 0\n",
+        "line 2: vertex index 4 names no",
+    );
+    check_refused("far.obj", b"v 0 0 0\nv 0 1e101 0\n", "line 2: `1e101` is beyond");
+    assert!(read("later.obj", b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").is_ok());
+    let ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n\
+        property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+        0 0 0\n0 0 -1e200\n3 0 1 1\n";
+    check_refused("a.ply", ply.as_bytes(), "vertex 2 (counted from 1): z = -1");
+    let ply = ply.replace("-1e200", "1").replace("3 0 1 1", "3 0 1 2");
+    check_refused("a.ply", ply.as_bytes(), "face 1 (counted from 1): refers to vertex 2");
+}

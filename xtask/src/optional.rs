@@ -1,0 +1,41 @@
+//! What a machine may lack: a check that needs it is skipped there, loudly and with the reason,
+//! never silently.
+
+use std::process::Command;
+
+/// Says that a check was skipped.
+pub fn skipped(why: &str) {
+    println!("SKIPPED: {why}");
+}
+
+/// Whether rustup has a target, or can install it.
+pub fn has_target(target: &str) -> bool {
+    Command::new("rustup").args(["target", "add", target]).status().is_ok_and(|s| s.success())
+}
+
+/// What a program prints, or why it could not do its work: the last line that it wrote about that.
+pub fn output(command: &mut Command) -> Result<String, String> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command.output().map_err(|e| format!("{name}: {e}"))?;
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim().to_owned();
+    if output.status.success() {
+        return Ok(text(&output.stdout));
+    }
+    let said = [text(&output.stderr), text(&output.stdout)].join("\n");
+    let last = said.lines().map(str::trim).rfind(|line| !line.is_empty());
+    Err(format!("{name}: {} ({})", last.unwrap_or("no word"), output.status))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let failed = output(Command::new("cargo").arg("no-such-command")).unwrap_err();
+        assert!(failed.starts_with("cargo: ") && failed.len() > 20, "{failed}");
+        let missing = output(&mut Command::new("no-such-program")).unwrap_err();
+        assert!(missing.starts_with("no-such-program: "), "{missing}");
+        assert!(output(Command::new("cargo").arg("--version")).unwrap().starts_with("cargo "));
+    }
+}
