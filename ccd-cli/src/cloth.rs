@@ -13,7 +13,7 @@ use super::method::MethodOptions;
 use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
 use ccd::scenes::{grid, sphere};
-use ccd::{Bodies, Contact, ContactGeometry, Mesh, Options};
+use ccd::{Bodies, Contact, Mesh, Options};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;
@@ -145,11 +145,8 @@ impl Cloth {
             if report.contacts.is_empty() {
                 break;
             }
-            // Of the step as it was checked: pushes move its end.
-            let of = |c| Contact::geometry(c, &self.mesh, &x0, &x1);
-            let geometry: Vec<ContactGeometry> = report.contacts.iter().map(of).collect();
-            for (c, at) in report.contacts.iter().zip(&geometry) {
-                push_apart(c, at, &self.mesh, &x0, &mut x1);
+            for c in &report.contacts {
+                push_apart(c, &self.mesh, &x0, &mut x1);
             }
         }
         self.hold_back(&x0, &mut x1)?;
@@ -229,16 +226,11 @@ fn springs(faces: &[[u32; 3]], x: &[[f64; 3]]) -> Vec<(usize, usize, f64)> {
     pairs.into_iter().map(length).collect()
 }
 
-/// Moves the ends of the step apart along the normal at the time of impact.
-fn push_apart(
-    c: &Contact,
-    at: &ContactGeometry,
-    mesh: &Mesh,
-    x0: &[[f64; 3]],
-    x1: &mut [[f64; 3]],
-) {
+/// Moves the ends of the step apart along the normal at the time of impact, of the step as the
+/// pushes before have left it.
+fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
     let ids = c.vertices(mesh).map(|v| v as usize);
-    let (n, n_first) = (at.normal, c.kind.n_first());
+    let (n, n_first) = (c.geometry(mesh, x0, x1).normal, c.kind.n_first());
     let along = ids.map(|v| dot(n, x1[v]));
     let first = along[..n_first].iter().copied().fold(f64::INFINITY, f64::min);
     let second = along[n_first..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
