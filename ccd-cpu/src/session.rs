@@ -3,7 +3,6 @@
 
 mod rules;
 
-use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::{Instant, milliseconds};
@@ -131,18 +130,6 @@ impl Session {
     /// What the last step found.
     pub fn report(&self) -> &Report {
         &self.report
-    }
-
-    /// From now on, whether the clock is asked where the time of descents goes, which costs time
-    /// itself: two looks for every list of pairs that is expanded.
-    pub fn set_timed(&mut self, timed: bool) {
-        self.method.set_timed(timed);
-    }
-
-    /// Where it went since [`Session::set_timed`]: if a scheduler was chosen, by
-    /// [`Options::scheduling`], that is not the default's.
-    pub fn descent_times(&self) -> Option<DescentTimes> {
-        self.method.descent_times()
     }
 
     /// Takes what the last step found out of the session.

@@ -63,8 +63,8 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
 /// Reads a file of queries of one kind.
 ///
 /// # Errors
-/// A kind of other pairs; a row with other columns than six or seven, or than the first; a fraction that is no `f64`
-/// exactly; an end within a query.
+/// A kind of other pairs; a row with other columns than six or seven, or than the first; a fraction
+/// that is no `f64` exactly; an end within a query.
 pub fn read_queries_of(path: &Path, kind: Kind) -> Result<Queries, ReadError> {
     read(path, kind).map_err(|kind| ReadError { path: path.to_owned(), kind })
 }

@@ -14,6 +14,7 @@ pub mod memory;
 pub mod prefix;
 pub mod probe;
 pub mod sort;
+mod threads;
 mod word_access;
 
 pub use word_access::{ReadWords, Words};
@@ -412,24 +413,3 @@ impl Id {
         )
     }
 }
-
-const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
-const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
-const _: () = assert!(Id::IntervalPairs.threads() == crate::broad_phase::key_intervals::GROUP);
-const _: () = assert!(Id::NearNodes.threads() == crate::broad_phase::wide_nodes::TILE);
-const _: () = assert!(Id::PlocFinish.threads() == crate::broad_phase::ploc::FEW);
-const _: () = assert!(Id::PlocFinish.threads() == prefix::TILE);
-const _: () = assert!(Id::PlocJoin.threads() == prefix::TILE);
-const _: () = assert!(Id::PlocCount.threads() == prefix::TILE);
-const _: () = assert!(Id::OrientNear.threads() == crate::broad_phase::wide_nodes::TILE);
-const _: () = assert!(Id::PairWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
-const _: () = assert!(Id::StealPairs.threads() == crate::broad_phase::pair_workers::THREADS);
-const _: () = assert!(Id::ResumeFront.threads() == crate::broad_phase::pair_workers::THREADS);
-const _: () = assert!(Id::BlockWorkers.threads() == crate::broad_phase::block_bvh::THREADS);
-const _: () = assert!(Id::BlockWorkers.threads() == crate::broad_phase::pair_workers::THREADS);
-const _: () = assert!(Id::StealBlockPairs.threads() == crate::broad_phase::pair_workers::THREADS);
-const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
-const _: () = assert!(Id::NodePairsOfWorlds.threads() == crate::broad_phase::block_bvh::THREADS);
-const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
-const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);
-const _: () = assert!(Id::FilterEdgeEdge.threads() == crate::broad_phase::block_bvh::THREADS);

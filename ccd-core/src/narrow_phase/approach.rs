@@ -26,8 +26,7 @@
 //! Features that separate may leave their contact: see [`Departure::again`]. A search that lets
 //! them promises that at every time before its time of impact the distance is above the minimum or
 //! at least what it was at the start. A hit then is the first contact after a time at which they
-//! certainly were apart; no later one is missed. ipc-toolkit asks the same of a pair by `no_zero_toi`, and there runs the search again at
-//! a smaller distance or takes for granted that there is no contact at the start [Ferguson 2020].
+//! certainly were apart; no later one is missed.
 //!
 //! # The bound
 //! `n` is not known; `w` is, a direction near it whose components add up to 1, of length `L`. With

@@ -3,6 +3,7 @@
 //! anything.
 
 use super::{Session, check_pipeline};
+use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::step::codimensional::Codimensional;
 use crate::step::selection::Selection;
@@ -131,5 +132,17 @@ impl Session {
         }
         self.prepared.set_min_distance(&self.mesh, &self.options);
         Ok(())
+    }
+
+    /// From now on, whether the clock is asked where the time of descents goes, which costs time
+    /// itself: two looks for every list of pairs that is expanded.
+    pub fn set_timed(&mut self, timed: bool) {
+        self.method.set_timed(timed);
+    }
+
+    /// Where it went since [`Session::set_timed`]: if a scheduler was chosen, by
+    /// [`Options::scheduling`], that is not the default's.
+    pub fn descent_times(&self) -> Option<DescentTimes> {
+        self.method.descent_times()
     }
 }

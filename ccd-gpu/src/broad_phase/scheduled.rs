@@ -119,11 +119,7 @@ impl Scheduled {
 
     /// What fronts the last search left, if any are kept.
     pub fn front(&self) -> Option<FrontCounts> {
-        self.fronts().map(Front::counts).reduce(|all, one| FrontCounts {
-            pairs: all.pairs + one.pairs,
-            begun: all.begun + one.begun,
-            bytes: all.bytes + one.bytes,
-        })
+        self.fronts().map(Front::counts).reduce(FrontCounts::plus)
     }
 
     /// What workers counted, by kind; see [`Schedule::counts`].

@@ -174,7 +174,8 @@ impl Frames {
         Ok(buffers)
     }
 
-    /// Runs frames over a window of the step until every list was long enough. Contacts of the device go to `contacts`.
+    /// Runs frames over a window of the step until every list was long enough. Contacts of the
+    /// device go to `contacts`.
     pub fn run(
         &mut self,
         device: &Device,

@@ -1,0 +1,110 @@
+//! Results that stay where a device has them, for work that goes on there.
+
+use super::Session;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::step::frame::Frames;
+use crate::step::{Goal, WHOLE};
+use ccd_core::model::positions::{AsPositions, ends};
+
+/// Results where a device has them, for work that goes on there. Valid until the session's next
+/// call.
+///
+/// A list is a header of four words, of which the first is the number of entries, then the entries.
+/// That number may exceed the room of a list in [`OnDevice::lists`]: then results are incomplete,
+/// and [`Session::step`] must be called instead, which makes room.
+#[derive(Clone, Debug)]
+pub struct OnDevice<'a> {
+    /// Contacts: entries are [`Touch`](ccd_core::layout::Touch).
+    pub contacts: &'a List,
+    /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as
+    /// contacts; empty where `f64` is used on the device.
+    pub undecided: [&'a List; 2],
+    /// Every list of the frame, also those between stages: if the first word of any of them exceeds
+    /// its room, results are incomplete.
+    pub lists: Vec<&'a List>,
+    /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
+    /// than those of 1 if there is none. Without the undecided pairs.
+    pub earliest: [&'a wgpu::Buffer; 2],
+}
+
+/// The contacts of a step with their geometry where a device has them. Valid until the session's
+/// next call.
+#[derive(Clone, Debug)]
+pub struct GeometryOnDevice<'a> {
+    /// As in [`OnDevice::contacts`], room included: what its header says counts here.
+    pub contacts: &'a List,
+    /// Record `i` is a [`TouchGeometry`](ccd_core::layout::TouchGeometry) of entry `i`; without a
+    /// header. Records behind the last contact are left as they were.
+    pub geometry: &'a wgpu::Buffer,
+}
+
+impl Session {
+    /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
+    /// until the next call. All of them fit.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates_on_device<A, B>(&mut self, x0: &A, x1: &B) -> Result<[&List; 2], Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.run(ends(x0, x1), WHOLE, Goal::Candidates)?;
+        let [vf, ee] = &self.frames.buffers.candidates;
+        Ok([vf, ee])
+    }
+
+    /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per
+    /// vertex. May be written by copies and by kernels. Another mesh may bring another buffer.
+    pub fn paths(&self) -> &wgpu::Buffer {
+        &self.frames.buffers.positions.paths
+    }
+
+    /// Records a whole step, from the paths in [`Session::paths`] to the lists of [`OnDevice`],
+    /// into an encoder of the caller's; nothing is read back.
+    ///
+    /// The paths are taken as exact and must be finite. Submit the encoder before the session's
+    /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
+    /// are certified from positions on the host, and for meshes with vertices of no edge that could
+    /// touch each other or an edge of no face, which are decided there. Whether what is
+    /// fixed moves is not seen.
+    ///
+    /// # Errors
+    /// [`Error::PathsUnseen`] with normal cones, [`Error::Codimensional`] for such meshes; what the
+    /// device refuses.
+    pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
+        if self.codimensional.is_some() {
+            return Err(Error::Codimensional);
+        }
+        let b = self.frames.record(&self.device, &self.options, encoder)?;
+        Ok(OnDevice {
+            contacts: &b.contacts,
+            undecided: [&b.undecided[0], &b.undecided[1]],
+            lists: b.lists().into_vec(),
+            earliest: b.earliest.each_ref(),
+        })
+    }
+
+    /// Records what writes point, normal, weights and vertices of every contact on the device that
+    /// the last [`Session::record`] or [`Session::step`] has listed there, in the order of that
+    /// list; nothing is read back. See
+    /// [`contact_geometry`](ccd_core::narrow_phase::contact_geometry) for the rules.
+    ///
+    /// Into the encoder of [`Session::record`] after it, or, after [`Session::step`], into any.
+    /// Submit the encoder before the session's next call. Computed in `f64` where the device has it
+    /// and else in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
+    /// time and so no geometry.
+    ///
+    /// # Errors
+    /// [`Error::NoContacts`] if the last call was another, which lists no contacts; no memory for
+    /// 64 bytes a contact.
+    pub fn record_geometry(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<GeometryOnDevice<'_>, Error> {
+        let Frames { buffers, geometry, .. } = &mut self.frames;
+        let geometry = geometry.record(&self.device, buffers, &self.options, encoder)?;
+        Ok(GeometryOnDevice { contacts: &buffers.contacts, geometry })
+    }
+}
