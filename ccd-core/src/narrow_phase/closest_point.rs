@@ -40,7 +40,9 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
         Patch::Triangle => s >= zero && r >= zero && s + r <= one,
         Patch::Parallelogram => s >= zero && r >= zero && s <= one && r <= one,
     };
-    if det > zero && within {
+    // A lesser one is rounding, and so are `s` and `r`: sides that are parallel have their nearest
+    // point on a side.
+    if det > bb * cc * (R::UNIT * R::splat(64.0)) && within {
         return sub(a, [b[0] * s + c[0] * r, b[1] * s + c[1] * r, b[2] * s + c[2] * r]);
     }
     closest_of_sides(a, b, c, patch)
@@ -60,4 +62,23 @@ pub(super) fn closest_of_sides<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: 
     };
     let nearer = |p: [R; 3], q: [R; 3]| if dot(q, q) < dot(p, p) { q } else { p };
     nearer(nearer(nearer(sides[0], sides[1]), sides[2]), sides[3])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::narrow_phase::query::{EdgeEdge, Verdict, edge_edge};
+
+    /// Diagonals of neighbouring cells of a grid, parallel but for the last digits, which lie 0.022
+    /// apart in a plane.
+    #[test]
+    fn edges_that_are_parallel_but_for_rounding_are_told_apart() {
+        let t0 = [
+            [-0.8412698412698413, -0.007177598363243843, 0.6825396825396826],
+            [-0.8730158730158729, -0.007577598363243842, 0.7142857142857142],
+            [-0.8412698412698412, -0.007377598363243843, 0.7142857142857142],
+            [-0.873015873015873, -0.0077775983632438405, 0.746031746031746],
+        ];
+        assert_eq!(edge_edge(&EdgeEdge { t0, t1: t0 }, 0.0), Verdict::<f64>::Miss);
+    }
 }
