@@ -76,7 +76,7 @@ fn check_kernels(device: &Device) {
                     (below(mesh.edges().len(), &mut random), below(mesh.edges().len(), &mut random))
                 };
                 let toi = [0.0, 1.0, random.unit()][random.below(3) as usize];
-                Touch { kind, state: i % 3 / 2, a, b, toi: split(toi) }
+                Touch { kind, state: i % 3 / 2, a, b, toi: split(toi), approach: 0 }
             })
             .collect();
         let mut contacts = bytes(&[wanted, 0, 0, 0]);

@@ -87,7 +87,8 @@ impl Serialize for Bodies {
             BodyData { body, self_contact, fixed, sleeping, groups, world }
         };
         let told = |of: &BodyData| *of != BodyData { body: of.body, ..BodyData::default() };
-        let (excluded_bodies, excluded_features) = self.excluded();
+        let (excluded_bodies, excluded_features) =
+            (self.excluded_bodies(), self.excluded_features());
         let name = |&[i, j]: &[u32; 2]| [names[i as usize], names[j as usize]];
         let data = BodiesData {
             body_of_vertex: self.body_of_vertex(),

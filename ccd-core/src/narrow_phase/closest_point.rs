@@ -66,7 +66,6 @@ pub(super) fn closest_of_sides<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: 
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::narrow_phase::query::{EdgeEdge, Verdict, edge_edge};
 
     /// Diagonals of neighbouring cells of a grid, parallel but for the last digits, which lie 0.022

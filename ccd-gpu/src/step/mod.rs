@@ -2,6 +2,7 @@
 //! after them.
 
 pub mod buffers;
+mod candidates;
 pub mod codimensional;
 pub mod contact_geometry;
 pub mod contact_order;

@@ -1,13 +1,8 @@
 //! Where the candidates of a step come from: blocks, whose pairs are filtered as they are found, or
 //! any other source, which lists pairs first, of features or of triangles.
 
-use super::buffers::Buffers;
 use super::triangle_pairs::TrianglePairs;
-use crate::bind::{
-    FilterEdgeEdge, FilterListedEdgeEdge, FilterListedVertexFace, FilterVertexFace, ListCandidates,
-    ListListedEdgeEdge, ListListedVertexFace,
-};
-use crate::broad_phase::block_bvh::{Pass, Tree, groups};
+use crate::broad_phase::block_bvh::{Tree, groups};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::scheduled::Scheduled;
@@ -39,7 +34,7 @@ pub enum Source {
 pub struct Listed {
     finder: Finder,
     /// Pairs of boxes that overlap, by kind.
-    pairs: [List; 2],
+    pub(super) pairs: [List; 2],
     groups: u32,
 }
 
@@ -309,7 +304,7 @@ impl Source {
 }
 
 impl Listed {
-    fn source(&self) -> &dyn PairSource {
+    pub(super) fn source(&self) -> &dyn PairSource {
         match &self.finder {
             Finder::Features(source) => &**source,
             Finder::Triangles(source) => &**source,
@@ -317,7 +312,7 @@ impl Listed {
     }
 
     /// Calls `run` with the parameters of each dispatch over listed pairs, and its workgroups.
-    fn each_part(
+    pub(super) fn each_part(
         &self,
         frame: &Frame,
         kind: usize,
@@ -330,97 +325,6 @@ impl Listed {
             let n = (room_in - first).min(DISPATCH_LIMIT);
             let groups = n.div_ceil(Id::FilterListedEdgeEdge.threads()).min(self.groups);
             run(&Params { frame: *frame, dispatch, own: Plain::default() }, groups);
-        }
-    }
-}
-
-impl Buffers {
-    /// Lists candidates of a kind.
-    pub fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: usize) {
-        let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.candidates[kind]);
-        let output = list.buffer();
-        match &self.source {
-            Source::Blocks(tree) => {
-                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let input = pairs.buffer();
-                let kernel = ListCandidates { nodes, leaves, bodies, keys, input, output };
-                let pass = Pass { kind: kind as u32, level: 1, step: 1 };
-                tree.each_part(frame, pass, pairs, list, |p| {
-                    recorder.dispatch(&kernel, p, tree.groups.min(pairs.room()));
-                });
-            }
-            Source::Listed(listed) => {
-                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
-                let (faces, edges) = (&self.faces, &self.edges);
-                listed.each_part(frame, kind, list, |p, groups| match kind {
-                    0 => recorder.dispatch(
-                        &ListListedVertexFace { boxes, faces, bodies, keys, input, output },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &ListListedEdgeEdge { boxes, edges, bodies, keys, input, output },
-                        p,
-                        groups,
-                    ),
-                });
-            }
-        }
-    }
-
-    /// Filters candidates of a kind. `step`: of every so many-th pair of blocks.
-    pub fn filter(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        paths: &wgpu::Buffer,
-        kind: usize,
-        step: u32,
-    ) {
-        let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.survivors[kind]);
-        let output = list.buffer();
-        match &self.source {
-            Source::Blocks(tree) => {
-                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let (input, groups) = (pairs.buffer(), tree.groups.min(pairs.room()));
-                let pass = Pass { kind: kind as u32, level: 1, step };
-                tree.each_part(frame, pass, pairs, list, |p| match kind {
-                    0 => recorder.dispatch(
-                        &FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
-                });
-            }
-            Source::Listed(listed) => {
-                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
-                let (faces, edges) = (&self.faces, &self.edges);
-                listed.each_part(frame, kind, list, |p, groups| match kind {
-                    0 => recorder.dispatch(
-                        &FilterListedVertexFace {
-                            boxes,
-                            faces,
-                            bodies,
-                            keys,
-                            paths,
-                            input,
-                            output,
-                        },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &FilterListedEdgeEdge { boxes, edges, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
-                });
-            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Checks of numbers that callers give.
 
 use super::Error;
+use crate::narrow_phase::query::LEAST_TOLERANCE;
 
 /// Checks that every coordinate is finite and at most [`Error::MAX_COORDINATE`].
 ///
