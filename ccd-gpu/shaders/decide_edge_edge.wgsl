@@ -166,65 +166,65 @@ var<storage, read_write> undecided: type_46;
 var<storage, read_write> earliest: type_46;
 
 fn function_(param: f32) -> array<u32, 2> {
-    var phi_15798_: array<u32, 2>;
-    var phi_15799_: array<u32, 2>;
-    var phi_15800_: bool;
-    var phi_15804_: array<u32, 2>;
+    var phi_15801_: array<u32, 2>;
+    var phi_15802_: array<u32, 2>;
+    var phi_15803_: bool;
+    var phi_15807_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param);
     if (_e13 < 8388608u) {
-        phi_15799_ = array<u32, 2>();
-        phi_15800_ = true;
+        phi_15802_ = array<u32, 2>();
+        phi_15803_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_15798_ = array<u32, 2>();
+            phi_15801_ = array<u32, 2>();
         } else {
-            phi_15798_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_15801_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_15798_;
-        phi_15799_ = _e31;
-        phi_15800_ = _e17;
+        let _e31 = phi_15801_;
+        phi_15802_ = _e31;
+        phi_15803_ = _e17;
     }
-    let _e33 = phi_15799_;
-    let _e35 = phi_15800_;
+    let _e33 = phi_15802_;
+    let _e35 = phi_15803_;
     if _e35 {
-        phi_15804_ = array<u32, 2>(0u, 0u);
+        phi_15807_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_15804_ = _e33;
+        phi_15807_ = _e33;
     }
-    let _e37 = phi_15804_;
+    let _e37 = phi_15807_;
     return _e37;
 }
 
 fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
-    var phi_15777_: array<f32, 3>;
+    var phi_15780_: array<f32, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_15777_ = param_2;
+        phi_15780_ = param_2;
     } else {
-        phi_15777_ = param_1;
+        phi_15780_ = param_1;
     }
-    let _e26 = phi_15777_;
+    let _e26 = phi_15780_;
     return _e26;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_15638_: f32;
-    var phi_15639_: f32;
-    var phi_15678_: f32;
-    var phi_15679_: f32;
-    var phi_15724_: f32;
-    var phi_15725_: f32;
-    var phi_15459_: f32;
-    var phi_15460_: f32;
-    var phi_15505_: f32;
-    var phi_15506_: f32;
-    var phi_15548_: f32;
-    var phi_15549_: f32;
-    var phi_15597_: f32;
-    var phi_15598_: f32;
-    var phi_15740_: array<array<f32, 3>, 4>;
+    var phi_15641_: f32;
+    var phi_15642_: f32;
+    var phi_15681_: f32;
+    var phi_15682_: f32;
+    var phi_15727_: f32;
+    var phi_15728_: f32;
+    var phi_15462_: f32;
+    var phi_15463_: f32;
+    var phi_15508_: f32;
+    var phi_15509_: f32;
+    var phi_15551_: f32;
+    var phi_15552_: f32;
+    var phi_15600_: f32;
+    var phi_15601_: f32;
+    var phi_15743_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_3[0] - param_4[0]);
     let _e12 = (param_3[1] - param_4[1]);
@@ -233,59 +233,59 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e157 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         if (_e157 > 0f) {
             if (_e157 < 1f) {
-                phi_15459_ = _e157;
+                phi_15462_ = _e157;
             } else {
-                phi_15459_ = 1f;
+                phi_15462_ = 1f;
             }
-            let _e161 = phi_15459_;
-            phi_15460_ = _e161;
+            let _e161 = phi_15462_;
+            phi_15463_ = _e161;
         } else {
-            phi_15460_ = 0f;
+            phi_15463_ = 0f;
         }
-        let _e163 = phi_15460_;
+        let _e163 = phi_15463_;
         let _e199 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e199 > 0f) {
             if (_e199 < 1f) {
-                phi_15505_ = _e199;
+                phi_15508_ = _e199;
             } else {
-                phi_15505_ = 1f;
+                phi_15508_ = 1f;
             }
-            let _e203 = phi_15505_;
-            phi_15506_ = _e203;
+            let _e203 = phi_15508_;
+            phi_15509_ = _e203;
         } else {
-            phi_15506_ = 0f;
+            phi_15509_ = 0f;
         }
-        let _e205 = phi_15506_;
+        let _e205 = phi_15509_;
         let _e238 = ((((_e9 * param_5[0]) + (_e12 * param_5[1])) + (_e15 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e238 > 0f) {
             if (_e238 < 1f) {
-                phi_15548_ = _e238;
+                phi_15551_ = _e238;
             } else {
-                phi_15548_ = 1f;
+                phi_15551_ = 1f;
             }
-            let _e242 = phi_15548_;
-            phi_15549_ = _e242;
+            let _e242 = phi_15551_;
+            phi_15552_ = _e242;
         } else {
-            phi_15549_ = 0f;
+            phi_15552_ = 0f;
         }
-        let _e244 = phi_15549_;
+        let _e244 = phi_15552_;
         let _e257 = (param_3[0] - param_5[0]);
         let _e260 = (param_3[1] - param_5[1]);
         let _e263 = (param_3[2] - param_5[2]);
         let _e283 = ((((_e257 * param_4[0]) + (_e260 * param_4[1])) + (_e263 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         if (_e283 > 0f) {
             if (_e283 < 1f) {
-                phi_15597_ = _e283;
+                phi_15600_ = _e283;
             } else {
-                phi_15597_ = 1f;
+                phi_15600_ = 1f;
             }
-            let _e287 = phi_15597_;
-            phi_15598_ = _e287;
+            let _e287 = phi_15600_;
+            phi_15601_ = _e287;
         } else {
-            phi_15598_ = 0f;
+            phi_15601_ = 0f;
         }
-        let _e289 = phi_15598_;
-        phi_15740_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e163)), (param_3[1] - (param_4[1] * _e163)), (param_3[2] - (param_4[2] * _e163))), array<f32, 3>((param_3[0] - (param_5[0] * _e205)), (param_3[1] - (param_5[1] * _e205)), (param_3[2] - (param_5[2] * _e205))), array<f32, 3>((_e9 - (param_5[0] * _e244)), (_e12 - (param_5[1] * _e244)), (_e15 - (param_5[2] * _e244))), array<f32, 3>((_e257 - (param_4[0] * _e289)), (_e260 - (param_4[1] * _e289)), (_e263 - (param_4[2] * _e289))));
+        let _e289 = phi_15601_;
+        phi_15743_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e163)), (param_3[1] - (param_4[1] * _e163)), (param_3[2] - (param_4[2] * _e163))), array<f32, 3>((param_3[0] - (param_5[0] * _e205)), (param_3[1] - (param_5[1] * _e205)), (param_3[2] - (param_5[2] * _e205))), array<f32, 3>((_e9 - (param_5[0] * _e244)), (_e12 - (param_5[1] * _e244)), (_e15 - (param_5[2] * _e244))), array<f32, 3>((_e257 - (param_4[0] * _e289)), (_e260 - (param_4[1] * _e289)), (_e263 - (param_4[2] * _e289))));
     } else {
         let _e19 = (param_5[0] - param_4[0]);
         let _e22 = (param_5[1] - param_4[1]);
@@ -293,46 +293,46 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         if (_e36 > 0f) {
             if (_e36 < 1f) {
-                phi_15638_ = _e36;
+                phi_15641_ = _e36;
             } else {
-                phi_15638_ = 1f;
+                phi_15641_ = 1f;
             }
-            let _e40 = phi_15638_;
-            phi_15639_ = _e40;
+            let _e40 = phi_15641_;
+            phi_15642_ = _e40;
         } else {
-            phi_15639_ = 0f;
+            phi_15642_ = 0f;
         }
-        let _e42 = phi_15639_;
+        let _e42 = phi_15642_;
         let _e49 = array<f32, 3>((_e9 - (_e19 * _e42)), (_e12 - (_e22 * _e42)), (_e15 - (_e25 * _e42)));
         let _e72 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         if (_e72 > 0f) {
             if (_e72 < 1f) {
-                phi_15678_ = _e72;
+                phi_15681_ = _e72;
             } else {
-                phi_15678_ = 1f;
+                phi_15681_ = 1f;
             }
-            let _e76 = phi_15678_;
-            phi_15679_ = _e76;
+            let _e76 = phi_15681_;
+            phi_15682_ = _e76;
         } else {
-            phi_15679_ = 0f;
+            phi_15682_ = 0f;
         }
-        let _e78 = phi_15679_;
+        let _e78 = phi_15682_;
         let _e114 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e114 > 0f) {
             if (_e114 < 1f) {
-                phi_15724_ = _e114;
+                phi_15727_ = _e114;
             } else {
-                phi_15724_ = 1f;
+                phi_15727_ = 1f;
             }
-            let _e118 = phi_15724_;
-            phi_15725_ = _e118;
+            let _e118 = phi_15727_;
+            phi_15728_ = _e118;
         } else {
-            phi_15725_ = 0f;
+            phi_15728_ = 0f;
         }
-        let _e120 = phi_15725_;
-        phi_15740_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e78)), (param_3[1] - (param_4[1] * _e78)), (param_3[2] - (param_4[2] * _e78))), array<f32, 3>((param_3[0] - (param_5[0] * _e120)), (param_3[1] - (param_5[1] * _e120)), (param_3[2] - (param_5[2] * _e120))), _e49, _e49);
+        let _e120 = phi_15728_;
+        phi_15743_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e78)), (param_3[1] - (param_4[1] * _e78)), (param_3[2] - (param_4[2] * _e78))), array<f32, 3>((param_3[0] - (param_5[0] * _e120)), (param_3[1] - (param_5[1] * _e120)), (param_3[2] - (param_5[2] * _e120))), _e49, _e49);
     }
-    let _e302 = phi_15740_;
+    let _e302 = phi_15743_;
     let _e305 = function_1(_e302[0], _e302[1]);
     let _e307 = function_1(_e305, _e302[2]);
     let _e309 = function_1(_e307, _e302[3]);
@@ -353,109 +353,109 @@ fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32
     var phi_15348_: bool;
     var phi_15352_: bool;
     var phi_15371_: bool;
-    var phi_15401_: array<f32, 3>;
-    var phi_15402_: bool;
-    var phi_15403_: array<f32, 3>;
-    var phi_15404_: bool;
-    var phi_15409_: array<f32, 3>;
+    var phi_15404_: array<f32, 3>;
+    var phi_15405_: bool;
+    var phi_15406_: array<f32, 3>;
+    var phi_15407_: bool;
+    var phi_15412_: array<f32, 3>;
 
-    let _e21 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
-    let _e32 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
-    let _e43 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
-    let _e54 = (((param_7[0] * param_8[0]) + (param_7[1] * param_8[1])) + (param_7[2] * param_8[2]));
-    let _e65 = (((param_7[0] * param_9[0]) + (param_7[1] * param_9[1])) + (param_7[2] * param_9[2]));
-    let _e68 = ((_e21 * _e43) - (_e32 * _e32));
-    let _e72 = (((_e54 * _e43) - (_e65 * _e32)) / _e68);
-    let _e76 = (((_e65 * _e21) - (_e54 * _e32)) / _e68);
+    let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
+    let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
+    let _e45 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
+    let _e56 = (((param_7[0] * param_8[0]) + (param_7[1] * param_8[1])) + (param_7[2] * param_8[2]));
+    let _e67 = (((param_7[0] * param_9[0]) + (param_7[1] * param_9[1])) + (param_7[2] * param_9[2]));
+    let _e70 = ((_e23 * _e45) - (_e34 * _e34));
+    let _e74 = (((_e56 * _e45) - (_e67 * _e34)) / _e70);
+    let _e78 = (((_e67 * _e23) - (_e56 * _e34)) / _e70);
     if (param_10 != 0u) {
-        if (_e72 >= 0f) {
-            if (_e76 >= 0f) {
-                if (_e72 <= 1f) {
-                    phi_15343_ = (_e76 <= 1f);
+        if (_e74 >= 0f) {
+            if (_e78 >= 0f) {
+                if (_e74 <= 1f) {
+                    phi_15343_ = (_e78 <= 1f);
                     phi_15344_ = false;
                 } else {
                     phi_15343_ = bool();
                     phi_15344_ = true;
                 }
-                let _e97 = phi_15343_;
-                let _e99 = phi_15344_;
-                phi_15345_ = _e97;
-                phi_15346_ = _e99;
+                let _e99 = phi_15343_;
+                let _e101 = phi_15344_;
+                phi_15345_ = _e99;
+                phi_15346_ = _e101;
             } else {
                 phi_15345_ = bool();
                 phi_15346_ = true;
             }
-            let _e101 = phi_15345_;
-            let _e103 = phi_15346_;
-            phi_15347_ = _e101;
-            phi_15348_ = _e103;
+            let _e103 = phi_15345_;
+            let _e105 = phi_15346_;
+            phi_15347_ = _e103;
+            phi_15348_ = _e105;
         } else {
             phi_15347_ = bool();
             phi_15348_ = true;
         }
-        let _e105 = phi_15347_;
-        let _e107 = phi_15348_;
-        if _e107 {
+        let _e107 = phi_15347_;
+        let _e109 = phi_15348_;
+        if _e109 {
             phi_15352_ = false;
         } else {
-            phi_15352_ = _e105;
+            phi_15352_ = _e107;
         }
-        let _e109 = phi_15352_;
-        phi_15371_ = _e109;
+        let _e111 = phi_15352_;
+        phi_15371_ = _e111;
     } else {
-        if (_e72 >= 0f) {
-            if (_e76 >= 0f) {
-                phi_15363_ = ((_e72 + _e76) <= 1f);
+        if (_e74 >= 0f) {
+            if (_e78 >= 0f) {
+                phi_15363_ = ((_e74 + _e78) <= 1f);
                 phi_15364_ = false;
             } else {
                 phi_15363_ = bool();
                 phi_15364_ = true;
             }
-            let _e83 = phi_15363_;
-            let _e85 = phi_15364_;
-            phi_15365_ = _e83;
-            phi_15366_ = _e85;
+            let _e85 = phi_15363_;
+            let _e87 = phi_15364_;
+            phi_15365_ = _e85;
+            phi_15366_ = _e87;
         } else {
             phi_15365_ = bool();
             phi_15366_ = true;
         }
-        let _e87 = phi_15365_;
-        let _e89 = phi_15366_;
-        if _e89 {
+        let _e89 = phi_15365_;
+        let _e91 = phi_15366_;
+        if _e91 {
             phi_15370_ = false;
         } else {
-            phi_15370_ = _e87;
+            phi_15370_ = _e89;
         }
-        let _e91 = phi_15370_;
-        phi_15371_ = _e91;
+        let _e93 = phi_15370_;
+        phi_15371_ = _e93;
     }
-    let _e111 = phi_15371_;
-    if (_e68 > 0f) {
-        if _e111 {
-            phi_15401_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e72) + (param_9[0] * _e76))), (param_7[1] - ((param_8[1] * _e72) + (param_9[1] * _e76))), (param_7[2] - ((param_8[2] * _e72) + (param_9[2] * _e76))));
-            phi_15402_ = false;
+    let _e113 = phi_15371_;
+    if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
+        if _e113 {
+            phi_15404_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
+            phi_15405_ = false;
         } else {
-            phi_15401_ = array<f32, 3>();
-            phi_15402_ = true;
+            phi_15404_ = array<f32, 3>();
+            phi_15405_ = true;
         }
-        let _e136 = phi_15401_;
-        let _e138 = phi_15402_;
-        phi_15403_ = _e136;
-        phi_15404_ = _e138;
+        let _e141 = phi_15404_;
+        let _e143 = phi_15405_;
+        phi_15406_ = _e141;
+        phi_15407_ = _e143;
     } else {
-        phi_15403_ = array<f32, 3>();
-        phi_15404_ = true;
+        phi_15406_ = array<f32, 3>();
+        phi_15407_ = true;
     }
-    let _e140 = phi_15403_;
-    let _e142 = phi_15404_;
-    if _e142 {
-        let _e143 = function_2(param_7, param_8, param_9, param_10);
-        phi_15409_ = _e143;
+    let _e145 = phi_15406_;
+    let _e147 = phi_15407_;
+    if _e147 {
+        let _e148 = function_2(param_7, param_8, param_9, param_10);
+        phi_15412_ = _e148;
     } else {
-        phi_15409_ = _e140;
+        phi_15412_ = _e145;
     }
-    let _e145 = phi_15409_;
-    return _e145;
+    let _e150 = phi_15412_;
+    return _e150;
 }
 
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {

@@ -184,33 +184,33 @@ fn function_1(param_1: f64) -> array<u32, 2> {
 }
 
 fn function_2(param_2: array<f64, 3>, param_3: array<f64, 3>) -> array<f64, 3> {
-    var phi_16155_: array<f64, 3>;
+    var phi_16159_: array<f64, 3>;
 
     if ((((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])) < (((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2]))) {
-        phi_16155_ = param_3;
+        phi_16159_ = param_3;
     } else {
-        phi_16155_ = param_2;
+        phi_16159_ = param_2;
     }
-    let _e26 = phi_16155_;
+    let _e26 = phi_16159_;
     return _e26;
 }
 
 fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64, 3>, param_7: u32) -> array<f64, 3> {
-    var phi_16007_: f64;
-    var phi_16009_: f64;
-    var phi_16051_: f64;
-    var phi_16053_: f64;
-    var phi_16101_: f64;
-    var phi_16103_: f64;
-    var phi_15812_: f64;
-    var phi_15814_: f64;
-    var phi_15862_: f64;
-    var phi_15864_: f64;
-    var phi_15909_: f64;
-    var phi_15911_: f64;
-    var phi_15962_: f64;
-    var phi_15964_: f64;
-    var phi_16118_: array<array<f64, 3>, 4>;
+    var phi_16011_: f64;
+    var phi_16013_: f64;
+    var phi_16055_: f64;
+    var phi_16057_: f64;
+    var phi_16105_: f64;
+    var phi_16107_: f64;
+    var phi_15816_: f64;
+    var phi_15818_: f64;
+    var phi_15866_: f64;
+    var phi_15868_: f64;
+    var phi_15913_: f64;
+    var phi_15915_: f64;
+    var phi_15966_: f64;
+    var phi_15968_: f64;
+    var phi_16122_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_4[0] - param_5[0]);
     let _e12 = (param_4[1] - param_5[1]);
@@ -219,59 +219,59 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e169 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e169 > f64(0f)) {
             if (_e169 < f64(1f)) {
-                phi_15812_ = _e169;
+                phi_15816_ = _e169;
             } else {
-                phi_15812_ = f64(1f);
+                phi_15816_ = f64(1f);
             }
-            let _e177 = phi_15812_;
-            phi_15814_ = _e177;
+            let _e177 = phi_15816_;
+            phi_15818_ = _e177;
         } else {
-            phi_15814_ = f64(0f);
+            phi_15818_ = f64(0f);
         }
-        let _e179 = phi_15814_;
+        let _e179 = phi_15818_;
         let _e215 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e215 > f64(0f)) {
             if (_e215 < f64(1f)) {
-                phi_15862_ = _e215;
+                phi_15866_ = _e215;
             } else {
-                phi_15862_ = f64(1f);
+                phi_15866_ = f64(1f);
             }
-            let _e223 = phi_15862_;
-            phi_15864_ = _e223;
+            let _e223 = phi_15866_;
+            phi_15868_ = _e223;
         } else {
-            phi_15864_ = f64(0f);
+            phi_15868_ = f64(0f);
         }
-        let _e225 = phi_15864_;
+        let _e225 = phi_15868_;
         let _e258 = ((((_e9 * param_6[0]) + (_e12 * param_6[1])) + (_e15 * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e258 > f64(0f)) {
             if (_e258 < f64(1f)) {
-                phi_15909_ = _e258;
+                phi_15913_ = _e258;
             } else {
-                phi_15909_ = f64(1f);
+                phi_15913_ = f64(1f);
             }
-            let _e266 = phi_15909_;
-            phi_15911_ = _e266;
+            let _e266 = phi_15913_;
+            phi_15915_ = _e266;
         } else {
-            phi_15911_ = f64(0f);
+            phi_15915_ = f64(0f);
         }
-        let _e268 = phi_15911_;
+        let _e268 = phi_15915_;
         let _e281 = (param_4[0] - param_6[0]);
         let _e284 = (param_4[1] - param_6[1]);
         let _e287 = (param_4[2] - param_6[2]);
         let _e307 = ((((_e281 * param_5[0]) + (_e284 * param_5[1])) + (_e287 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e307 > f64(0f)) {
             if (_e307 < f64(1f)) {
-                phi_15962_ = _e307;
+                phi_15966_ = _e307;
             } else {
-                phi_15962_ = f64(1f);
+                phi_15966_ = f64(1f);
             }
-            let _e315 = phi_15962_;
-            phi_15964_ = _e315;
+            let _e315 = phi_15966_;
+            phi_15968_ = _e315;
         } else {
-            phi_15964_ = f64(0f);
+            phi_15968_ = f64(0f);
         }
-        let _e317 = phi_15964_;
-        phi_16118_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
+        let _e317 = phi_15968_;
+        phi_16122_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
     } else {
         let _e19 = (param_6[0] - param_5[0]);
         let _e22 = (param_6[1] - param_5[1]);
@@ -279,46 +279,46 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         if (_e36 > f64(0f)) {
             if (_e36 < f64(1f)) {
-                phi_16007_ = _e36;
+                phi_16011_ = _e36;
             } else {
-                phi_16007_ = f64(1f);
+                phi_16011_ = f64(1f);
             }
-            let _e44 = phi_16007_;
-            phi_16009_ = _e44;
+            let _e44 = phi_16011_;
+            phi_16013_ = _e44;
         } else {
-            phi_16009_ = f64(0f);
+            phi_16013_ = f64(0f);
         }
-        let _e46 = phi_16009_;
+        let _e46 = phi_16013_;
         let _e53 = array<f64, 3>((_e9 - (_e19 * _e46)), (_e12 - (_e22 * _e46)), (_e15 - (_e25 * _e46)));
         let _e76 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e76 > f64(0f)) {
             if (_e76 < f64(1f)) {
-                phi_16051_ = _e76;
+                phi_16055_ = _e76;
             } else {
-                phi_16051_ = f64(1f);
+                phi_16055_ = f64(1f);
             }
-            let _e84 = phi_16051_;
-            phi_16053_ = _e84;
+            let _e84 = phi_16055_;
+            phi_16057_ = _e84;
         } else {
-            phi_16053_ = f64(0f);
+            phi_16057_ = f64(0f);
         }
-        let _e86 = phi_16053_;
+        let _e86 = phi_16057_;
         let _e122 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e122 > f64(0f)) {
             if (_e122 < f64(1f)) {
-                phi_16101_ = _e122;
+                phi_16105_ = _e122;
             } else {
-                phi_16101_ = f64(1f);
+                phi_16105_ = f64(1f);
             }
-            let _e130 = phi_16101_;
-            phi_16103_ = _e130;
+            let _e130 = phi_16105_;
+            phi_16107_ = _e130;
         } else {
-            phi_16103_ = f64(0f);
+            phi_16107_ = f64(0f);
         }
-        let _e132 = phi_16103_;
-        phi_16118_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
+        let _e132 = phi_16107_;
+        phi_16122_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
     }
-    let _e330 = phi_16118_;
+    let _e330 = phi_16122_;
     let _e333 = function_2(_e330[0], _e330[1]);
     let _e335 = function_2(_e333, _e330[2]);
     let _e337 = function_2(_e335, _e330[3]);
@@ -339,111 +339,111 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
     var phi_15698_: bool;
     var phi_15702_: bool;
     var phi_15721_: bool;
-    var phi_15751_: array<f64, 3>;
-    var phi_15752_: bool;
-    var phi_15753_: array<f64, 3>;
-    var phi_15754_: bool;
-    var phi_15759_: array<f64, 3>;
+    var phi_15755_: array<f64, 3>;
+    var phi_15756_: bool;
+    var phi_15757_: array<f64, 3>;
+    var phi_15758_: bool;
+    var phi_15763_: array<f64, 3>;
 
-    let _e21 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
-    let _e32 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
-    let _e43 = (((param_10[0] * param_10[0]) + (param_10[1] * param_10[1])) + (param_10[2] * param_10[2]));
-    let _e54 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
-    let _e65 = (((param_8[0] * param_10[0]) + (param_8[1] * param_10[1])) + (param_8[2] * param_10[2]));
-    let _e68 = ((_e21 * _e43) - (_e32 * _e32));
-    let _e69 = f64(0f);
-    let _e70 = f64(1f);
-    let _e74 = (((_e54 * _e43) - (_e65 * _e32)) / _e68);
-    let _e78 = (((_e65 * _e21) - (_e54 * _e32)) / _e68);
+    let _e23 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
+    let _e34 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
+    let _e45 = (((param_10[0] * param_10[0]) + (param_10[1] * param_10[1])) + (param_10[2] * param_10[2]));
+    let _e56 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
+    let _e67 = (((param_8[0] * param_10[0]) + (param_8[1] * param_10[1])) + (param_8[2] * param_10[2]));
+    let _e70 = ((_e23 * _e45) - (_e34 * _e34));
+    let _e71 = f64(0f);
+    let _e72 = f64(1f);
+    let _e76 = (((_e56 * _e45) - (_e67 * _e34)) / _e70);
+    let _e80 = (((_e67 * _e23) - (_e56 * _e34)) / _e70);
     if (param_11 != 0u) {
-        if (_e74 >= _e69) {
-            if (_e78 >= _e69) {
-                if (_e74 <= _e70) {
-                    phi_15693_ = (_e78 <= _e70);
+        if (_e76 >= _e71) {
+            if (_e80 >= _e71) {
+                if (_e76 <= _e72) {
+                    phi_15693_ = (_e80 <= _e72);
                     phi_15694_ = false;
                 } else {
                     phi_15693_ = bool();
                     phi_15694_ = true;
                 }
-                let _e99 = phi_15693_;
-                let _e101 = phi_15694_;
-                phi_15695_ = _e99;
-                phi_15696_ = _e101;
+                let _e101 = phi_15693_;
+                let _e103 = phi_15694_;
+                phi_15695_ = _e101;
+                phi_15696_ = _e103;
             } else {
                 phi_15695_ = bool();
                 phi_15696_ = true;
             }
-            let _e103 = phi_15695_;
-            let _e105 = phi_15696_;
-            phi_15697_ = _e103;
-            phi_15698_ = _e105;
+            let _e105 = phi_15695_;
+            let _e107 = phi_15696_;
+            phi_15697_ = _e105;
+            phi_15698_ = _e107;
         } else {
             phi_15697_ = bool();
             phi_15698_ = true;
         }
-        let _e107 = phi_15697_;
-        let _e109 = phi_15698_;
-        if _e109 {
+        let _e109 = phi_15697_;
+        let _e111 = phi_15698_;
+        if _e111 {
             phi_15702_ = false;
         } else {
-            phi_15702_ = _e107;
+            phi_15702_ = _e109;
         }
-        let _e111 = phi_15702_;
-        phi_15721_ = _e111;
+        let _e113 = phi_15702_;
+        phi_15721_ = _e113;
     } else {
-        if (_e74 >= _e69) {
-            if (_e78 >= _e69) {
-                phi_15713_ = ((_e74 + _e78) <= _e70);
+        if (_e76 >= _e71) {
+            if (_e80 >= _e71) {
+                phi_15713_ = ((_e76 + _e80) <= _e72);
                 phi_15714_ = false;
             } else {
                 phi_15713_ = bool();
                 phi_15714_ = true;
             }
-            let _e85 = phi_15713_;
-            let _e87 = phi_15714_;
-            phi_15715_ = _e85;
-            phi_15716_ = _e87;
+            let _e87 = phi_15713_;
+            let _e89 = phi_15714_;
+            phi_15715_ = _e87;
+            phi_15716_ = _e89;
         } else {
             phi_15715_ = bool();
             phi_15716_ = true;
         }
-        let _e89 = phi_15715_;
-        let _e91 = phi_15716_;
-        if _e91 {
+        let _e91 = phi_15715_;
+        let _e93 = phi_15716_;
+        if _e93 {
             phi_15720_ = false;
         } else {
-            phi_15720_ = _e89;
+            phi_15720_ = _e91;
         }
-        let _e93 = phi_15720_;
-        phi_15721_ = _e93;
+        let _e95 = phi_15720_;
+        phi_15721_ = _e95;
     }
-    let _e113 = phi_15721_;
-    if (_e68 > _e69) {
-        if _e113 {
-            phi_15751_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e74) + (param_10[0] * _e78))), (param_8[1] - ((param_9[1] * _e74) + (param_10[1] * _e78))), (param_8[2] - ((param_9[2] * _e74) + (param_10[2] * _e78))));
-            phi_15752_ = false;
+    let _e115 = phi_15721_;
+    if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
+        if _e115 {
+            phi_15755_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
+            phi_15756_ = false;
         } else {
-            phi_15751_ = array<f64, 3>();
-            phi_15752_ = true;
+            phi_15755_ = array<f64, 3>();
+            phi_15756_ = true;
         }
-        let _e138 = phi_15751_;
-        let _e140 = phi_15752_;
-        phi_15753_ = _e138;
-        phi_15754_ = _e140;
+        let _e144 = phi_15755_;
+        let _e146 = phi_15756_;
+        phi_15757_ = _e144;
+        phi_15758_ = _e146;
     } else {
-        phi_15753_ = array<f64, 3>();
-        phi_15754_ = true;
+        phi_15757_ = array<f64, 3>();
+        phi_15758_ = true;
     }
-    let _e142 = phi_15753_;
-    let _e144 = phi_15754_;
-    if _e144 {
-        let _e145 = function_3(param_8, param_9, param_10, param_11);
-        phi_15759_ = _e145;
+    let _e148 = phi_15757_;
+    let _e150 = phi_15758_;
+    if _e150 {
+        let _e151 = function_3(param_8, param_9, param_10, param_11);
+        phi_15763_ = _e151;
     } else {
-        phi_15759_ = _e142;
+        phi_15763_ = _e148;
     }
-    let _e147 = phi_15759_;
-    return _e147;
+    let _e153 = phi_15763_;
+    return _e153;
 }
 
 fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
