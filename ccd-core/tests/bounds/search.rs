@@ -10,6 +10,9 @@ use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Real, Verdict};
 
+/// The distance of the features of four points.
+type Measure = fn([[f64; 3]; 4]) -> f64;
+
 /// Points that move anyhow, of which numbers are `f32`.
 fn points(random: &mut Random) -> (Patch, Points<f64>, Points<f64>) {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
@@ -134,7 +137,7 @@ fn check_window<R: Real>(n: usize, seed: u64, d: f64) {
         let (x0, x1) = (at(from), at(until));
         let width = until - from;
         let late = if R::UNIT.to_f64() > 1e-10 { 1e-5 } else { 1e-8 };
-        let (distance, first): (fn([[f64; 3]; 4]) -> f64, usize) = match patch {
+        let (distance, first): (Measure, usize) = match patch {
             Patch::Triangle => (point_triangle, 1),
             Patch::Parallelogram => (segment_segment, 2),
         };
