@@ -1,7 +1,7 @@
 //! What a step found, as arrays with one entry per contact.
 
 use crate::arrays::rows;
-use ccd::{Kind, State};
+use ccd::State;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -10,7 +10,8 @@ use pyo3::types::PyDict;
 /// `len(report)` is their number.
 #[pyclass(frozen, get_all, module = "meshccd")]
 pub struct Report {
-    /// Kind of each contact, uint8: `Kind.VERTEX_FACE` or `Kind.EDGE_EDGE`.
+    /// Kind of each contact, uint8: `Kind.VERTEX_FACE`, `Kind.EDGE_EDGE`, and of particles and rods
+    /// `Kind.VERTEX_EDGE`, `Kind.VERTEX_VERTEX`.
     kind: Py<PyArray1<u8>>,
     /// Vertex id, or the lesser edge id, of each contact, uint32.
     a: Py<PyArray1<u32>>,
@@ -20,7 +21,8 @@ pub struct Report {
     toi: Py<PyArray1<f64>>,
     /// How certain each contact is, uint8: `State.HIT` or `State.UNDECIDED`.
     state: Py<PyArray1<u8>>,
-    /// The four vertices of each contact, (n, 4) uint32: `v f0 f1 f2`, or `ea0 ea1 eb0 eb1`.
+    /// The vertices of each contact, (n, 4) uint32: `v f0 f1 f2`, or `ea0 ea1 eb0 eb1`; where there
+    /// are fewer, the last one repeated.
     vertices: Py<PyArray2<u32>>,
     /// Least time of impact; None without contact.
     earliest_toi: Option<f64>,
@@ -86,7 +88,7 @@ impl Columns {
         let vertices =
             of.iter().flat_map(|c| mesh.vertices_of(c.kind, ccd::Pair { a: c.a, b: c.b }));
         Self {
-            kind: of.iter().map(|c| (c.kind == Kind::EdgeEdge) as u8).collect(),
+            kind: of.iter().map(|c| c.kind as u8).collect(),
             a: of.iter().map(|c| c.a).collect(),
             b: of.iter().map(|c| c.b).collect(),
             toi: of.iter().map(|c| c.toi).collect(),

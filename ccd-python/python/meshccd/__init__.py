@@ -34,6 +34,10 @@ class Kind(enum.IntEnum):
 
     VERTEX_FACE = 0
     EDGE_EDGE = 1
+    VERTEX_EDGE = 2
+    """A vertex of no edge and an edge of no face."""
+    VERTEX_VERTEX = 3
+    """Two vertices of no edge."""
 
 
 class State(enum.IntEnum):

@@ -99,7 +99,7 @@ const TRAITS: [&str; 6] = ["AsPositions", "Catalogued", "Coordinate", "Matrix", 
 /// What is here is what there is: every type that the library's root exports has a line above.
 #[test]
 fn every_type_at_the_root_is_named() {
-    let source = include_str!("../src/lib.rs");
+    let source = include_str!("../../src/lib.rs");
     let here = include_str!("send_sync.rs");
     let exports = source.split("pub use ").skip(1).filter_map(|rest| rest.split(';').next());
     let mut n = 0;

@@ -1,0 +1,8 @@
+//! Sessions as programs embed them: positions of many forms, changes between steps, what searches
+//! may ask for, what there is as data, and what may go to other threads.
+
+mod changes;
+mod data;
+mod forms;
+mod leaving;
+mod send_sync;
