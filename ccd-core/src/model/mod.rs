@@ -21,7 +21,6 @@ pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
 pub mod pipeline;
-#[cfg(feature = "alloc")]
 pub mod positions;
 pub mod precision;
 pub mod quantization;

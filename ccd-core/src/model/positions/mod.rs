@@ -12,12 +12,16 @@
 //! gathered goes to buffers that the session keeps, so that a warm one allocates nothing. Lengths,
 //! strides and offsets are checked by the call that reads them.
 
+#[cfg(feature = "alloc")]
 mod gathered;
 #[cfg(feature = "glam")]
 mod glam;
+#[cfg_attr(not(feature = "alloc"), allow(dead_code, reason = "what reads them has a heap"))]
 mod posed;
+#[cfg_attr(not(feature = "alloc"), allow(dead_code, reason = "what reads them has a heap"))]
 mod strided;
 
+#[cfg(feature = "alloc")]
 pub use gathered::Gathered;
 pub use posed::{Matrix, Posed};
 pub use strided::Strided;
@@ -161,12 +165,17 @@ macro_rules! behind {
 behind! {
     (A: AsPositions + ?Sized) for &A;
     (A: AsPositions + ?Sized) for &mut A;
+    #[cfg(feature = "alloc")]
     (A: AsPositions + ?Sized) for alloc::boxed::Box<A>;
+    #[cfg(feature = "alloc")]
     (A: AsPositions + ?Sized) for alloc::rc::Rc<A>;
+    #[cfg(feature = "alloc")]
     (A: AsPositions + ?Sized) for alloc::sync::Arc<A>;
+    #[cfg(feature = "alloc")]
     (A: AsPositions + ?Sized + alloc::borrow::ToOwned) for alloc::borrow::Cow<'_, A>;
 }
 
+#[cfg(feature = "alloc")]
 impl<P> AsPositions for alloc::vec::Vec<P>
 where
     [P]: AsPositions,
