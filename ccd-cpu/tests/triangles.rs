@@ -57,7 +57,7 @@ fn run(mesh: &Mesh, x: &Ends, options: Options) -> (Found, Option<TriangleCounts
     assert!(earliest <= report.toi && earliest.is_some() == report.toi.is_some());
     let counts = report.triangles;
     if let Some(counts) = counts {
-        let sum = |p: PerKind| p.total();
+        let sum = |p: PerKind| p.vf + p.ee;
         assert!(sum(report.filtered) <= sum(report.candidates));
         assert!(sum(report.candidates) <= counts.box_tests(), "{counts:?}");
         assert!(counts.represented <= counts.all_tests(), "{counts:?}");

@@ -53,7 +53,7 @@ fn check_changes(device: &Device) {
         (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),
     ];
     let of: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
-    let bodies = Bodies::new(&of, &[true, false, true], false);
+    let bodies = Bodies::new(&of, &[true, false, true], false).with_fixed_motion(true);
     let mut last = Session::new(device, &small.mesh, Options::default()).expect("a session");
     for (method, pipeline, scheduling) in all {
         let what = format!("{method}, {pipeline:?}, {scheduling}");

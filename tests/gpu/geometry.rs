@@ -7,7 +7,8 @@ use ccd::gpu::wgpu::{BufferDescriptor, BufferUsages, MapMode, PollType};
 use ccd::gpu::{Device, Error, Session};
 use ccd::{Contact, Coordinate, Mesh, Options};
 use ccd_core::layout::{
-    Dispatch, Frame, LIST_HEADER, Params, Path, Placing, Plain, Touch, TouchGeometry, split,
+    Dispatch, Frame, LIST_HEADER, Params, Path, Placing, Plain, TOUCH_WORDS, Touch, TouchGeometry,
+    split,
 };
 use ccd_core::narrow_phase::touch_geometry;
 use ccd_testkit::generate::{Random, triangle_soup};
@@ -167,7 +168,7 @@ fn geometry(
         bytemuck::pod_collect_to_vec::<u8, u32>(&copy.slice(..).get_mapped_range().unwrap())
     });
     let n = list[0] as usize;
-    let touches = read(&bytes(&list[LIST_HEADER..LIST_HEADER + 6 * n]));
+    let touches = read(&bytes(&list[LIST_HEADER..LIST_HEADER + TOUCH_WORDS * n]));
     (touches, read(&bytes(&records[..16 * n])))
 }
 

@@ -160,5 +160,5 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
 
 fn touches(bytes: &[u8]) -> Vec<Touch> {
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
-    bytemuck::pod_collect_to_vec(&words[LIST_HEADER..LIST_HEADER + 6 * words[0] as usize])
+    bytemuck::pod_collect_to_vec(&words[LIST_HEADER..LIST_HEADER + TOUCH_WORDS * words[0] as usize])
 }

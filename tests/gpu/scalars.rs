@@ -219,8 +219,8 @@ pub fn check_negative_control() {
 /// Offsets of the members of parameters and of their records, as the modules of the table declare
 /// them.
 pub fn check_decorations() {
-    let frame = [0, 12, 16, 32, 36, 40, 44, 48, 56, 80, 88];
-    let (dispatch, params) = ([0, 4, 8, 12], [0, 96, 112]);
+    let frame = [0, 12, 16, 32, 36, 40, 44, 48, 56, 80, 88, 96, 100, 104, 108, 116, 124];
+    let (dispatch, params) = ([0, 4, 8, 12], [0, 132, 148]);
     for kernel in TABLE {
         let Some(record) = kernel.params else { continue };
         let own: &[u32] = match record {
@@ -231,6 +231,7 @@ pub fn check_decorations() {
             "NodeDescent" => &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68],
             "BlockDescent" => &[0, 72],
             "Stealing" => &[0, 4, 8, 12, 16, 20],
+            "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
             "Plain" | "Decision" | "ContactSort" | "Worlds" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
@@ -245,7 +246,7 @@ pub fn check_decorations() {
         }
     }
     let size = |parts: [&[u8]; 3]| parts.map(<[u8]>::len);
-    assert_eq!(size(Params::<Blocks>::default().parts()), [96, 16, 144]);
+    assert_eq!(size(Params::<Blocks>::default().parts()), [132, 16, 144]);
 }
 
 /// Offsets of the members of each structure of a module.

@@ -65,7 +65,7 @@ fn check_leaving(device: &Device) {
 
 /// What `f32` cannot tell as exactly goes on to `f64`.
 fn check_tolerances(device: &Device) {
-    let step = generate::triangle_soup(100, 0.1, 13);
+    let step = generate::triangle_soup(120, 0.3, 13);
     for d in [0.0, 0.003] {
         let options = Options::default().with_min_distance(d);
         let fine = options.clone().with_tolerance(1e-10);

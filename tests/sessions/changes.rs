@@ -105,7 +105,7 @@ fn options_change() {
     let bodies = [
         None,
         Some(Bodies::new(&of, &[], true)),
-        Some(Bodies::new(&of, &[true, false, true], false)),
+        Some(Bodies::new(&of, &[true, false, true], false).with_fixed_motion(true)),
     ];
     let mut session = Session::new(&soup.mesh, Options::default()).unwrap();
     let mut counts = Vec::new();

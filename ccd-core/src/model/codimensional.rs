@@ -29,13 +29,7 @@ pub struct Codimensional {
 impl Codimensional {
     /// Those of `mesh`; no edges if there are no such vertices.
     pub fn of(mesh: &Mesh) -> Self {
-        let mut has_edge = vec![false; mesh.n_vertices()];
-        mesh.edges().iter().flatten().for_each(|&v| has_edge[v as usize] = true);
-        let absent = |has: Vec<bool>| {
-            (0..).zip(has).filter(|(_, has)| !has).map(|(id, _)| id).collect::<Vec<u32>>()
-        };
-        let vertices = absent(has_edge);
-        if vertices.is_empty() {
+        if mesh.isolated_vertices().is_empty() {
             // Every pair has such a vertex.
             return Self::default();
         }
@@ -49,7 +43,8 @@ impl Codimensional {
                 }
             }
         }
-        Self { vertices, edges: absent(has_face) }
+        let alone = (0..).zip(has_face).filter(|(_, has_face)| !has_face);
+        Self { vertices: mesh.isolated_vertices().to_vec(), edges: alone.map(|(e, _)| e).collect() }
     }
 
     /// Whether there can be no pair of them.

@@ -31,12 +31,18 @@ pub struct Mesh {
     n_vertices: usize,
     faces: Vec<[u32; 3]>,
     edges: Vec<[u32; 2]>,
+    isolated: Vec<u32>,
     n_degenerate: usize,
 }
 
 impl Mesh {
-    pub(crate) const EMPTY: Self =
-        Self { n_vertices: 0, faces: Vec::new(), edges: Vec::new(), n_degenerate: 0 };
+    pub(crate) const EMPTY: Self = Self {
+        n_vertices: 0,
+        faces: Vec::new(),
+        edges: Vec::new(),
+        isolated: Vec::new(),
+        n_degenerate: 0,
+    };
 
     /// A mesh of `n_vertices` vertices and these faces; edges are derived.
     ///
@@ -84,7 +90,11 @@ impl Mesh {
         edges.sort_unstable_by_key(|&[a, b]| (b, a));
         edges.dedup();
         edges.shrink_to_fit();
-        Ok(Self { n_vertices, faces: faces.to_vec(), edges, n_degenerate })
+        let mut has_edge = alloc::vec![false; n_vertices];
+        edges.iter().flatten().for_each(|&v| has_edge[v as usize] = true);
+        let alone = (0..).zip(has_edge).filter(|(_, has_edge)| !has_edge);
+        let isolated = alone.map(|(v, _)| v).collect();
+        Ok(Self { n_vertices, faces: faces.to_vec(), edges, isolated, n_degenerate })
     }
 
     /// Number of vertices, also those in no face.
@@ -100,6 +110,11 @@ impl Mesh {
     /// Undirected edges `[a, b]`, `a < b`, sorted by `b`, then by `a`.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
+    }
+
+    /// Vertices of no edge, in order: particles.
+    pub fn isolated_vertices(&self) -> &[u32] {
+        &self.isolated
     }
 
     /// The vertices of a pair of features: `v f0 f1 f2`, `ea0 ea1 eb0 eb1`, `v e0 e1 e1` or
