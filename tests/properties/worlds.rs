@@ -7,10 +7,11 @@ use ccd::{BroadPhaseMethod, Contact, Kind, Mesh, Options, Pipeline, Session};
 fn shifted(c: &Contact, one: &Mesh, w: u32) -> Contact {
     let of = |n: usize| w * n as u32;
     let (n_v, n_e, n_f) = (of(one.n_vertices()), of(one.edges().len()), of(one.faces().len()));
-    match c.kind {
-        Kind::VertexFace => Contact::new(c.kind, c.state, c.a + n_v, c.b + n_f, c.toi),
-        _ => Contact::new(c.kind, c.state, c.a + n_e, c.b + n_e, c.toi),
-    }
+    let [a, b] = match c.kind {
+        Kind::VertexFace => [c.a + n_v, c.b + n_f],
+        _ => [c.a + n_e, c.b + n_e],
+    };
+    Contact::new(c.kind, c.state, a, b, c.toi).with_approach(c.approach)
 }
 
 fn check_copies(n: usize, side: usize, options: &Options) {
