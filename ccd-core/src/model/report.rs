@@ -139,7 +139,7 @@ pub struct Report {
     pub candidates: PerKind,
     /// Candidates that the filters in `f32` could not reject.
     pub filtered: PerKind,
-    /// Contacts in [`State::Undecided`](super::contact::State::Undecided).
+    /// Contacts in [`State::Undecided`].
     pub undecided: u64,
     /// Pairs of triangles and what they were expanded to; `None` if features were paired at once.
     pub triangles: Option<TriangleCounts>,
