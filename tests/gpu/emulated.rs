@@ -9,7 +9,7 @@ use ccd_testkit::data::SCENES;
 const WHOLE: &str = "CCD_WHOLE";
 
 /// Tests of kernels that know no `f64`: a device that is used without it runs the same code.
-const ALIKE: [crate::Tests; 9] = [
+const ALIKE: [crate::Tests; 11] = [
     crate::sorts::TESTS,
     crate::pairs::TESTS,
     crate::trees::TESTS,
@@ -18,11 +18,22 @@ const ALIKE: [crate::Tests; 9] = [
     crate::triangles::TESTS,
     crate::intervals::TESTS,
     crate::descent::TESTS,
+    crate::workers::TESTS,
     crate::oriented::TESTS,
+    crate::stealing::TESTS,
 ];
 
-/// Scenes of more edges are run as natively as there is, with `f64`, and as portably, without: the
-/// other two devices have the smaller scenes.
+/// Tests of what the host does around the kernels, which it does alike on every device: run as
+/// natively as there is, with `f64`, and as portably, without.
+const BY_THE_HOST: [crate::Tests; 5] = [
+    crate::changes::TESTS,
+    crate::kept_order::TESTS,
+    crate::rules::TESTS,
+    crate::failures::TESTS,
+    crate::sequences::TESTS,
+];
+
+/// So are scenes of more edges: the other two devices have the smaller ones.
 const MAX_EDGES: usize = 50_000;
 
 /// Why a test is left out on a device, if it is.
@@ -32,12 +43,17 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
     if whole || info.adapter.device_type != DeviceType::Cpu {
         return None;
     }
-    let is_alike = ALIKE.iter().flat_map(|tests| tests.iter()).any(|(alike, _)| *alike == name);
+    let is_of = |groups: &[crate::Tests]| {
+        groups.iter().flat_map(|tests| tests.iter()).any(|(test, _)| *test == name)
+    };
     let scene = name.strip_prefix("scene_").and_then(|s| SCENES.iter().find(|t| t.name == s));
     let is_large = scene.is_some_and(|scene| scene.size[1] > MAX_EDGES);
-    let why = if is_alike && !info.wide {
+    let between = info.wide != (info.path == Path::Passthrough);
+    let why = if is_of(&ALIKE) && !info.wide {
         "the same kernels as with f64"
-    } else if is_large && info.wide != (info.path == Path::Passthrough) {
+    } else if is_of(&BY_THE_HOST) && between {
+        "by the host as on the other devices"
+    } else if is_large && between {
         "large for an emulated GPU"
     } else {
         return None;

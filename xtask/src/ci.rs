@@ -13,6 +13,7 @@ const XTASK_FEATURES: [&str; 5] = ["report", "gpu-report", "algorithms", "shader
 pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
     crate::tidy::run(root)?;
+    crate::python::check_lock(root)?;
     let features = XTASK_FEATURES.map(|feature| format!("xtask/{feature}")).join(",");
     let clippy = ["cargo", "clippy", "--workspace", "--all-targets", "--features", &features];
     command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;

@@ -12,6 +12,11 @@ use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
 
+/// The lock file of the wheel is of the manifests that there are.
+pub fn check_lock(root: &Path) -> Result<(), String> {
+    command(&root.join(FOLDER), &["cargo", "fetch", "--quiet", "--locked"])
+}
+
 pub fn run(root: &Path) -> Result<(), String> {
     let target = target_folder(root);
     let python = match environment(root, &target.join("python")) {
@@ -29,7 +34,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     let build = ["-m", "maturin", "build", "--release", "--locked", "--interpreter", python];
     let out = ["--out", text(&wheels)?];
     command_with(&folder, &[&[python][..], &build, &out].concat(), &env)?;
-    let clippy = ["cargo", "clippy", "--release", "--locked", "--", "-D", "warnings"];
+    let clippy = ["cargo", "clippy", "--locked", "--", "-D", "warnings"];
     command_with(&folder, &clippy, &env)?;
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];
