@@ -29,7 +29,8 @@ use std::sync::Mutex;
 /// bodies : (n_vertices,) array of integers, optional
 ///     The body that each vertex belongs to.
 /// fixed : (n_bodies,) array of bool, optional
-///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at.
+///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at, and a
+///     step in which one moves is refused.
 /// self_contact : bool, optional
 ///     Whether pairs within one body are looked at; by default they are.
 /// device : str, optional
