@@ -363,7 +363,7 @@ impl Session {
                 let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
-                for contact in of.decide(threads, mesh, &options.search(window), x.given) {
+                for &contact in of.decide(threads, mesh, &options.search(window), x.given) {
                     report.add(contact, !earliest);
                 }
             }
