@@ -8,6 +8,7 @@
 #![deny(unsafe_code)]
 
 pub mod broad_phase;
+pub mod headers;
 pub mod probe;
 mod records;
 pub mod scheduling;

@@ -9,7 +9,8 @@ use ccd_testkit::data::SCENES;
 const WHOLE: &str = "CCD_WHOLE";
 
 /// Tests of kernels that know no `f64`: a device that is used without it runs the same code.
-const ALIKE: [crate::Tests; 11] = [
+const ALIKE: [crate::Tests; 12] = [
+    crate::headers::TESTS,
     crate::sorts::TESTS,
     crate::pairs::TESTS,
     crate::trees::TESTS,

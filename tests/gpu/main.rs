@@ -14,6 +14,7 @@ mod emulated;
 mod failures;
 mod geometry;
 mod grazing;
+mod headers;
 mod intervals;
 mod kept_order;
 mod kernels;
@@ -113,6 +114,7 @@ fn main() {
             trees::TESTS,
             builders::TESTS,
             changes::TESTS,
+            headers::TESTS,
             kept_order::TESTS,
             listed::TESTS,
             rules::TESTS,
