@@ -3,10 +3,11 @@
 
 use super::canvas::{Colour, HEIGHT, WIDTH};
 use super::picture::colour_of;
-use super::{Failure, in_file, plot};
+use super::{Failure, files, in_file, plot};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use plotters::prelude::*;
+use std::io::Write;
 use std::path::Path;
 
 /// Pixels above and below.
@@ -141,13 +142,14 @@ pub fn time(t: f64) -> String {
     if t == 0.0 || t >= 1e-2 { format!("{t:.3}") } else { format!("{t:.2e}") }
 }
 
-/// Writes pixels, three bytes each, as a small file.
+/// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
 pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
-    let file = std::fs::File::create(path).map_err(|e| in_file(path, e))?;
-    let to = std::io::BufWriter::new(file);
-    PngEncoder::new_with_quality(to, CompressionType::Best, FilterType::Adaptive)
+    let mut png = Vec::new();
+    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
         .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
-        .map_err(|e| in_file(path, e))
+        .map_err(|e| in_file(path, e))?;
+    let mut to = files::create(path, "png")?;
+    to.write_all(&png).and_then(|()| to.flush()).map_err(|e| files::failed(path, e))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
-//! What commands print and write: text, JSON, CSV.
+//! What commands print: text and JSON.
 
-use super::{Failure, in_file};
+use super::Failure;
 use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
@@ -215,25 +215,6 @@ pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;
     say!("{text}");
     Ok(())
-}
-
-/// Refuses a path that ends otherwise than in what is written to it.
-pub fn check_extension(path: &Path, extension: &str) -> Result<(), Failure> {
-    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension)) {
-        return Ok(());
-    }
-    Err(in_file(path, format_args!("is written as .{extension}; a name that ends so is expected")))
-}
-
-/// Whether a path means standard output.
-pub fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-/// Creates a file, so that one that cannot be written is known before any work.
-pub fn create(path: &Path, extension: &str) -> Result<std::fs::File, Failure> {
-    check_extension(path, extension)?;
-    std::fs::File::create(path).map_err(|e| in_file(path, e))
 }
 
 /// Where progress is shown: nowhere if standard error is not a terminal.
