@@ -2,6 +2,7 @@
 //! colours of times.
 
 use super::canvas::{Colour, HEIGHT, WIDTH};
+use super::letters::Pixels;
 use super::picture::colour_of;
 use super::{Failure, files, in_file, plot};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -40,7 +41,7 @@ impl Legend<'_> {
         let first = (TOP * size.0 * 3) as usize;
         pixels[first..first + picture.len()].copy_from_slice(picture);
         plot::register()?;
-        let root = BitMapBackend::with_buffer(&mut pixels, size).into_drawing_area();
+        let root = Pixels::of(&mut pixels, size)?.into_drawing_area();
         write(&root, self.lines[0], [24, 8], SIZE + 4)?;
         write(&root, self.lines[1], [24, 34], SIZE)?;
         self.scale(&root)?;
@@ -95,14 +96,15 @@ impl Legend<'_> {
         write(root, &time(first), [left, y + height + 4], SIZE - 2)?;
         if last > first {
             let text = time(last);
-            let width = 9 * text.len() as i32;
+            let style = ("sans-serif", SIZE - 2).into_font();
+            let width = style.box_size(&text)?.0 as i32;
             write(root, &text, [left + length - width, y + height + 4], SIZE - 2)?;
         }
         Ok(())
     }
 }
 
-type Area<'a> = DrawingArea<BitMapBackend<'a>, plotters::coord::Shift>;
+type Area<'a> = DrawingArea<Pixels<'a>, plotters::coord::Shift>;
 
 /// A row so many pixels below the picture.
 fn bottom(y: i32) -> i32 {

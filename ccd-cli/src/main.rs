@@ -15,6 +15,7 @@ mod frames;
 mod info;
 mod join;
 mod legend;
+mod letters;
 mod manual;
 mod merge;
 mod mesh_file;

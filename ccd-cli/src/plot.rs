@@ -1,5 +1,6 @@
 //! Line plots of numbers over frames, one above the other.
 
+use super::letters::Pixels;
 use super::{Failure, in_file, legend};
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
@@ -43,7 +44,7 @@ fn draw<const N: usize>(
     series: [(&str, &[f64]); N],
 ) -> Result<(), Box<dyn std::error::Error>> {
     register()?;
-    let root = BitMapBackend::with_buffer(pixels, size).into_drawing_area();
+    let root = Pixels::of(pixels, size)?.into_drawing_area();
     root.fill(&WHITE)?;
     let (above, below) = root.split_vertically(TITLE);
     above.draw(&Text::new(title.to_string(), (16, 14), ("sans-serif", 22).into_font()))?;
