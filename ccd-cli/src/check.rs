@@ -36,6 +36,8 @@ struct Json<'a> {
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
+    /// Contacts at t = 0.
+    at_start: u64,
     toi: Option<f64>,
     backend: &'static str,
     adapter: Option<&'a str>,
@@ -85,6 +87,7 @@ impl Check {
                 candidates: report.candidates.into(),
                 contacts: contacts.into(),
                 undecided: report.undecided,
+                at_start: output::at_start(report),
                 toi: report.toi,
                 backend: place.backend(),
                 adapter: place.adapter(),
