@@ -245,7 +245,10 @@ impl From<ccd::Error> for Failure {
 
 impl From<ccd::gpu::Error> for Failure {
     fn from(e: ccd::gpu::Error) -> Self {
-        Failure(e.to_string())
+        match e {
+            ccd::gpu::Error::Input(e) => e.into(),
+            _ => Failure(e.to_string()),
+        }
     }
 }
 

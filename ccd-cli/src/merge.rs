@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Merge {
-    /// What `ccd sequence --part i/n` printed with --json-lines, or wrote with --contacts (.csv), in
-    /// any order; not both at once
+    /// What `ccd sequence --part i/n` printed with --json-lines, or wrote with --contacts (.csv),
+    /// in any order; not both at once
     #[arg(required = true, value_name = "PART")]
     parts: Vec<PathBuf>,
 }

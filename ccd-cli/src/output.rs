@@ -5,7 +5,7 @@ use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Component, Path};
 use std::sync::Arc;
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
@@ -203,7 +203,12 @@ pub fn thousands(n: usize) -> String {
 pub fn title(files: &[&Path], place: &Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
-        let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+        // Without `..` and the like, which name no scene.
+        let parts = path.components().filter_map(|part| match part {
+            Component::Normal(part) => Some(part.to_string_lossy()),
+            _ => None,
+        });
+        let parts: Vec<_> = parts.collect();
         let kept = if i == 0 { 3 } else { 1 };
         names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
     }

@@ -1,5 +1,5 @@
-//! Files that are written: none lies over another or over what is read; contacts of parts are joined;
-//! pictures go where they are wanted.
+//! Files that are written: none lies over another or over what is read; what `-` means; contacts of
+//! parts are joined.
 
 use crate::{ccd, check_refused, obj, text};
 use std::path::{Path, PathBuf};
