@@ -22,6 +22,11 @@ pub struct BodyOptions {
 }
 
 impl BodyOptions {
+    /// The file that is read, if any.
+    pub fn file(&self) -> Option<&Path> {
+        self.bodies.as_deref()
+    }
+
     /// The bodies of a mesh, if any option speaks of them.
     pub fn of(&self, mesh: &Mesh) -> Result<Option<Bodies>, Failure> {
         if self.bodies.is_none() && !self.no_self_contact && self.fixed.is_empty() {
@@ -53,6 +58,8 @@ const MOST_BODIES: u32 = 1 << 24;
 fn read(path: &Path, n_vertices: usize) -> Result<Vec<u32>, Failure> {
     let text = std::fs::read_to_string(path).map_err(|e| in_file(path, e))?;
     let mut bodies = Vec::with_capacity(n_vertices);
+    // Some editors begin a file with a mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     for (line, words) in text.lines().enumerate() {
         let separator = |c: char| c.is_whitespace() || c == ',';
         for word in words.split(separator).filter(|word| !word.is_empty()) {

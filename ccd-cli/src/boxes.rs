@@ -2,7 +2,7 @@
 
 use super::backend::BackendOptions;
 use super::method::MethodOptions;
-use super::{Failure, Outcome, backend, in_file, output};
+use super::{Failure, Outcome, backend, files, in_file, output};
 use ccd::Aabb;
 use ccd::any::{BroadPhase, Choice, Error, Pairs};
 use clap::Args;
@@ -30,7 +30,7 @@ pub struct Boxes {
     #[arg(long, value_name = "N", default_value_t = 5)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
-    /// Write the pairs, raw and sorted, as below
+    /// Write the pairs, raw and sorted, as below; `-` is standard output
     #[arg(long, value_name = "OUT.bin")]
     pairs: Option<PathBuf>,
     /// Print one JSON object instead of text
@@ -60,7 +60,12 @@ struct Times {
 impl Boxes {
     pub fn run(&self) -> Outcome {
         self.method.no_pipeline()?;
-        let out = self.pairs.as_deref().map(|path| output::create(path, "bin")).transpose()?;
+        let read_from: Vec<&Path> =
+            [Some(&self.a), self.b.as_ref()].into_iter().flatten().map(PathBuf::as_path).collect();
+        let json = self.json.then_some("--json");
+        let pairs_path = self.pairs.as_deref();
+        files::check(json, &[("--pairs", pairs_path)], &read_from)?;
+        let out = pairs_path.map(|path| files::create(path, "bin")).transpose()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
@@ -75,7 +80,8 @@ impl Boxes {
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
         if let (Some(out), Some(path)) = (out, &self.pairs) {
-            write(out, pairs(&mut broad, &a, b.as_deref())?).map_err(|e| in_file(path, e))?;
+            let found = pairs(&mut broad, &a, b.as_deref())?;
+            write(out, found).map_err(|e| files::failed(path, e))?;
         }
         let compilation = choice.device().map(|device| device.compilation());
         let first = times[0];
@@ -94,7 +100,7 @@ impl Boxes {
                 runs: self.runs,
                 times_ms: times,
             })?;
-        } else {
+        } else if !pairs_path.is_some_and(files::is_stdout) {
             match boxes {
                 [n, 0] if b.is_none() => output::line("boxes", n),
                 [n, m] => output::line("boxes", format_args!("{n} against {m}")),
@@ -132,7 +138,7 @@ fn pairs<'a>(
 }
 
 /// Pairs as little-endian numbers of 32 bits, two each, sorted.
-fn write(out: std::fs::File, pairs: Pairs) -> std::io::Result<()> {
+fn write(out: Box<dyn Write>, pairs: Pairs) -> std::io::Result<()> {
     let mut pairs: Vec<[u32; 2]> = pairs.iter().map(|pair| [pair.a, pair.b]).collect();
     pairs.sort_unstable();
     let mut out = BufWriter::with_capacity(1 << 16, out);

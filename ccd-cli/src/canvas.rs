@@ -196,16 +196,18 @@ impl Canvas {
         }
     }
 
-    /// A mark of a radius in samples; `hidden`: how much of it is seen where something is before
-    /// it.
+    /// A mark of a radius in samples; `hidden`: how much of it is seen if something is before its
+    /// centre. A mark is seen as a whole or hidden as a whole: surfaces do not cut it.
     pub fn mark(&mut self, at: [f64; 3], shape: Shape, radius: f64, colour: Colour, hidden: f64) {
         let [cx, cy, depth] = self.view.project(at);
-        let bias = 0.004 * self.view.extent;
+        let at = |c: f64, size: usize| (c >= 0.0 && c < size as f64).then_some(c as usize);
+        let before = at(cx, ROW).zip(at(cy, ROWS)).map(|(x, y)| self.depth[y * ROW + x]);
+        let is_seen = before.is_none_or(|before| depth + 0.004 * self.view.extent >= before);
+        let opacity = if is_seen { 0.92 } else { hidden };
         for y in range(cy - radius, cy + radius, ROWS) {
             for x in range(cx - radius, cx + radius, ROW) {
                 let i = y * ROW + x;
                 if shape.covers([x as f64 + 0.5 - cx, y as f64 + 0.5 - cy], radius) {
-                    let opacity = if depth + bias >= self.depth[i] { 0.92 } else { hidden };
                     self.colour[i] = lerp(self.colour[i], colour, opacity);
                 }
             }

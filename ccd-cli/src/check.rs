@@ -1,7 +1,7 @@
 //! `ccd check`: contacts between two frames.
 
 use super::output::{self, Counts, MeshSize, TimesMs};
-use super::{Failure, Outcome, Precision, StepOptions, backend, in_file, picture, rows};
+use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, read_frame};
 use ccd::{Kind, Mesh};
@@ -23,6 +23,9 @@ pub struct Check {
     /// standard output
     #[arg(long, value_name = "OUT.csv")]
     candidates: Option<PathBuf>,
+    /// What the picture shows
+    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
+    zoom: picture::Zoom,
     #[command(flatten)]
     pub options: StepOptions,
 }
@@ -33,6 +36,8 @@ struct Json<'a> {
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
+    /// Contacts at t = 0.
+    at_start: u64,
     toi: Option<f64>,
     backend: &'static str,
     adapter: Option<&'a str>,
@@ -45,10 +50,7 @@ struct Json<'a> {
 
 impl Check {
     pub fn run(&self) -> Outcome {
-        if self.lists_to_stdout() && !self.options.prints_text() {
-            let what = "two outputs go to standard output; `--candidates -` is one of them";
-            return Err(Failure(what.into()));
-        }
+        self.options.check_outputs(None, self.candidates.as_deref())?;
         let file = self.options.contact_file(false)?;
         let listed = self.candidates.as_deref().map(rows::CandidateFile::create).transpose()?;
         let start = Instant::now();
@@ -72,8 +74,10 @@ impl Check {
         if let Some(path) = &self.options.picture {
             let title = output::title(&[&self.t0, &self.t1], &session.place());
             let x = [&t0.positions[..], &t1.positions];
-            let (contacts, zoom) = (&report.contacts, self.options.zoom);
-            picture::write(path, &picture::Scene { title: &title, mesh, x, contacts, zoom })?;
+            let (contacts, zoom) = (&report.contacts, self.zoom);
+            let (title, min_distance) = (&title[..], self.options.min_distance);
+            let scene = picture::Scene { title, mesh, x, contacts, min_distance, zoom };
+            picture::write(path, &scene)?;
         }
         let contacts = report.n_contacts();
         if self.options.json {
@@ -83,6 +87,7 @@ impl Check {
                 candidates: report.candidates.into(),
                 contacts: contacts.into(),
                 undecided: report.undecided,
+                at_start: output::at_start(report),
                 toi: report.toi,
                 backend: place.backend(),
                 adapter: place.adapter(),
@@ -99,7 +104,7 @@ impl Check {
     }
 
     fn lists_to_stdout(&self) -> bool {
-        self.candidates.as_deref().is_some_and(output::is_stdout)
+        self.candidates.as_deref().is_some_and(files::is_stdout)
     }
 }
 
@@ -176,6 +181,11 @@ pub fn step(
             let precision = precision.name();
             let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
             in_file(if time == 0 { t0.0 } else { t1.0 }, format_args!("{what} {precision}"))
+        }
+        Error::Input(ccd::Error::FixedMoves { vertex }) => {
+            let (vertex, from) = (vertex + 1, t0.0.display());
+            let what = format!("vertex {vertex} (counted from 1) is not where it is in {from}");
+            in_file(t1.0, format_args!("{what}, and its body is --fixed"))
         }
         _ => e.into(),
     })

@@ -30,7 +30,7 @@ const DAMPING: f64 = 0.998;
 const MAX_STRAIN: f64 = 0.05;
 const STRAIN_ROUNDS: usize = 16;
 /// Features are pushed apart below this distance, in metres.
-const PUSH_DISTANCE: f64 = 0.006;
+pub const PUSH_DISTANCE: f64 = 0.006;
 /// Part of the velocity along a surface that contact takes away.
 const FRICTION: f64 = 0.15;
 /// Rounds of pushing, and rounds of holding back after which a vertex in contact does not move at

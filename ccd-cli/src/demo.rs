@@ -1,9 +1,9 @@
 //! `ccd demo`: the experiment of [Tian and Wan], run, checked and drawn.
 
 use super::backend::BackendOptions;
-use super::cloth::{Cloth, N_CLOTH};
+use super::cloth::{Cloth, N_CLOTH, PUSH_DISTANCE};
 use super::method::MethodOptions;
-use super::{Failure, Outcome, backend, in_file, mesh_file, output, picture, plot};
+use super::{Failure, Outcome, backend, files, in_file, mesh_file, output, picture, plot};
 use ccd::Mesh;
 use clap::Args;
 use std::path::PathBuf;
@@ -20,8 +20,8 @@ pub struct Demo {
     /// What the picture of the last frame shows
     #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
     zoom: picture::Zoom,
-    /// Write the frames, the first one too, as FOLDER/frame-00000.ply and so on; made if it is not
-    /// there
+    /// Write the frames, the first one too, as PLY: FOLDER/frame-00000.ply and so on; made if it is
+    /// not there
     #[arg(long, value_name = "FOLDER")]
     frames_out: Option<PathBuf>,
     #[command(flatten)]
@@ -36,6 +36,10 @@ const STEPS: usize = 8;
 impl Demo {
     pub fn run(&self) -> Outcome {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
+        let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
+        for path in [&last, &plots] {
+            files::create(path, "png")?;
+        }
         if let Some(folder) = &self.frames_out {
             std::fs::create_dir_all(folder).map_err(|e| in_file(folder, e))?;
         }
@@ -57,7 +61,6 @@ impl Demo {
             bar.inc(1);
         }
         bar.finish_and_clear();
-        let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
         let frames = self.frames;
         let (place, backend) = (cloth.place(), cloth.place().backend().to_uppercase());
         let title = format!("a cloth on a sphere, {frames} frames; {backend}: {place}");
@@ -67,13 +70,14 @@ impl Demo {
             mesh: &cloth.mesh,
             x: [x0, x1],
             contacts: &cloth.contacts,
+            min_distance: PUSH_DISTANCE,
             zoom: self.zoom,
         };
         picture::write(&last, &scene)?;
         plot::write(
             &plots,
             &title,
-            "frame",
+            ("frame", 0),
             [
                 ("collision detection, ms a frame", &times),
                 ("contacts within 6 mm in the last step of a frame", &contacts),

@@ -35,9 +35,14 @@ impl Frames {
                 let what = format!("has {n} vertices, {} has {expected}", mesh.display());
                 return Err(in_file(path, what));
             }
-            at_least_two(cache.n_frames())?;
+            at_least_two(cache.n_frames()).map_err(|e| in_file(path, e))?;
             let (mesh, cache) = (Box::new(frame), Box::new(cache));
             return Ok((Self::Cache { mesh, cache, path: path.clone() }, false));
+        }
+        if let Some(missing) = given.iter().find(|path| {
+            mesh.is_some() && has_extension(path, &PointCache::EXTENSIONS) && !path.exists()
+        }) {
+            return Err(in_file(missing, "there is no such file"));
         }
         if let Some(mesh) = mesh {
             let formats = PointCache::EXTENSIONS.join(", .");
@@ -109,7 +114,10 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
         alphanumeric_sort::sort_path_slice(&mut found);
         frames.append(&mut found);
     }
-    at_least_two(frames.len())?;
+    at_least_two(frames.len()).map_err(|e| match given {
+        [only] => in_file(only, e),
+        _ => e,
+    })?;
     let mut sorted = frames.clone();
     alphanumeric_sort::sort_path_slice(&mut sorted);
     let is_sorted = sorted == frames;
@@ -119,7 +127,8 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
 fn at_least_two(n: usize) -> Result<(), Failure> {
     match n {
         2.. => Ok(()),
-        _ => Err(Failure(format!("a sequence needs two frames or more; there are {n}"))),
+        1 => Err(Failure("a sequence needs two frames or more; this is one".into())),
+        _ => Err(Failure("a sequence needs two frames or more; this is none".into())),
     }
 }
 

@@ -2,11 +2,13 @@
 //! colours of times.
 
 use super::canvas::{Colour, HEIGHT, WIDTH};
+use super::letters::Pixels;
 use super::picture::colour_of;
-use super::{Failure, in_file, plot};
+use super::{Failure, files, in_file, plot};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use plotters::prelude::*;
+use std::io::Write;
 use std::path::Path;
 
 /// Pixels above and below.
@@ -39,7 +41,7 @@ impl Legend<'_> {
         let first = (TOP * size.0 * 3) as usize;
         pixels[first..first + picture.len()].copy_from_slice(picture);
         plot::register()?;
-        let root = BitMapBackend::with_buffer(&mut pixels, size).into_drawing_area();
+        let root = Pixels::of(&mut pixels, size)?.into_drawing_area();
         write(&root, self.lines[0], [24, 8], SIZE + 4)?;
         write(&root, self.lines[1], [24, 34], SIZE)?;
         self.scale(&root)?;
@@ -94,14 +96,15 @@ impl Legend<'_> {
         write(root, &time(first), [left, y + height + 4], SIZE - 2)?;
         if last > first {
             let text = time(last);
-            let width = 9 * text.len() as i32;
+            let style = ("sans-serif", SIZE - 2).into_font();
+            let width = style.box_size(&text)?.0 as i32;
             write(root, &text, [left + length - width, y + height + 4], SIZE - 2)?;
         }
         Ok(())
     }
 }
 
-type Area<'a> = DrawingArea<BitMapBackend<'a>, plotters::coord::Shift>;
+type Area<'a> = DrawingArea<Pixels<'a>, plotters::coord::Shift>;
 
 /// A row so many pixels below the picture.
 fn bottom(y: i32) -> i32 {
@@ -141,13 +144,14 @@ pub fn time(t: f64) -> String {
     if t == 0.0 || t >= 1e-2 { format!("{t:.3}") } else { format!("{t:.2e}") }
 }
 
-/// Writes pixels, three bytes each, as a small file.
+/// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
 pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
-    let file = std::fs::File::create(path).map_err(|e| in_file(path, e))?;
-    let to = std::io::BufWriter::new(file);
-    PngEncoder::new_with_quality(to, CompressionType::Best, FilterType::Adaptive)
+    let mut png = Vec::new();
+    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
         .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
-        .map_err(|e| in_file(path, e))
+        .map_err(|e| in_file(path, e))?;
+    let mut to = files::create(path, "png")?;
+    to.write_all(&png).and_then(|()| to.flush()).map_err(|e| files::failed(path, e))
 }
 
 #[cfg(test)]

@@ -10,9 +10,12 @@ mod check;
 mod cloth;
 mod demo;
 mod environment;
+mod files;
 mod frames;
 mod info;
+mod join;
 mod legend;
+mod letters;
 mod manual;
 mod merge;
 mod mesh_file;
@@ -55,7 +58,12 @@ enum Command {
         ccd sequence cloth.npz --mesh cloth.obj\n  \
         ccd sequence 'frames/*.ply' --json-lines --part 2/8 > 2.jsonl\n\n{CSV}"))]
     Sequence(sequence::Sequence),
-    /// Outputs of `sequence --json-lines --part i/n`, joined; none may be missing
+    /// What the parts of a sequence printed as lines of JSON, or wrote as contacts, joined
+    #[command(after_help = "EXAMPLES:\n  ccd merge *.jsonl > all.jsonl\n  \
+        ccd merge *.csv > all.csv\n\n\
+        Lines of JSON say which part they are of: none may be missing or there twice.\n\
+        Files whose names end in .csv are contacts (sequence --contacts): sorted by their steps\n\
+        under one head. Rows do not say whether a part is missing; lines of JSON do.")]
     Merge(merge::Merge),
     /// Elemental queries from files, compared with the answers in them
     #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 \
@@ -90,16 +98,20 @@ enum Command {
 
 /// What the columns of contacts mean.
 const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
-  kind         vf (vertex a, face b) or ee (edges a < b)
-  a, b         features, all counted from 0: vertices as in the file; faces as
-               triangles in the file's order, polygons cut into fans; edges
-               sorted by their greater vertex, then by the other
-  toi, state   time of impact in [0, 1]; hit or undecided
-  v0 .. v3     vertices: that of a and those of face b, or those of a, then of b
-  polygon      the file's face, counted from 0, that face b is cut from; ee: empty
-  px py pz     where they meet at the time of impact
-  nx ny nz     unit normal there, from b to a
-  w0 .. w3     weights of v0 .. v3: points on a and on b as sums of positions";
+  kind        vf (vertex a, face b) or ee (edges a < b); of points and
+              edges that belong to nothing higher also ve (vertex a,
+              edge b) and vv (vertices a < b)
+  a, b        features, all counted from 0: vertices as in the file;
+              faces as triangles in the file's order, polygons cut into
+              fans; edges sorted by their greater vertex, then by the
+              other
+  toi, state  time of impact in [0, 1]; hit or undecided
+  v0 .. v3    the vertices of a, then those of b; ve has three, vv two
+  polygon     the file's face, counted from 0, that face b is cut from;
+              without a face: empty
+  px py pz    where they meet at the time of impact
+  nx ny nz    unit normal there, from b to a
+  w0 .. w3    weights of v0 .. v3: points on a and b as sums of positions";
 
 /// The coordinates that a step starts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -143,12 +155,10 @@ struct StepOptions {
     /// Write contacts as CSV, columns below; `-` is standard output
     #[arg(long, value_name = "OUT.csv")]
     contacts: Option<PathBuf>,
-    /// Write a picture (check: the mesh with its contacts; sequence: times and contacts a frame)
+    /// Write a picture (check: the mesh with its contacts; sequence: times and contacts of each
+    /// step); `-` is standard output
     #[arg(long, value_name = "OUT.png")]
     picture: Option<PathBuf>,
-    /// What a picture of contacts shows
-    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
-    zoom: picture::Zoom,
     /// Exit with status 1 if there is a contact
     #[arg(long)]
     fail_on_contact: bool,
@@ -159,18 +169,32 @@ impl StepOptions {
     /// cannot be written is refused here, too.
     fn contact_file(&self, frames: bool) -> Result<Option<rows::ContactFile<'_>>, Failure> {
         if let Some(path) = &self.picture {
-            output::create(path, "png")?;
+            files::create(path, "png")?;
         }
         let path = self.contacts.as_deref();
-        if self.json && path.is_some_and(output::is_stdout) {
-            return Err(Failure("--json and `--contacts -` both go to standard output".into()));
-        }
         path.map(|path| rows::ContactFile::create(path, frames)).transpose()
     }
 
-    /// Whether text is printed: not beside JSON, nor where contacts go to standard output.
+    /// Refuses outputs that lie over each other or over what is read. `json`: another option that
+    /// prints JSON; `candidates`: where they go.
+    fn check_outputs(
+        &self,
+        json: Option<&str>,
+        candidates: Option<&std::path::Path>,
+    ) -> Result<(), Failure> {
+        let written = [
+            ("--contacts", self.contacts.as_deref()),
+            ("--candidates", candidates),
+            ("--picture", self.picture.as_deref()),
+        ];
+        let read: Vec<_> = self.bodies.file().into_iter().collect();
+        files::check(json.or(self.json.then_some("--json")), &written, &read)
+    }
+
+    /// Whether text is printed: not beside JSON, nor where a file goes to standard output.
     fn prints_text(&self) -> bool {
-        !self.json && !self.contacts.as_deref().is_some_and(output::is_stdout)
+        let files = [&self.contacts, &self.picture];
+        !self.json && !files.into_iter().flatten().any(|path| files::is_stdout(path))
     }
 
     /// A session for a mesh where the options want it.
@@ -208,13 +232,23 @@ impl From<ccd::io::ReadError> for Failure {
 
 impl From<ccd::Error> for Failure {
     fn from(e: ccd::Error) -> Self {
-        Failure(e.to_string())
+        match e {
+            ccd::Error::MinDistance { value } => {
+                let most = ccd::Error::MAX_COORDINATE;
+                let what = "it must be from 0 to";
+                Failure(format!("the minimum distance is {value:?}; {what} {most:e}"))
+            }
+            _ => Failure(e.to_string()),
+        }
     }
 }
 
 impl From<ccd::gpu::Error> for Failure {
     fn from(e: ccd::gpu::Error) -> Self {
-        Failure(e.to_string())
+        match e {
+            ccd::gpu::Error::Input(e) => e.into(),
+            _ => Failure(e.to_string()),
+        }
     }
 }
 

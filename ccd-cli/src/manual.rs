@@ -1,6 +1,6 @@
 //! `ccd completions` and `ccd man`: what shells and `man` read.
 
-use super::{Cli, Outcome, in_file, output};
+use super::{Cli, Failure, Outcome, in_file, output};
 use clap::{Args, CommandFactory};
 use std::path::PathBuf;
 
@@ -29,8 +29,21 @@ pub struct Man {
 
 impl Man {
     pub fn run(&self) -> Outcome {
-        clap_mangen::generate_to(Cli::command(), &self.folder)
-            .map_err(|e| in_file(&self.folder, e))?;
+        let mut all = Cli::command().disable_help_subcommand(true);
+        all.build();
+        for command in all.get_subcommands().chain([&all]) {
+            self.write(command.clone())?;
+        }
         Ok(false)
+    }
+
+    /// Writes a page. Its last section has columns, which `man` must not fill up.
+    fn write(&self, command: clap::Command) -> Result<(), Failure> {
+        let page = clap_mangen::Man::new(command);
+        let path = self.folder.join(page.get_filename());
+        let mut text = Vec::new();
+        page.render(&mut text).map_err(|e| in_file(&path, e))?;
+        let text = String::from_utf8_lossy(&text).replace(".SH EXTRA\n", ".SH EXTRA\n.nf\n");
+        std::fs::write(&path, text).map_err(|e| in_file(&path, e))
     }
 }

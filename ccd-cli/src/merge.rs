@@ -1,16 +1,17 @@
-//! `ccd merge`: the outputs of the parts of a sequence, joined.
+//! `ccd merge`: the outputs of the parts of a sequence, joined; contacts in `join`.
 
 use super::output::{self, MeshSize};
 use super::sequence::{LastLine, Share, Step, summarise};
-use super::{Failure, Outcome, in_file};
+use super::{Failure, Outcome, in_file, join};
 use clap::Args;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Merge {
-    /// What `ccd sequence --json-lines --part i/n` printed, in any order
-    #[arg(required = true, value_name = "PART.jsonl")]
+    /// What `ccd sequence --part i/n` printed with --json-lines, or wrote with --contacts (.csv),
+    /// in any order; not both at once
+    #[arg(required = true, value_name = "PART")]
     parts: Vec<PathBuf>,
 }
 
@@ -26,6 +27,14 @@ struct Output<'a> {
 
 impl Merge {
     pub fn run(&self) -> Outcome {
+        if let Some(rows) = self.parts.iter().find(|path| join::is_rows(path)) {
+            if let Some(lines) = self.parts.iter().find(|path| !join::is_rows(path)) {
+                let what = format!("is no CSV, {} is: they are joined apart", rows.display());
+                return Err(in_file(lines, what));
+            }
+            join::join(&self.parts)?;
+            return Ok(false);
+        }
         let mut parts: Vec<Output> =
             self.parts.iter().map(|path| read(path)).collect::<Result<_, _>>()?;
         parts.sort_by_key(|part| part.share.part.index);
@@ -52,7 +61,11 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
     }
     let last: Option<LastLine> = lines.last().and_then(|line| serde_json::from_str(line).ok());
     let Some(last) = last else {
-        return Err(in_file(path, "does not end with a summary: the run was not finished"));
+        let what = match is_one_object(&lines) {
+            true => "was printed by --json; what --json-lines prints can be joined",
+            false => "does not end with a summary: the run was not finished",
+        };
+        return Err(in_file(path, what));
     };
     let Some(share) = last.part else {
         return Err(in_file(path, "is no part: it was made without --part"));
@@ -73,6 +86,12 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
         return Err(in_file(path, what));
     }
     Ok(Output { path, lines, steps, share, mesh: last.mesh })
+}
+
+/// Whether lines are what `sequence --json` prints.
+fn is_one_object(lines: &[String]) -> bool {
+    let [line] = lines else { return false };
+    serde_json::from_str::<serde_json::Value>(line).is_ok_and(|value| value["summary"].is_object())
 }
 
 /// Checks that sorted parts are those of one sequence, none missing and none twice.

@@ -1,11 +1,11 @@
-//! What commands print and write: text, JSON, CSV.
+//! What commands print: text and JSON.
 
-use super::{Failure, in_file};
+use super::Failure;
 use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Component, Path};
 use std::sync::Arc;
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
@@ -203,7 +203,12 @@ pub fn thousands(n: usize) -> String {
 pub fn title(files: &[&Path], place: &Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
-        let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+        // Without `..` and the like, which name no scene.
+        let parts = path.components().filter_map(|part| match part {
+            Component::Normal(part) => Some(part.to_string_lossy()),
+            _ => None,
+        });
+        let parts: Vec<_> = parts.collect();
         let kept = if i == 0 { 3 } else { 1 };
         names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
     }
@@ -215,25 +220,6 @@ pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;
     say!("{text}");
     Ok(())
-}
-
-/// Refuses a path that ends otherwise than in what is written to it.
-pub fn check_extension(path: &Path, extension: &str) -> Result<(), Failure> {
-    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension)) {
-        return Ok(());
-    }
-    Err(in_file(path, format_args!("is written as .{extension}; a name that ends so is expected")))
-}
-
-/// Whether a path means standard output.
-pub fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-/// Creates a file, so that one that cannot be written is known before any work.
-pub fn create(path: &Path, extension: &str) -> Result<std::fs::File, Failure> {
-    check_extension(path, extension)?;
-    std::fs::File::create(path).map_err(|e| in_file(path, e))
 }
 
 /// Where progress is shown: nowhere if standard error is not a terminal.

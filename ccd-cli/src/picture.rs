@@ -6,7 +6,7 @@ use super::legend::{self, BOTTOM, Legend, TOP};
 use super::output::thousands;
 use super::{Failure, in_file};
 use ccd::geometry::vec3::{dot, lerp, sub};
-use ccd::{Contact, ContactGeometry, Mesh, State};
+use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
 use std::path::Path;
 
@@ -27,6 +27,8 @@ pub struct Scene<'a> {
     /// Positions at the start and at the end of the step.
     pub x: [&'a [[f64; 3]]; 2],
     pub contacts: &'a [Contact],
+    /// Up to which distance there is contact.
+    pub min_distance: f64,
     pub zoom: Zoom,
 }
 
@@ -66,13 +68,22 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     let mut marks: Vec<(&Contact, ContactGeometry)> =
         scene.contacts.iter().map(|c| (c, c.geometry(mesh, x0, x1))).collect();
     marks.sort_by(|a, b| b.0.toi.total_cmp(&a.0.toi));
-    let times = marks.last().zip(marks.first()).map(|(first, last)| [first.0.toi, last.0.toi]);
+    let times = marks.last().zip(marks.first()).map(|(first, last)| {
+        let [first, last] = [first.0.toi, last.0.toi];
+        // Times are known to their tolerance: what differs by less has one colour.
+        if last - first > TOI_TOLERANCE { [first, last] } else { [first, first] }
+    });
     let shown = times.map_or(0.0, |[first, _]| first);
     let x: Vec<[f64; 3]> = x0.iter().zip(x1).map(|(&p, &q)| lerp(p, q, shown)).collect();
     let points = marks.iter().map(|(_, at)| at.point);
+    let whole = View::of(x.iter().copied().chain(points.clone()), 0.0);
     let view = match scene.zoom {
-        Zoom::Contacts if !marks.is_empty() => View::of(points, 2.0 * size_of_features(scene)),
-        _ => View::of(x.iter().copied().chain(points), 0.0),
+        Zoom::Contacts if !marks.is_empty() => {
+            // Large features in contact do not make it show less closely than all.
+            let near = View::of(points, 2.0 * size_of_features(scene));
+            if near.scale() > whole.scale() { near } else { whole }
+        }
+        _ => whole,
     };
 
     let spread = view.samples_of(&View::of(marks.iter().map(|(_, at)| at.point), 0.0));
@@ -91,6 +102,9 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
 
     let n_undecided = marks.iter().filter(|(c, _)| c.state == State::Undecided).count();
     let mut text = format!("{} contacts", thousands(marks.len()));
+    if scene.min_distance > 0.0 {
+        text += &format!(" (a distance of at most {})", scene.min_distance);
+    }
     if n_undecided > 0 {
         text += &format!(", {} of them undecided", thousands(n_undecided));
     }
@@ -122,7 +136,10 @@ fn draw_marks(
     }
     // So that many marks behind a surface do not add up to one before it.
     let hidden = (300.0 / n).clamp(0.01, 0.25);
-    let colour = |c: &Contact| colour_of((c.toi - first) / (last - first).max(1e-300));
+    let colour = |c: &Contact| match last > first {
+        true => colour_of((c.toi - first) / (last - first)),
+        false => colour_of(0.0),
+    };
     if marks.len() <= FEW {
         for (c, _) in marks {
             outline(canvas, scene, c, colour(c));

@@ -1,5 +1,6 @@
 //! Line plots of numbers over frames, one above the other.
 
+use super::letters::Pixels;
 use super::{Failure, in_file, legend};
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
@@ -12,12 +13,15 @@ const TITLE: u32 = 44;
 const COLOURS: [RGBColor; 3] =
     [RGBColor(31, 90, 160), RGBColor(200, 40, 40), RGBColor(60, 130, 60)];
 
+/// So few values are marked one by one.
+const FEW: usize = 60;
+
 /// Writes one plot per series, all over the same axis; each has its name and starts at 0. `title`:
-/// the scene, and the backend that ran it.
+/// the scene, and the backend that ran it. `axis`: its name, and its number at the first value.
 pub fn write<const N: usize>(
     path: &Path,
     title: &str,
-    axis: &str,
+    axis: (&str, usize),
     series: [(&str, &[f64]); N],
 ) -> Result<(), Failure> {
     let size = (WIDTH, TITLE + HEIGHT_EACH * N as u32);
@@ -36,24 +40,36 @@ fn draw<const N: usize>(
     pixels: &mut [u8],
     size: (u32, u32),
     title: &str,
-    axis: &str,
+    (axis, first): (&str, usize),
     series: [(&str, &[f64]); N],
 ) -> Result<(), Box<dyn std::error::Error>> {
     register()?;
-    let root = BitMapBackend::with_buffer(pixels, size).into_drawing_area();
+    let root = Pixels::of(pixels, size)?.into_drawing_area();
     root.fill(&WHITE)?;
     let (above, below) = root.split_vertically(TITLE);
     above.draw(&Text::new(title.to_string(), (16, 14), ("sans-serif", 22).into_font()))?;
     for (k, (area, (name, values))) in below.split_evenly((N, 1)).iter().zip(series).enumerate() {
-        let top = values.iter().fold(0.0f64, |m, &v| m.max(v)).max(1e-9) * 1.08;
-        let last = values.len().max(2) - 1;
+        let most = values.iter().fold(0.0f64, |m, &v| m.max(v));
+        let top = if most > 0.0 { most * 1.08 } else { 1.0 };
+        let last = first + values.len().max(2) - 1;
+        let caption = match values {
+            [] => format!("{name}: there is no {axis}"),
+            _ => name.to_owned(),
+        };
         let mut chart = ChartBuilder::on(area)
-            .caption(name, ("sans-serif", 26))
+            .caption(caption, ("sans-serif", 26))
             .margin(14)
             .x_label_area_size(44)
             .y_label_area_size(90)
-            .build_cartesian_2d(0..last, 0.0..top)?;
-        let number = |v: &f64| if top < 10.0 { format!("{v:.2}") } else { format!("{v:.0}") };
+            .build_cartesian_2d(first..last, 0.0..top)?;
+        // Counts have no fractions; what is small has as many digits as tell its lines apart.
+        let is_count = values.iter().all(|v| v.fract() == 0.0);
+        let digits = (1.0 - top.log10().floor()).clamp(0.0, 9.0) as usize;
+        let number = |v: &f64| match is_count {
+            true if v.fract() != 0.0 => String::new(),
+            true => format!("{v:.0}"),
+            false => format!("{v:.digits$}"),
+        };
         chart
             .configure_mesh()
             .x_desc(axis)
@@ -64,7 +80,9 @@ fn draw<const N: usize>(
             .y_label_formatter(&number)
             .draw()?;
         let colour = COLOURS[k % COLOURS.len()].stroke_width(2);
-        chart.draw_series(LineSeries::new(values.iter().copied().enumerate(), colour))?;
+        let points = (first..).zip(values.iter().copied());
+        let marks = if values.len() <= FEW { 3 } else { 0 };
+        chart.draw_series(LineSeries::new(points, colour.filled()).point_size(marks))?;
     }
     root.present()?;
     Ok(())

@@ -1,12 +1,12 @@
 //! `ccd queries`: elemental queries against the answers in their files.
 
 use super::rows::{self, Rows};
-use super::{Failure, Outcome, Precision, output};
+use super::{Failure, Outcome, Precision, files, output};
 use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
 use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[derive(Args)]
@@ -74,11 +74,11 @@ impl Queries {
         ccd::Options::default()
             .with_min_distance(self.min_distance)
             .check(&ccd::Mesh::new(0, &[])?)?;
-        let mut out = self.out.as_deref().map(Rows::create).transpose()?;
-        let prints_text = !self.json && !self.out.as_deref().is_some_and(output::is_stdout);
-        if self.json && self.out.as_deref().is_some_and(output::is_stdout) {
-            return Err(Failure("--json and `--out -` both go to standard output".into()));
-        }
+        let read_from: Vec<&Path> = self.files.iter().map(PathBuf::as_path).collect();
+        let path = self.out.as_deref();
+        files::check(self.json.then_some("--json"), &[("--out", path)], &read_from)?;
+        let mut out = path.map(Rows::create).transpose()?;
+        let prints_text = !self.json && !path.is_some_and(files::is_stdout);
         if let Some(out) = &mut out {
             out.row(format_args!("file,query,kind,verdict,toi,answer"))?;
         }

@@ -1,7 +1,6 @@
 //! Rows of CSV: contacts with where they are, candidates, whatever else has rows.
 
-use super::output::{create, ended, is_stdout};
-use super::{Failure, in_file};
+use super::{Failure, files};
 use ccd::{Contact, Kind, Mesh, State};
 use std::io::{BufWriter, Write};
 use std::path::Path;
@@ -27,26 +26,17 @@ pub struct Rows<'a> {
 impl<'a> Rows<'a> {
     /// Opens the file, or standard output for `-`.
     pub fn create(path: &'a Path) -> Result<Self, Failure> {
-        let to: Box<dyn Write> = if is_stdout(path) {
-            Box::new(std::io::stdout())
-        } else {
-            Box::new(create(path, "csv")?)
-        };
-        Ok(Self { path, writer: BufWriter::with_capacity(1 << 16, to) })
+        let writer = BufWriter::with_capacity(1 << 16, files::create(path, "csv")?);
+        Ok(Self { path, writer })
     }
 
     pub fn row(&mut self, text: std::fmt::Arguments) -> Result<(), Failure> {
         let written = self.writer.write_fmt(text).and_then(|()| self.writer.write_all(b"\n"));
-        written.map_err(|e| self.failure(e))
+        written.map_err(|e| files::failed(self.path, e))
     }
 
     pub fn flush(&mut self) -> Result<(), Failure> {
-        self.writer.flush().map_err(|e| self.failure(e))
-    }
-
-    /// Why a row could not be written.
-    fn failure(&self, e: std::io::Error) -> Failure {
-        if is_stdout(self.path) { ended(&e) } else { in_file(self.path, e) }
+        self.writer.flush().map_err(|e| files::failed(self.path, e))
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Sequence {
     json_lines: bool,
     /// Do only share i of n of the steps, so that several machines do all of them; `slurm`: the
     /// share of this task of an array (SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP), which is used in
-    /// no other way. `ccd merge` joins what --json-lines printed
+    /// no other way. `ccd merge` joins what --json-lines printed, and what --contacts wrote
     #[arg(long, value_name = "i/n")]
     part: Option<Part>,
     #[command(flatten)]
@@ -94,6 +94,7 @@ pub struct Summary {
 
 impl Sequence {
     pub fn run(&self) -> Outcome {
+        self.options.check_outputs(self.json_lines.then_some("--json-lines"), None)?;
         let mut file = self.options.contact_file(true)?;
         let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
@@ -113,7 +114,7 @@ impl Sequence {
         if is_text {
             print_head(&session, share);
         }
-        for i in todo {
+        for i in todo.clone() {
             let start = Instant::now();
             let after = frames.next(&before, i + 1)?;
             load += start.elapsed().as_secs_f64() * 1e3;
@@ -149,14 +150,15 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
-        let ends = [frames.name(0), frames.name(frames.len() - 1)];
-        self.finish(&mut session, [&ends[0], &ends[1]], steps, share)
+        let ends = [frames.name(todo.start), frames.name(todo.end)];
+        self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share)
     }
 
     fn finish(
         &self,
         session: &mut Session,
         ends: [&Path; 2],
+        first: usize,
         steps: Vec<Step>,
         part: Option<Share>,
     ) -> Outcome {
@@ -165,8 +167,12 @@ impl Sequence {
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
             let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
-            let title = output::title(&ends, &session.place());
-            plot::write(path, &title, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
+            let mut title = output::title(&ends, &session.place());
+            if let Some(Share { part, all_steps }) = part {
+                title += &format!("; part {} of {} of {all_steps} steps", part.index, part.of);
+            }
+            let series = [("time of a step, ms", &times[..]), ("contacts", &contacts)];
+            plot::write(path, &title, ("step", first), series)?;
         }
         let any = summary.contacts > 0;
         let place = session.place();
@@ -222,6 +228,7 @@ fn step_ms(s: &Step) -> f64 {
 /// The first contact of all steps, for people.
 fn sentence(steps: &[Step]) -> String {
     match steps.iter().find_map(|step| step.toi.map(|toi| (step, toi))) {
+        None if steps.is_empty() => "No step in this part.".into(),
         None => "No contact in any step.".into(),
         Some((step, toi)) => {
             let when = match toi {
@@ -250,7 +257,8 @@ pub fn summarise(steps: &[Step]) -> Summary {
         free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
         rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
         median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),
-        total_ms: times.iter().sum(),
+        // From a zero that has no sign: that of no steps is 0.
+        total_ms: times.iter().fold(0.0, |sum, time| sum + time),
     }
 }
 

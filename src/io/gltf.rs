@@ -14,8 +14,14 @@ use std::path::Path;
 
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let file = std::io::BufReader::new(std::fs::File::open(path)?);
-    let mut gltf =
-        gltf::Gltf::from_reader(file).map_err(|e| ReadErrorKind::Format(quote(&e.to_string())))?;
+    let mut gltf = gltf::Gltf::from_reader(file).map_err(|e| match e {
+        gltf::Error::Io(e) | gltf::Error::Binary(gltf::binary::Error::Io(e))
+            if e.kind() == std::io::ErrorKind::UnexpectedEof =>
+        {
+            ReadErrorKind::Format("the file is cut short".into())
+        }
+        e => ReadErrorKind::Format(quote(&e.to_string())),
+    })?;
     let mut blob = gltf.blob.take();
     let mut buffers = Vec::new();
     for buffer in gltf.buffers() {

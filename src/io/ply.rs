@@ -162,8 +162,17 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(frame)
 }
 
+/// The message of the parser in one line: what is wrong, and the text there.
 fn stopped(e: ply_rs_bw::parser::ParseError) -> ReadErrorKind {
-    ReadErrorKind::Format(quote(&e.to_string()))
+    let text = e.to_string();
+    let mut lines = text.lines().map(str::trim);
+    let what = lines.next().unwrap_or_default().trim_end_matches('.').replacen("Line", "line", 1);
+    let there = lines.next().and_then(|line| line.strip_prefix("String: "));
+    let there = there.map(|there| there.trim_matches('\'')).filter(|there| !there.is_empty());
+    ReadErrorKind::Format(match there {
+        Some(there) => format!("{}: `{}`", quote(&what), quote(there)),
+        None => quote(&what),
+    })
 }
 
 fn index(i: i64) -> Result<u32, String> {

@@ -150,8 +150,12 @@ fn errors_name_the_place_and_quote_little() {
         ("long.gltf", format!("{{\"{word}\": ")),
     ] {
         let error = read(name, text.as_bytes()).unwrap_err();
-        assert!(error.len() < 420, "{name}: {error}");
+        assert!(error.len() < 420 && !error.contains('\n'), "{name}: {error}");
     }
+    check_refused("a.ply", b"", "end of file");
+    check_refused("a.ply", b"plx\n", "line 1: Expected magic number 'ply': `plx`");
+    check_refused("a.glb", b"gl", "the file is cut short");
+    check_refused("b.glb", b"glTF\x02\0\0\0\xff\0\0\0{", "the file is cut short");
     // A vertex that never comes is named with the line that uses it.
     check_refused(
         "a.obj",

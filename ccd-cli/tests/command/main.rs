@@ -2,6 +2,7 @@
 
 mod backends;
 mod bench;
+mod files;
 mod meshes;
 mod methods;
 mod outputs;
@@ -47,6 +48,9 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("slurm_says_which_part", parts::slurm_says_which_part),
     ("positions_over_time_are_a_sequence", parts::positions_over_time_are_a_sequence),
     ("verdicts_on_queries_are_written", rows::verdicts_on_queries_are_written),
+    ("outputs_never_lie_over_files", files::outputs_never_lie_over_files),
+    ("everything_goes_to_standard_output", files::everything_goes_to_standard_output),
+    ("contacts_of_parts_are_joined", files::contacts_of_parts_are_joined),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[

@@ -65,6 +65,8 @@ pub fn parts_are_joined_to_the_whole() {
     check_refused(&["sequence", &folder, "--part", "4/3"], "i from 1 to n");
     let said = text(&ccd(&["sequence", &folder, "--part", "2/3"]).stdout);
     assert!(said.contains("2 of 3: steps 3 to 6 of 11"), "{said}");
+    let none = text(&ccd(&["sequence", &folder, "--part", "1/20"]).stdout);
+    assert!(none.contains("\nNo step in this part.\n") && !none.contains("-0"), "{none}");
 }
 
 /// The variables of Slurm do nothing unless they are asked for.
@@ -118,6 +120,7 @@ pub fn positions_over_time_are_a_sequence() {
     }
     assert_eq!(files["summary"]["steps"], one["summary"]["steps"]);
     check_refused(&["sequence", cache], "--mesh says");
+    check_refused(&["sequence", "nowhere.npz", "--mesh", &mesh], "nowhere.npz: there is no such");
     check_refused(&["sequence", &folder, "--mesh", &mesh], "is for one file");
     let other = dir.path().join("b.obj");
     std::fs::write(&other, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();

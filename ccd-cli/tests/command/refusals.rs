@@ -17,6 +17,7 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
     check_refused(&["check", a, "nowhere.ply"], "nowhere.ply");
     check_refused(&["check", a, a, "--min-distance", "-1"], "minimum distance is -1");
     check_refused(&["check", a, a, "--min-distance", "NaN"], "minimum distance is NaN");
+    check_refused(&["check", a, a, "--min-distance", "1e300"], "is 1e300; it must be from 0 to");
     check_refused(&["check", a, a, "--backend", "tpu"], "tpu");
     check_refused(
         &["check", a, a, "--backend", "gpu", "--adapter", "no such adapter"],
@@ -75,7 +76,7 @@ pub fn bad_use_and_bad_input_end_with_status_2() {
         "index.obj: line 10: vertex index 70 names no vertex",
     );
     check_refused(&["check", a, &write("dir.txt", "x")], ".ply, .obj, .off, .stl, .gltf or .glb");
-    check_refused(&["sequence", a], "two frames or more");
+    check_refused(&["sequence", a], "a.obj: a sequence needs two frames or more");
     check_refused(&["queries", &write("none.csv", "1,1\n")], "vertex-face");
     check_refused(&["check", a, a, "--contacts", "/nowhere/out.csv"], "/nowhere/out.csv");
     assert_eq!(ccd(&["--help"]).status.code(), Some(0));

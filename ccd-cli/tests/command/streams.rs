@@ -89,6 +89,10 @@ pub fn bodies_select_contacts() {
     check_refused(&["check", a, b, "--fixed", "2"], "no body 2");
     std::fs::write(file, "0 0 0 0 0 0\nx").unwrap();
     check_refused(&["check", a, b, "--bodies", file], "line 2: `x`");
+    let says = "b.obj: vertex 5 (counted from 1) is not where it is in";
+    check_refused(&["check", a, b, "--fixed", "1"], says);
+    std::fs::write(file, "\u{feff}0 0 0 0 1 1 1").unwrap();
+    assert_eq!(contacts(&["--bodies", file]), 1);
     std::fs::write(file, "0 0 0 0 1 1 2").unwrap();
     let says = "triangle 3 (counted from 1) joins bodies 1 and 2";
     check_refused(&["check", a, b, "--bodies", file], says);
@@ -102,6 +106,6 @@ pub fn shells_and_man_have_something_to_read() {
     assert!(bash.contains("--min-distance") && bash.contains("_ccd()"), "{bash}");
     assert!(ccd(&["man", dir.path().to_str().unwrap()]).status.success());
     let page = std::fs::read_to_string(dir.path().join("ccd-check.1")).unwrap();
-    assert!(page.contains("min\\-distance"), "{page}");
+    assert!(page.contains("min\\-distance") && page.contains("\n.nf\nEXAMPLES:"), "{page}");
     check_refused(&["man", "/no/such/folder"], "/no/such/folder");
 }
