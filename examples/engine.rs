@@ -38,7 +38,7 @@ const REST: [[f32; 4]; 7] = [
 ];
 const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The engine's device, with what ccd can use of it.
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
@@ -126,7 +126,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let n = words[0][0] as usize;
     let entries = &words[0][LIST_HEADER..LIST_HEADER + n * size_of::<Touch>() / 4];
-    let mut contacts: Vec<Contact> = bytemuck::cast_slice(entries).iter().map(Contact::from).collect();
+    let mut contacts: Vec<Contact> =
+        bytemuck::cast_slice(entries).iter().map(Contact::from).collect();
     let records = read(&device, &geometry)?;
     let records = &records[..n * size_of::<TouchGeometry>() / 4];
     let records: Vec<TouchGeometry> = bytemuck::cast_slice(records).to_vec();

@@ -56,7 +56,7 @@ pub struct Intersection {
 /// ];
 /// let found = intersections(&mesh, &x, &Options::default())?;
 /// let edges: Vec<_> = found.iter().map(|i| mesh.edges()[i.edge as usize]).collect();
-/// assert_eq!(edges, [[3, 4], [3, 5]]);
+/// assert_eq!(edges, [[1, 2], [3, 4]]);
 /// # Ok::<(), ccd_core::Error>(())
 /// ```
 ///
