@@ -62,6 +62,7 @@
 //! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
 //! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0.
 #![deny(unsafe_code)]
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 pub mod any;
 #[cfg(feature = "io")]

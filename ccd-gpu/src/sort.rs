@@ -119,6 +119,9 @@ impl Sorter {
     ///
     /// # Errors
     /// What the device refuses.
+    ///
+    /// # Panics
+    /// If there are not as many keys, and values, as room was made for.
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),
