@@ -95,6 +95,11 @@ pub use ccd_gpu as gpu;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+/// So are those of a page.
+#[cfg(all(doctest, feature = "gpu"))]
+#[doc = include_str!("../docs/solver.md")]
+struct SolverPage;
+
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
