@@ -5,8 +5,8 @@
 
 use ccd::gpu::wgpu::{self, util::DeviceExt};
 use ccd::gpu::{Device, DeviceOptions, Session};
-use ccd::{Contact, Kind, Mesh, Options, State};
-use ccd_core::layout::{LIST_HEADER, Path, Touch, TouchGeometry, join};
+use ccd::{Contact, Mesh, Options};
+use ccd_core::layout::{LIST_HEADER, Path, Touch, TouchGeometry};
 
 /// What the engine's own kernel does: every vertex of the triangle falls, and is written at both
 /// ends of the step as `ccd` reads it.
@@ -38,7 +38,7 @@ const REST: [[f32; 4]; 7] = [
 ];
 const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The engine's device, with what ccd can use of it.
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
@@ -126,7 +126,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let n = words[0][0] as usize;
     let entries = &words[0][LIST_HEADER..LIST_HEADER + n * size_of::<Touch>() / 4];
-    let mut contacts: Vec<Contact> = bytemuck::cast_slice(entries).iter().map(contact).collect();
+    let mut contacts: Vec<Contact> =
+        bytemuck::cast_slice(entries).iter().map(Contact::from).collect();
     let records = read(&device, &geometry)?;
     let records = &records[..n * size_of::<TouchGeometry>() / 4];
     let records: Vec<TouchGeometry> = bytemuck::cast_slice(records).to_vec();
@@ -195,11 +196,4 @@ fn read(
     device.poll(wgpu::PollType::wait_indefinitely())?;
     let words = bytemuck::cast_slice(&buffer.get_mapped_range(..)?).to_vec();
     Ok(words)
-}
-
-/// A contact as the device writes it, in the words of the CPU.
-fn contact(touch: &Touch) -> Contact {
-    let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
-    let state = if touch.state == 0 { State::Hit } else { State::Undecided };
-    Contact::new(kind, state, touch.a, touch.b, join(touch.toi))
 }

@@ -98,3 +98,8 @@ const BOX: [[u32; 3]; 12] = [
     [1, 5, 7],
     [1, 7, 3],
 ];
+
+#[test]
+fn the_box_comes_to_rest_on_the_hills() -> Result<(), Box<dyn std::error::Error>> {
+    main()
+}

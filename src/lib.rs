@@ -62,6 +62,7 @@
 //! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
 //! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0.
 #![deny(unsafe_code)]
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 pub mod any;
 #[cfg(feature = "io")]
@@ -93,6 +94,11 @@ pub use ccd_gpu as gpu;
 #[cfg(all(doctest, feature = "gpu"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// So are those of a page.
+#[cfg(all(doctest, feature = "gpu"))]
+#[doc = include_str!("../docs/solver.md")]
+struct SolverPage;
 
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;

@@ -133,6 +133,9 @@ pub struct Step {
 /// Particles among rods and triangles, `n` of each, in the unit cube: every particle flies through
 /// a point of a rod of its own at `t = 0.25`, with numbers that are exact in `f32`, or, one in
 /// four, through another particle; every second of what it meets moves too.
+///
+/// # Panics
+/// If that are more vertices than a mesh may have.
 pub fn particles_and_rods(n: usize, seed: u32) -> Step {
     let mut random = Random::new(seed);
     // Multiples of 2^-10, so that sums and quarters of them are exact.
@@ -199,6 +202,9 @@ pub fn crumpled_sheet(n: usize, seed: u32) -> Step {
 
 /// Triangles with nothing in common in the unit cube, each moving on its own, with corners up to
 /// `size` from one of them.
+///
+/// # Panics
+/// If that are more vertices than a mesh may have.
 pub fn triangle_soup(n: usize, size: f64, seed: u32) -> Step {
     let mut random = Random::new(seed);
     let (mut x0, mut x1) = (Vec::new(), Vec::new());

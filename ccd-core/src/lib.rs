@@ -14,8 +14,14 @@
 //! | [`scheduling`] | deques from which idle workers steal pairs of nodes |
 //! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
 //! | [`layout`] | records that cross between CPU and GPU |
+//!
+//! What applications use is in [`model`], in the queries of [`narrow_phase`], and, of [`layout`],
+//! `Pair`, `Path`, `Touch` and `TouchGeometry`; the crate `ccd` re-exports most of it. The rest is
+//! public for the backends and may change with them: [`broad_phase`], [`triangle_pairs`],
+//! [`scheduling`], [`kernel`], [`model::quantization`], [`model::rules`].
 #![no_std]
 #![deny(unsafe_code)]
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 #[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 #[cfg(test)]

@@ -11,6 +11,22 @@ use ccd_core::narrow_phase::intersection::segment_meets_triangle;
 use ccd_core::{Aabb, Coordinate, Error, Real};
 
 /// An edge and a face without a common vertex that have a point in common.
+///
+/// ```
+/// use ccd_core::model::{contact::State, mesh::Mesh, options::Options};
+/// use ccd_cpu::intersections;
+///
+/// // An edge whose end is in a face: touching counts.
+/// let mesh = Mesh::with_edges(5, &[[0, 1, 2]], &[[3, 4]])?;
+/// let x = [
+///     [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0],
+///     [0.25, 0.0, 0.25], [0.25, 1.0, 0.25],
+/// ];
+/// let found = intersections(&mesh, &x, &Options::default())?;
+/// assert_eq!((found[0].face, found[0].state), (0, State::Hit));
+/// assert_eq!(mesh.edges()[found[0].edge as usize], [3, 4]);
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Intersection {
@@ -30,7 +46,8 @@ pub struct Intersection {
 /// broad phase count.
 ///
 /// ```
-/// use ccd::{Mesh, Options, intersections};
+/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_cpu::intersections;
 ///
 /// let mesh = Mesh::new(6, &[[0, 1, 2], [3, 4, 5]])?;
 /// let x = [
@@ -39,8 +56,8 @@ pub struct Intersection {
 /// ];
 /// let found = intersections(&mesh, &x, &Options::default())?;
 /// let edges: Vec<_> = found.iter().map(|i| mesh.edges()[i.edge as usize]).collect();
-/// assert_eq!(edges, [[3, 4], [3, 5]]);
-/// # Ok::<(), ccd::Error>(())
+/// assert_eq!(edges, [[1, 2], [3, 4]]);
+/// # Ok::<(), ccd_core::Error>(())
 /// ```
 ///
 /// # Errors

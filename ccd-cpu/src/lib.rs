@@ -9,6 +9,7 @@
 //! | `simd/` | lanes of each instruction set |
 //! | `sort.rs`, `threads.rs` | the radix sort; where work runs |
 #![deny(unsafe_code)]
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 mod broad_phase;
 mod clock;

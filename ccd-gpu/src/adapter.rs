@@ -4,6 +4,14 @@ use crate::error::Error;
 use std::fmt;
 
 /// How shaders reach the driver.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions, Path};
+///
+/// let options = DeviceOptions { path: Some(Path::Wgsl), ..DeviceOptions::default() };
+/// assert_eq!(Device::open(&options)?.info().path, Path::Wgsl);
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
     /// SPIR-V as compiled, with contraction forbidden: Vulkan only.
@@ -40,6 +48,18 @@ pub struct DeviceOptions {
 }
 
 /// What a device is and how it is used.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let info = device.info();
+/// println!("{}: {:?} because {}", info.adapter.name, info.path, info.why);
+/// if !info.wide {
+///     println!("what f32 leaves open is decided on the CPU");
+/// }
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Info {
     /// Adapter, backend, driver.

@@ -43,6 +43,17 @@ struct Cache {
 }
 
 /// What the kernels that a device has used so far took to compile.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions};
+///
+/// let kernel_folder = Some(std::env::temp_dir());
+/// let device = Device::open(&DeviceOptions { kernel_folder, ..DeviceOptions::default() })?;
+/// // .. after the first step:
+/// let done = device.compilation();
+/// println!("{} kernels in {:?}, kept: {}", done.kernels, done.time, done.kept);
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Compilation {

@@ -4,6 +4,22 @@ use thiserror::Error;
 
 /// Why the GPU did not do what was asked. A session stays usable after every error but
 /// [`Error::Lost`], and can be given another device after that.
+///
+/// ```no_run
+/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_gpu::{Device, DeviceOptions, Error, Session};
+///
+/// fn contacts(session: &mut Session, x: &[[f32; 3]]) -> Result<usize, Error> {
+///     if let Err(Error::Lost { why }) = session.step(x, x) {
+///         eprintln!("{why}; once more on another device");
+///         session.move_to(&Device::open(&DeviceOptions::default())?)?;
+///     }
+///     Ok(session.step(x, x)?.contacts.len())
+/// }
+/// # let device = Device::open(&DeviceOptions::default())?;
+/// # contacts(&mut Session::new(&device, Mesh::new(0, &[])?, Options::default())?, &[])?;
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Debug, Error)]
 #[non_exhaustive]
 pub enum Error {

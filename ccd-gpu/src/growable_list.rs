@@ -41,6 +41,19 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
 }
 
 /// A list on the device.
+///
+/// ```no_run
+/// use ccd_gpu::{Error, Session};
+///
+/// // What there is of a list is in `buffer()`, its first `bytes(n)` of `n` entries.
+/// fn show(session: &mut Session, x: &[[f32; 3]]) -> Result<(), Error> {
+///     for list in session.candidates_on_device(x, x)? {
+///         println!("room for {} pairs in {} bytes", list.room(), list.bytes(list.room()));
+///     }
+///     Ok(())
+/// }
+/// # let _ = show;
+/// ```
 #[derive(Clone, Debug)]
 pub struct List {
     what: &'static str,
@@ -53,6 +66,9 @@ pub struct List {
 
 impl List {
     /// A list of entries of `words` words with room for `room`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
     pub fn new(device: &Device, what: &'static str, words: u32, room: u32) -> Result<Self, Error> {
         let bytes = HEADER_BYTES + room as u64 * words as u64 * 4;
         let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
@@ -60,6 +76,9 @@ impl List {
     }
 
     /// A list that holds these pairs from the start.
+    ///
+    /// # Errors
+    /// Those of [`List::new`].
     pub fn of_pairs(
         device: &Device,
         what: &'static str,
@@ -89,12 +108,18 @@ impl List {
     }
 
     /// The same list with another room.
+    ///
+    /// # Errors
+    /// Those of [`List::new`].
     pub fn resized(&self, device: &Device, room: u32) -> Result<Self, Error> {
         Self::new(device, self.what, self.words, room)
     }
 
     /// A list with room for `room`: one that was made for the same purpose, if it is there and has
     /// as much, else a new one.
+    ///
+    /// # Errors
+    /// Those of [`List::new`].
     pub fn reusing(
         device: &Device,
         old: Option<&Self>,
@@ -117,6 +142,9 @@ impl List {
 
     /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns
     /// whether it did.
+    ///
+    /// # Errors
+    /// Those of [`List::new`].
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
         if wanted <= self.room {
             return Ok(false);

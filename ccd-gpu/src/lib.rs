@@ -19,9 +19,12 @@
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
 //! | `harness.rs` | one kernel by itself, for tests |
 //!
+//! [`bind`] and [`harness`] are public for tests, and may change with the kernels.
+//!
 //! With `RUST_LOG` and a logger, wgpu says what it does. The environment variable `CCD_ADAPTER`
 //! chooses an adapter by its number, its PCI id or a part of its name.
 #![deny(unsafe_code)]
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 mod adapter;
 pub mod bind;

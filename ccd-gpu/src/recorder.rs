@@ -17,6 +17,18 @@ const MAX_DISPATCHES: u64 = 2048;
 const MAX_STAGES: u32 = 32;
 
 /// What timestamps of the device tell.
+///
+/// ```no_run
+/// use ccd_gpu::{Error, Session, Timing};
+///
+/// fn show(session: &mut Session, x: &[[f32; 3]]) -> Result<(), Error> {
+///     session.set_timing(Timing::Stages)?;
+///     session.step(x, x)?;
+///     session.stages().iter().for_each(|(name, ms)| println!("{name}: {ms:.3} ms"));
+///     Ok(())
+/// }
+/// # let _ = show;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Timing {

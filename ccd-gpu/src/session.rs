@@ -55,6 +55,18 @@ pub struct Session {
 }
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
+///
+/// ```no_run
+/// use ccd_gpu::{Error, Session};
+///
+/// fn most(session: &mut Session, x: &[[f32; 3]]) -> Result<usize, Error> {
+///     let mut candidates = session.candidates(x, x)?;
+///     // In no order; sorted they are those of a CPU.
+///     candidates.vf.sort_unstable();
+///     Ok(candidates.vf.len().max(candidates.ee.len()))
+/// }
+/// # let _ = most;
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Candidates {

@@ -79,6 +79,15 @@ impl Sort {
 }
 
 /// Sorts keys with their values on a device, for tests and benches.
+///
+/// ```no_run
+/// use ccd_gpu::{Device, DeviceOptions, Sorter};
+///
+/// let device = Device::open(&DeviceOptions::default())?;
+/// let sorted = Sorter::new(&device, 3)?.sort(&[7, 1, 7], &[0, 1, 2])?;
+/// assert_eq!(sorted, (vec![1, 7, 7], vec![1, 0, 2]));
+/// # Ok::<(), ccd_gpu::Error>(())
+/// ```
 pub struct Sorter {
     device: Device,
     bench: Bench,
@@ -110,6 +119,9 @@ impl Sorter {
     ///
     /// # Errors
     /// What the device refuses.
+    ///
+    /// # Panics
+    /// If there are not as many keys, and values, as room was made for.
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),

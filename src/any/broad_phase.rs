@@ -100,6 +100,18 @@ impl BroadPhase {
 }
 
 /// Pairs as a backend lists them: on the CPU they stay in its lists until the next call.
+///
+/// ```
+/// use ccd::any::{Backend, BroadPhase};
+/// use ccd::{Aabb, BroadPhaseMethod};
+///
+/// let boxes = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 3];
+/// let choice = Backend::Cpu.choose(boxes.len())?;
+/// let mut broad_phase = BroadPhase::new(&choice, 1, BroadPhaseMethod::default())?;
+/// let pairs = broad_phase.self_pairs(&boxes)?;
+/// assert_eq!((pairs.len(), pairs.iter().count()), (3, 3));
+/// # Ok::<(), ccd::any::Error>(())
+/// ```
 pub struct Pairs<'a>(Listed<'a>);
 
 enum Listed<'a> {

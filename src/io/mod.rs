@@ -22,6 +22,16 @@ use std::path::{Path, PathBuf};
 pub const MESH_EXTENSIONS: [&str; 6] = ["ply", "obj", "off", "stl", "gltf", "glb"];
 
 /// One frame of a mesh as a file holds it.
+///
+/// ```
+/// use ccd::io::Frame;
+///
+/// let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.1]];
+/// let frame = Frame { positions, faces: vec![[0, 1, 2]], ..Frame::default() };
+/// assert_eq!(frame.mesh()?.edges().len(), 3);
+/// assert_eq!(frame.positions_f32()[2], [0.0, 1.0, 0.1f32]);
+/// # Ok::<(), ccd::Error>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frame {
     /// Vertex positions in the file's unit, in the order of the file; every `float` is exact in
@@ -99,6 +109,13 @@ pub struct ReadError {
 }
 
 /// What is wrong with a file. Texts quote at most 200 characters of it.
+///
+/// ```
+/// use ccd::io::{ReadErrorKind, read_frame};
+///
+/// let error = read_frame("mesh.doc".as_ref()).unwrap_err();
+/// assert!(matches!(error.kind, ReadErrorKind::Extension { .. }));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadErrorKind {

@@ -14,6 +14,19 @@ use num_traits::{ToPrimitive, Zero};
 use std::path::Path;
 
 /// An elemental query of either kind.
+///
+/// ```
+/// use ccd::io::Query;
+///
+/// fn toi(query: &Query) -> Option<f64> {
+///     match query {
+///         Query::VertexFace(query) => ccd::vertex_face(query, 0.0).toi(),
+///         Query::EdgeEdge(query) => ccd::edge_edge(query, 0.0).toi(),
+///     }
+/// }
+/// let x = [[0.0; 3]; 4];
+/// assert_eq!(toi(&Query::EdgeEdge(ccd::EdgeEdge { t0: x, t1: x })), Some(0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Query {
     /// A vertex against a face.
@@ -23,6 +36,14 @@ pub enum Query {
 }
 
 /// The content of a query file.
+///
+/// ```
+/// use ccd::io::Queries;
+///
+/// let none = Queries::default();
+/// // Without answers, or one a query.
+/// assert!(none.answers.is_empty() || none.answers.len() == none.queries.len());
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Queries {
     /// The queries in the order of the file.

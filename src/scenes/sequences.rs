@@ -12,6 +12,14 @@ use super::{Random, circle, grid, sphere};
 use crate::Mesh;
 
 /// A mesh and where its vertices are at each frame; any number of frames.
+///
+/// ```
+/// let scene = ccd::scenes::n_body(8, 12);
+/// let mut session = ccd::Session::new(&scene.mesh, ccd::Options::default())?;
+/// let (before, after) = (scene.frame(0), scene.frame(1));
+/// assert_eq!(session.step(&before, &after)?.mesh().n_vertices(), scene.body.len());
+/// # Ok::<(), ccd::Error>(())
+/// ```
 pub struct Sequence {
     /// Topology.
     pub mesh: Mesh,

@@ -11,6 +11,8 @@ mod changes;
 mod codimensional;
 mod descent;
 mod emulated;
+#[path = "../../examples/engine.rs"]
+mod engine;
 mod failures;
 mod geometry;
 mod grazing;
@@ -159,6 +161,12 @@ fn main() {
     trials.push(Trial::test("manifest_is_the_table", || {
         scalars::check_manifest();
         Ok(())
+    }));
+    let device = devices.as_ref().map(|_| ()).map_err(Clone::clone);
+    trials.push(Trial::ignorable_test("example_engine", move || match device {
+        Ok(()) => engine::main().map(|()| Completion::Completed).map_err(Failed::from),
+        Err(why) if required => Err(Failed::from(why)),
+        Err(why) => Ok(Completion::ignored_with(why)),
     }));
     let mut arguments = Arguments::from_args();
     // Devices are shared, and a software adapter uses all cores by itself.

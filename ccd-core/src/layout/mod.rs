@@ -178,6 +178,13 @@ impl WideNode {
 /// |---|---|
 /// | `t0` | 0..16 |
 /// | `t1` | 16..32 |
+///
+/// ```
+/// use ccd_core::layout::Path;
+///
+/// let path = Path { t0: [0.0, 1.0, 0.0, 0.0], t1: [0.0, -1.0, 0.0, 0.0] };
+/// assert_eq!(bytemuck::bytes_of(&path).len(), 32);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Path {
@@ -255,6 +262,15 @@ pub struct NearTest {
 /// | `b` | 12..16 |
 /// | `toi` | 16..24 |
 /// | `approach` | 24..28 |
+///
+/// ```
+/// use ccd_core::layout::{Touch, split};
+/// use ccd_core::model::contact::{Contact, Kind};
+///
+/// let touch = Touch { a: 3, b: 7, toi: split(0.25), ..Touch::default() };
+/// let contact = Contact::from(&touch);
+/// assert_eq!((contact.kind, contact.toi), (Kind::VertexFace, 0.25));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Touch {
@@ -283,6 +299,20 @@ pub struct Touch {
 /// | `state` | 28..32 |
 /// | `weights` | 32..48 |
 /// | `vertices` | 48..64 |
+///
+/// ```
+/// use ccd_core::layout::TouchGeometry;
+///
+/// /// How fast `a`, a vertex, moves against `b`, a face, along the normal.
+/// fn along(at: &TouchGeometry, velocity: impl Fn(u32) -> [f32; 3]) -> f32 {
+///     let part = |i: usize| if i == 0 { at.weights[i] } else { -at.weights[i] };
+///     let dot = |u: [f32; 3]| (0..3).map(|k| at.normal[k] * u[k]).sum::<f32>();
+///     (0..4).map(|i| part(i) * dot(velocity(at.vertices[i]))).sum()
+/// }
+/// let (normal, weights, vertices) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.25, 0.25], [3, 0, 1, 2]);
+/// let at = TouchGeometry { normal, weights, vertices, ..TouchGeometry::default() };
+/// assert_eq!(along(&at, |v| [0.0, if v == 3 { -2.0 } else { 0.0 }, 0.0]), -2.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct TouchGeometry {

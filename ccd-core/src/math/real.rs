@@ -50,6 +50,16 @@ impl Mask for u16 {
 /// Every operation rounds as IEEE 754 says or no worse than one unit roundoff per operation; a
 /// result that underflows may be flushed to zero. Nothing is assumed about NaN except that
 /// comparisons with it are false.
+///
+/// ```
+/// use ccd_core::Num;
+///
+/// /// One number, or as many as there are lanes.
+/// fn square<N: Num>(x: N) -> N {
+///     x * x
+/// }
+/// assert_eq!((square(3.0f32), square(3.0f64)), (9.0, 9.0));
+/// ```
 pub trait Num:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
@@ -74,6 +84,15 @@ pub trait Num:
 }
 
 /// A single number that can be compared and divided: `f32` or `f64`.
+///
+/// ```
+/// use ccd_core::Real;
+///
+/// // A cast rounds to the nearest `f32`, these to either side.
+/// let x = 0.1f64;
+/// assert!(x.round_down() < x.round_up());
+/// assert!((x.round_down() as f64) < x && (x.round_up() as f64) > x);
+/// ```
 pub trait Real:
     Num
     + PartialOrd

@@ -6,6 +6,13 @@ use super::pipeline::Pipeline;
 use core::mem::discriminant;
 
 /// What there is to say about a choice.
+///
+/// ```
+/// use ccd_core::model::{catalogue::Catalogued, method::Builder};
+///
+/// let row = Builder::Lbvh.row();
+/// assert_eq!((row.name, row.source), ("lbvh", Some("Karras 2012")));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row<T> {
     /// The choice, with the settings that it has by default.
@@ -21,6 +28,14 @@ pub struct Row<T> {
 }
 
 /// A choice that has a row for each of its values.
+///
+/// ```
+/// use ccd_core::model::{catalogue::Catalogued, method::BroadPhaseMethod};
+///
+/// let mut names = BroadPhaseMethod::ROWS.iter().map(|row| row.name);
+/// assert!(names.any(|name| name == "blocks"));
+/// assert_eq!(BroadPhaseMethod::named("blocks"), Some(BroadPhaseMethod::Blocks));
+/// ```
 pub trait Catalogued: Copy + PartialEq + 'static {
     /// Every value, in the order of the enum.
     const ROWS: &'static [Row<Self>];

@@ -48,6 +48,16 @@ impl Kind {
 }
 
 /// How certain a contact is.
+///
+/// ```
+/// use ccd_core::model::contact::{Contact, Kind, State};
+///
+/// // Either ends a step; only a hit certainly is a contact.
+/// let contacts = [(0.5, State::Hit), (0.25, State::Undecided)]
+///     .map(|(toi, state)| Contact::new(Kind::EdgeEdge, state, 3, 7, toi));
+/// assert_eq!(contacts.iter().filter(|c| c.state == State::Hit).count(), 1);
+/// assert_eq!(contacts.iter().map(|c| c.toi).fold(1.0, f64::min), 0.25);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -61,6 +71,18 @@ pub enum State {
 }
 
 /// A contact between two features.
+///
+/// ```
+/// use ccd_core::model::contact::{Approach, Contact, Kind, State};
+///
+/// let edges = Contact::new(Kind::EdgeEdge, State::Hit, 3, 7, 0.25);
+/// let face = Contact::new(Kind::VertexFace, State::Undecided, 9, 0, 0.5);
+/// assert_eq!(edges.approach, Approach::Unknown);
+/// // A report is sorted by kind and ids.
+/// let mut contacts = [edges, face];
+/// contacts.sort_by_key(|c| (c.kind, c.a, c.b));
+/// assert_eq!(contacts, [face, edges]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

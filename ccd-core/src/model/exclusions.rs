@@ -8,6 +8,15 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 /// Pairs of features, by their ids in a mesh; sorted, each once.
+///
+/// ```
+/// use ccd_core::model::exclusions::Exclusions;
+///
+/// let some = Exclusions::new(vec![[4, 0]], vec![[2, 5], [1, 2]]);
+/// let all = some.and(&Exclusions::new(vec![[4, 0], [3, 1]], vec![]));
+/// assert_eq!(all.vf, [[3, 1], [4, 0]]);
+/// assert_eq!(all.ee, [[1, 2], [2, 5]]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Exclusions {

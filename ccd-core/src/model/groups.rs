@@ -2,6 +2,15 @@
 
 /// Groups of a body: those that it is a member of, and those whose members it is looked at against;
 /// a bit a group, as rapier's interaction groups.
+///
+/// ```
+/// use ccd_core::model::groups::Groups;
+///
+/// // Bit 0: walls, bit 1: ghosts. A ghost goes through walls.
+/// let wall = Groups { memberships: 0b01, ..Groups::ALL };
+/// let ghost = Groups { memberships: 0b10, filter: !0b01 };
+/// assert!(!ghost.meet(wall) && ghost.meet(ghost) && wall.meet(wall));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Groups {

@@ -155,6 +155,14 @@ impl Traversal {
 }
 
 /// How a pair of nodes that overlap is expanded.
+///
+/// ```
+/// use ccd_core::model::method::{BroadPhaseMethod, Descent, Traversal, TreeOptions};
+///
+/// let by_size = Traversal::Simultaneous(Descent::Larger);
+/// let method = BroadPhaseMethod::Tree(TreeOptions::default().traversal(by_size));
+/// assert!(method.check().is_ok());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -168,6 +176,13 @@ pub enum Descent {
 }
 
 /// What bounds the nodes of a binary tree.
+///
+/// ```
+/// use ccd_core::model::method::{BroadPhaseMethod, TreeOptions, Volume};
+///
+/// let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(Volume::Obb));
+/// assert_eq!(method.to_string(), "tree-lbvh-half-obb");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

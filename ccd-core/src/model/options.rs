@@ -139,8 +139,8 @@ impl Options {
     /// Checks the options for steps of `mesh`.
     ///
     /// # Errors
-    /// [`Error::MinDistance`]; [`Error::Setting`] and [`Error::NoPairsOfNodes`] for a method and
-    /// its scheduling; what [`Bodies::check`] refuses.
+    /// [`Error::MinDistance`]; [`Error::Tolerance`]; [`Error::Setting`] and
+    /// [`Error::NoPairsOfNodes`] for a method and its scheduling; what [`Bodies::check`] refuses.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
         check_tolerance(self.tolerance)?;

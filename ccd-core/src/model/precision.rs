@@ -5,6 +5,13 @@ use crate::math::real::Real;
 use crate::model::positions::{Ends, PositionView};
 
 /// Something in one of the two precisions.
+///
+/// ```
+/// use ccd_core::model::{positions::ends, precision::Precision};
+///
+/// let x = [[0.0f64; 3]; 2];
+/// assert!(matches!(ends(&x, &x), Precision::F64(_)));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Precision<F, D> {
     /// In `f32`.
@@ -40,6 +47,16 @@ mod sealed {
 }
 
 /// A type of coordinates that callers may have: `f32` or `f64`.
+///
+/// ```
+/// use ccd_core::Coordinate;
+/// use ccd_core::model::positions::AsPositions;
+///
+/// fn n_vertices<T: Coordinate>(x: &[[T; 3]]) -> usize {
+///     x.as_positions().len()
+/// }
+/// assert_eq!(n_vertices(&[[0.0f32; 3]; 2]) + n_vertices(&[[0.0f64; 3]]), 3);
+/// ```
 pub trait Coordinate: Real + sealed::Sealed {
     /// Slices of records of such numbers, as what they are: a public function that is generic calls
     /// one that is not.

@@ -6,6 +6,16 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 /// Where the time of a step went, in milliseconds of wall clock.
+///
+/// ```
+/// use ccd_core::model::report::Report;
+///
+/// /// The part of a step that went into deciding pairs.
+/// fn deciding(report: &Report) -> f64 {
+///     report.times.narrow / report.times.total.max(1e-9)
+/// }
+/// assert_eq!(deciding(&Report::default()), 0.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

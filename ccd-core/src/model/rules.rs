@@ -11,6 +11,17 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 /// The rules of [`Bodies`], to be read.
+///
+/// ```
+/// use ccd_core::model::{bodies::Bodies, rules::Rules};
+///
+/// // Two bodies without self-contact, the first fixed.
+/// let rules = Rules::new(&Bodies::new(&[0, 0, 1], &[true], false))?;
+/// assert!(rules.wants(0, 2) && !rules.wants(0, 1));
+/// // So simple that words say all of it.
+/// assert_eq!((rules.still(), rules.has_table()), (&[0, 1][..], false));
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Rules {
     words: Vec<u32>,

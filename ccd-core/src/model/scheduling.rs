@@ -77,6 +77,13 @@ impl Scheduler {
 }
 
 /// Where the descent of a step begins.
+///
+/// ```
+/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling};
+///
+/// let kept = Scheduling::default().front(Front::ON);
+/// assert_eq!(kept.front, Front::On(FrontOptions::default()));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -96,6 +103,13 @@ impl Front {
 }
 
 /// What becomes of a front that is too deep; see [`FrontOptions`].
+///
+/// ```
+/// use ccd_core::model::scheduling::{FrontOptions, Shrink};
+///
+/// assert_eq!(FrontOptions::default().shrink, Shrink::Drop);
+/// assert_eq!(FrontOptions::default().shrink(Shrink::Lift).shrink, Shrink::Lift);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

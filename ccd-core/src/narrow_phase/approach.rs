@@ -50,6 +50,20 @@ use crate::narrow_phase::conservative_advancement::{Field, Separation, length_up
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// Whether features come nearer at the time of impact.
+///
+/// ```
+/// use ccd_core::narrow_phase::approach::Approach;
+/// use ccd_core::narrow_phase::query::search;
+/// use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+/// use ccd_core::narrow_phase::search::Search;
+///
+/// // A vertex rises from above a triangle, or falls; nearer than 0.2 is contact.
+/// let at = |y: f64| [[0.2, y, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+/// let to = |y: f64| Motion::vertex_face(&at(0.1), &at(y), 0.0);
+/// let approach = |y: f64| search(&to(y), Patch::Triangle, &Search::whole(0.2)).approach;
+/// assert_eq!(approach(0.5), Approach::Separating);
+/// assert_eq!(approach(-0.5), Approach::Approaching);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 #[repr(u32)]

@@ -22,6 +22,15 @@ use core::cmp::Ordering::{Greater, Less};
 const PATCH: Patch = Patch::Parallelogram;
 
 /// A vertex-edge query: `v e0 e1` at both ends of the step.
+///
+/// ```
+/// use ccd_core::narrow_phase::codimensional::{VertexEdge, vertex_edge};
+///
+/// let t0 = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
+/// // All move alike.
+/// let t1 = t0.map(|[x, y, z]| [x + 3.0, y, z]);
+/// assert_eq!(vertex_edge(&VertexEdge { t0, t1 }, 0.5).toi(), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexEdge<T> {
     /// `v e0 e1` at `t = 0`.
@@ -31,6 +40,15 @@ pub struct VertexEdge<T> {
 }
 
 /// A vertex-vertex query: `v w` at both ends of the step.
+///
+/// ```
+/// use ccd_core::narrow_phase::codimensional::{VertexVertex, vertex_vertex};
+///
+/// // Two particles of radius 0.5 meet half-way.
+/// let (t0, t1) = ([[0.0; 3], [3.0, 0.0, 0.0]], [[0.0; 3], [-1.0, 0.0, 0.0]]);
+/// let toi = vertex_vertex(&VertexVertex { t0, t1 }, 1.0).toi();
+/// assert!(toi.is_some_and(|t| t <= 0.5 && t > 0.5 - 1e-6));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexVertex<T> {
     /// `v w` at `t = 0`.

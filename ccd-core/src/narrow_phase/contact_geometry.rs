@@ -33,6 +33,17 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// How two features meet at a time: points in the coordinates of the input, the normal a unit
 /// vector.
+///
+/// ```
+/// use ccd_core::narrow_phase::contact_geometry::contact_geometry;
+/// use ccd_core::narrow_phase::relative_motion::Patch;
+///
+/// // Two edges that cross, the first above the second, at rest.
+/// let x = [[-1.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 3.0f64]];
+/// let at = contact_geometry(Patch::Parallelogram, &x, &x, 0.0, 0.0);
+/// assert_eq!((at.point, at.normal), ([0.0, 0.25, 0.0], [0.0, 1.0, 0.0]));
+/// assert_eq!((at.weights, at.distance), ([0.5, 0.5, 0.75, 0.25], 0.5));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ContactGeometry<R = f64> {

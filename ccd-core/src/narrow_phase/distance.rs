@@ -8,6 +8,13 @@ use crate::narrow_phase::query::in_unit;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// The distance of two features, in the unit of the coordinates: between these, both included.
+///
+/// ```
+/// use ccd_core::narrow_phase::distance::Distance;
+///
+/// let d = Distance::vertex_vertex([[0.0, 0.0, 0.0], [3.0, 4.0, 0.0]]);
+/// assert!(d.least <= 5.0 && d.greatest >= 5.0 && d.greatest - d.least < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
     /// It is at least this.

@@ -59,6 +59,18 @@ impl<R: Real> Verdict<R> {
 }
 
 /// A vertex-face query: `v f0 f1 f2` at both ends of the step.
+///
+/// ```
+/// use ccd_core::{VertexFace, vertex_face};
+///
+/// let t0 = [[0.2, 1.0, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0f32]];
+/// let mut t1 = t0;
+/// t1[0][1] = 0.5;
+/// let query = VertexFace { t0, t1 };
+/// assert_eq!(vertex_face(&query, 0.0).toi(), None);
+/// // The same in f64.
+/// assert_eq!(query.widen().t1[0][1], 0.5f64);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexFace<T> {
     /// `v f0 f1 f2` at `t = 0`.
@@ -68,6 +80,15 @@ pub struct VertexFace<T> {
 }
 
 /// An edge-edge query: `ea0 ea1 eb0 eb1` at both ends of the step.
+///
+/// ```
+/// use ccd_core::{EdgeEdge, edge_edge};
+///
+/// // An edge falls onto another one.
+/// let at = |y: f64| [[-1.0, y, 0.0], [1.0, y, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+/// let toi = edge_edge(&EdgeEdge { t0: at(1.0), t1: at(-1.0) }, 0.0).toi();
+/// assert!(toi.is_some_and(|t| t <= 0.5 && t > 0.5 - 1e-6));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeEdge<T> {
     /// `ea0 ea1 eb0 eb1` at `t = 0`.

@@ -14,6 +14,16 @@ use crate::math::real::Num;
 use crate::math::vec3::{add, max_abs, scale, sub};
 
 /// The region of `(s, r)` in which the patch exists.
+///
+/// ```
+/// use ccd_core::narrow_phase::closest_point::closest;
+/// use ccd_core::narrow_phase::relative_motion::Patch;
+///
+/// // The point (1, 1) is a corner of the parallelogram and beside the triangle.
+/// let (a, b, c) = ([1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0f64]);
+/// assert_eq!(closest(a, b, c, Patch::Parallelogram), [0.0; 3]);
+/// assert_eq!(closest(a, b, c, Patch::Triangle), [0.5, 0.5, 0.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Patch {
@@ -24,6 +34,15 @@ pub enum Patch {
 }
 
 /// A query after recentring; index 0 is `t = 0`, index 1 is `t = 1`.
+///
+/// ```
+/// use ccd_core::narrow_phase::relative_motion::Motion;
+///
+/// // `v f0 f1 f2`, far from the origin: differences are small.
+/// let t0 = [[9.0, 1.0, 0.0], [9.0, 0.0, 0.0], [10.0, 0.0, 0.0], [9.0, 0.0, 1.0f64]];
+/// let motion = Motion::vertex_face(&t0, &t0, 0.0);
+/// assert_eq!((motion.a[0], motion.b[0]), ([0.0, 1.0, 0.0], [1.0, 0.0, 0.0]));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<N> {
     /// The vector that must reach the patch.

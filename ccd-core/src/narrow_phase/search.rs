@@ -6,6 +6,20 @@ use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::query::{TOI_TOLERANCE, Verdict};
 
 /// What a query looks for.
+///
+/// ```
+/// use ccd_core::narrow_phase::query::search;
+/// use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+/// use ccd_core::narrow_phase::search::Search;
+///
+/// // A vertex falls through a triangle at 0.5: not in the first quarter of the step.
+/// let at = |y: f64| [[0.2, y, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+/// let motion = Motion::vertex_face(&at(1.0), &at(-1.0), 0.0);
+/// let toi = |of: &Search<f64>| search(&motion, Patch::Triangle, of).verdict.toi();
+/// let whole = Search::whole(0.0);
+/// assert!(toi(&whole).is_some());
+/// assert_eq!(toi(&Search { until: 0.25, ..whole }), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search<R> {
     /// Contact means a distance of at most this, in the unit of the coordinates.
@@ -31,6 +45,14 @@ impl<R: Real> Search<R> {
 }
 
 /// What a query found.
+///
+/// ```
+/// use ccd_core::Verdict;
+/// use ccd_core::narrow_phase::{approach::Approach, search::Answer};
+///
+/// let answer = Answer::from(Verdict::Hit { toi: 0.5 });
+/// assert_eq!(answer.approach, Approach::Unknown);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer<R> {
     /// Whether there is a contact, and when.

@@ -143,6 +143,9 @@ impl Deque {
     }
 
     /// The owner pushes a batch of at most [`Deque::batch`] items.
+    ///
+    /// # Errors
+    /// [`Full`]: there is no room for it.
     #[inline(always)]
     pub fn push(self, words: &impl Words, items: &[Item]) -> Result<(), Full> {
         debug_assert!(items.len() <= self.batch as usize);

@@ -15,6 +15,21 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 ///   worker 1          |ffffrr |eerrer.......-----------|        r  rows        .  scheduling
 ///                                                               -  waiting
 /// ```
+///
+/// ```
+/// use ccd_core::model::mesh::Mesh;
+/// use ccd_core::model::options::Options;
+/// use ccd_core::model::scheduling::{Scheduler, Scheduling};
+/// use ccd_cpu::Session;
+///
+/// let stealing = Scheduling::default().scheduler(Scheduler::Stealing);
+/// let options = Options::default().with_scheduling(stealing).with_threads(1);
+/// let mut session = Session::new(Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?, options)?;
+/// session.set_timed(true);
+/// session.step(&[[0.0; 3]; 4], &[[0.0; 3]; 4])?;
+/// assert!(session.descent_times().is_some());
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DescentTimes {
     /// By the clock: expanding the upper levels into tasks.

@@ -88,6 +88,18 @@ pub struct BroadPhase {
 }
 
 /// Milliseconds of a search by the clock.
+///
+/// ```
+/// use ccd_core::Aabb;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_cpu::BroadPhase;
+///
+/// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
+/// broad_phase.self_pairs(&[Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 100])?;
+/// let times = broad_phase.times();
+/// assert!(times.build > 0.0 && times.search > 0.0);
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BroadPhaseTimes {
     /// Boxes checked and put in order, and what is built over them.

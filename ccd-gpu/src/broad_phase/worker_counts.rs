@@ -6,6 +6,19 @@ use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, submit};
 
 /// What a worker of a device, a workgroup, did in the last search.
+///
+/// ```
+/// use ccd_gpu::WorkerCounts;
+///
+/// /// The part of their threads that expanded a pair, over all turns.
+/// fn busy(all: &[WorkerCounts]) -> f64 {
+///     let (done, room) = all.iter().fold((0, 0), |(done, room), of| {
+///         (done + u64::from(of.expanded), room + u64::from(of.turns) * u64::from(of.width))
+///     });
+///     done as f64 / room.max(1) as f64
+/// }
+/// assert_eq!(busy(&[WorkerCounts { turns: 3, expanded: 6, width: 4 }]), 0.5);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorkerCounts {
     /// Turns in which it expanded pairs of nodes, each of at most [`WorkerCounts::width`]; of

@@ -13,6 +13,23 @@ use ccd_core::model::positions::{AsPositions, ends};
 /// A list is a header of four words, of which the first is the number of entries, then the entries.
 /// That number may exceed the room of a list in [`OnDevice::lists`]: then results are incomplete,
 /// and [`Session::step`] must be called instead, which makes room.
+///
+/// ```no_run
+/// use ccd_gpu::{Error, Session, wgpu};
+///
+/// /// A step of whatever is in `session.paths()`, and a copy of its contacts to `out`.
+/// fn frame(
+///     session: &mut Session,
+///     encoder: &mut wgpu::CommandEncoder,
+///     out: &wgpu::Buffer,
+/// ) -> Result<(), Error> {
+///     let found = session.record(encoder)?;
+///     let bytes = found.contacts.bytes(found.contacts.room());
+///     encoder.copy_buffer_to_buffer(found.contacts.buffer(), 0, out, 0, bytes);
+///     Ok(())
+/// }
+/// # let _ = frame;
+/// ```
 #[derive(Clone, Debug)]
 pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`](ccd_core::layout::Touch).
@@ -30,6 +47,18 @@ pub struct OnDevice<'a> {
 
 /// The contacts of a step with their geometry where a device has them. Valid until the session's
 /// next call.
+///
+/// ```no_run
+/// use ccd_gpu::{Error, Session, wgpu};
+///
+/// fn frame(session: &mut Session, encoder: &mut wgpu::CommandEncoder) -> Result<(), Error> {
+///     session.record(encoder)?;
+///     let found = session.record_geometry(encoder)?;
+///     println!("{} bytes for {} contacts", found.geometry.size(), found.contacts.room());
+///     Ok(())
+/// }
+/// # let _ = frame;
+/// ```
 #[derive(Clone, Debug)]
 pub struct GeometryOnDevice<'a> {
     /// As in [`OnDevice::contacts`], room included: what its header says counts here.

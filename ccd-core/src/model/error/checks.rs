@@ -57,6 +57,9 @@ pub fn check_min_distance(value: f64) -> Result<(), Error> {
 }
 
 /// Checks a tolerance of times of impact.
+///
+/// # Errors
+/// [`Error::Tolerance`] unless it is from [`LEAST_TOLERANCE`] to 1.
 pub fn check_tolerance(value: f64) -> Result<(), Error> {
     // Written so that NaN fails.
     let fine = value >= LEAST_TOLERANCE && value <= 1.0;
@@ -64,6 +67,9 @@ pub fn check_tolerance(value: f64) -> Result<(), Error> {
 }
 
 /// Checks the first and the last time of a window of a step.
+///
+/// # Errors
+/// [`Error::Window`] unless `0 <= from <= until <= 1`.
 pub fn check_window([from, until]: [f64; 2]) -> Result<(), Error> {
     // Written so that NaN fails.
     let fine = from >= 0.0 && from <= until && until <= 1.0;

@@ -56,6 +56,15 @@ pub trait AsPositions {
 }
 
 /// Positions with coordinates `T`, somewhere.
+///
+/// ```
+/// use ccd_core::model::positions::AsPositions;
+///
+/// let x = [[0.0f32; 3]; 4];
+/// let view = x.as_positions();
+/// // A view has positions itself, so it can be handed on.
+/// assert_eq!((view.len(), view.as_positions().is_empty()), (4, false));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PositionView<'a, T>(pub(crate) Form<'a, T>);
 
@@ -70,6 +79,14 @@ pub(crate) enum Form<'a, T> {
 }
 
 /// Positions at both ends of a step, in one precision.
+///
+/// ```
+/// use ccd_core::model::positions::ends;
+/// use ccd_core::model::precision::Precision;
+///
+/// let (x0, x1) = ([[0.0f32; 3]; 4], vec![[1.0f32; 3]; 4]);
+/// assert!(matches!(ends(&x0, &x1), Precision::F32([a, b]) if a.len() == b.len()));
+/// ```
 pub type Ends<'a> = Precision<[PositionView<'a, f32>; 2], [PositionView<'a, f64>; 2]>;
 
 /// Both ends, without their types: where a generic call ends.
@@ -102,6 +119,15 @@ impl<'a, T: Coordinate> PositionView<'a, T> {
 
 /// A point that lies in memory as three coordinates and nothing else: `[f32; 3]`, `[f64; 3]`, and
 /// with the feature `glam` its `Vec3` and `DVec3`.
+///
+/// ```
+/// use ccd_core::model::positions::{AsPositions, Point};
+///
+/// fn count<P: Point>(points: &[P]) -> usize {
+///     points.as_positions().len()
+/// }
+/// assert_eq!(count(&[[0.0f64; 3]; 4]), 4);
+/// ```
 pub trait Point: sealed::Sealed + Sized {
     /// The type of the coordinates.
     type Scalar: Coordinate;

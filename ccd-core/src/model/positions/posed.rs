@@ -44,6 +44,16 @@ pub struct Posed<'a, T> {
 
 /// A matrix of four columns of four numbers: `[[f32; 4]; 4]`, `[[f64; 4]; 4]`, and with the feature
 /// `glam` its `Mat4` and `DMat4`.
+///
+/// ```
+/// use ccd_core::model::positions::{Matrix, Posed};
+///
+/// fn posed<'a, M: Matrix<Scalar = f32>>(rest: &'a [[f32; 3]], pose: &'a M) -> Posed<'a, f32> {
+///     Posed::one(rest, pose)
+/// }
+/// let identity = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
+/// assert_eq!(posed(&[[1.0, 2.0, 3.0]], &identity).len(), 1);
+/// ```
 pub trait Matrix: Sealed + Sized {
     /// The type of the numbers.
     type Scalar: Coordinate;

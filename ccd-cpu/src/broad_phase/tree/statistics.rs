@@ -7,6 +7,19 @@ use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::layout::Node;
 
 /// How good a binary tree is: less is better, of every figure.
+///
+/// ```
+/// use ccd_core::Aabb;
+/// use ccd_core::model::method::BroadPhaseMethod;
+/// use ccd_cpu::BroadPhase;
+///
+/// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::TREE)?;
+/// let at = |i: u8| Aabb { min: [f32::from(i); 3], max: [f32::from(i) + 0.5; 3] };
+/// broad_phase.self_pairs(&[at(0), at(1), at(2), at(3)])?;
+/// let tree = broad_phase.tree_statistics().expect("it is a tree");
+/// assert_eq!((tree.nodes, tree.depth), (7, 3));
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TreeStatistics {
     /// Nodes, leaves included.
