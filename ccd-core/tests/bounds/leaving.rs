@@ -266,3 +266,22 @@ fn a_second_contact_is_found() {
     assert_eq!(touching.verdict.toi(), Some(0.0));
     assert_eq!(touching.approach, Approach::Unknown);
 }
+
+/// The same where another corner of the face does not move along the gap at all, nor does the
+/// vertex: what stands still ends no search.
+#[test]
+fn a_second_contact_is_found_past_what_stands_still() {
+    let with = |corner: f64, overtakes: f64| {
+        [[0.0; 3], [corner, 0.0, 0.0], [-4.0, 0.5, 0.0], [overtakes, -0.5, 0.0]]
+    };
+    let (t0, t1) = (with(-0.0625, -4.0), with(-1.0625, 8.0));
+    let wanted = Search { leaves: true, ..Search::whole(0.125) };
+    let m = Motion::<f64>::vertex_face(&t0, &t1, 0.0);
+    let departure = Departure::new(&m, Patch::Triangle, 0.0, 1.0, 0.125);
+    assert_eq!(departure.approach, Approach::Separating);
+    assert!(departure.again < departure.safe && departure.safe < 1.0, "{departure:?}");
+    let then = search(&m, Patch::Triangle, &wanted);
+    assert!(matches!(then.verdict, Verdict::Hit { toi } if toi > 0.25 && toi < 0.5), "{then:?}");
+    let near = Near { patch: Patch::Triangle, t0, t1, d: 0.125 };
+    check_left(&near, 0.0, then.verdict);
+}
