@@ -24,10 +24,12 @@ struct Near<R> {
 
 /// A vertex above a face or an edge above another, at a gap from large to small, over their middle
 /// or a side; all in any position, most of them moving along the gap and turning a little, some
-/// hardly moving along it.
+/// hardly moving along it, some hardly moving at all, by less than what products are rounded by.
 fn near<R: Real>(random: &mut Random) -> Near<R> {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
-    let gap = random.power(-12.0, 0.0);
+    let hardly = random.below(4) == 0;
+    // Where the direction is known best, rounding counts most.
+    let gap = if hardly { random.between(0.5, 1.0) } else { random.power(-12.0, 0.0) };
     let (mut s, mut r) = (random.unit(), random.unit());
     if random.below(4) == 0 {
         (s, r) = ([0.0, 1.0][random.below(2)], -0.2 * random.unit());
@@ -50,6 +52,11 @@ fn near<R: Real>(random: &mut Random) -> Near<R> {
     let along = gap * random.power(-8.0, 6.0) * random.sign();
     let turn = random.power(-30.0, 1.0) * along.abs();
     let side = random.power(-30.0, 0.0);
+    let (along, turn, side) = if hardly {
+        (random.power(-27.0, -21.0) * random.sign(), 0.0, random.power(-30.0, -22.0))
+    } else {
+        (along, turn, side)
+    };
     let moved: Points<f64> = std::array::from_fn(|i| {
         let first = if matches!(patch, Patch::Triangle) { i == 0 } else { i >= 2 };
         let by = random.vector();
