@@ -19,12 +19,6 @@ impl Scene {
     fn new(step: Step, n_bodies: u32) -> Self {
         // Elements that share a vertex are of one body.
         let mut root: Vec<u32> = (0..step.mesh.n_vertices() as u32).collect();
-        fn find(root: &[u32], mut v: u32) -> u32 {
-            while root[v as usize] != v {
-                v = root[v as usize];
-            }
-            v
-        }
         for &[a, b] in step.mesh.edges() {
             let (a, b) = (find(&root, a), find(&root, b));
             root[a.max(b) as usize] = a.min(b);
@@ -71,8 +65,7 @@ fn every_pair(
         }
     };
     for v in 0..n {
-        for (f, face) in (0..).zip(faces).filter(|(_, f)| !f.contains(&v)) {
-            let _ = face;
+        for (f, _) in (0..).zip(faces).filter(|(_, f)| !f.contains(&v)) {
             decide(Kind::VertexFace, v, f);
         }
     }
@@ -114,6 +107,14 @@ fn check_pairs(what: &str, want: &[Contact], found: &[Contact]) {
     for c in want.iter().filter(|c| c.state == State::Hit) {
         assert!(found.binary_search_by_key(&key(c), key).is_ok(), "{what}: missing {c:?}");
     }
+}
+
+/// The first vertex of the body of `v`.
+fn find(root: &[u32], mut v: u32) -> u32 {
+    while root[v as usize] != v {
+        v = root[v as usize];
+    }
+    v
 }
 
 fn random_bodies(random: &mut Random, scene: &Scene, n: u32) -> Option<Bodies> {
@@ -259,8 +260,8 @@ fn check_any_order(seed: u32, threads: usize, method: BroadPhaseMethod, pipeline
 
 fn want_of(
     fresh: &mut Session,
-    x0: &Vec<[f64; 3]>,
-    x1: &Vec<[f64; 3]>,
+    x0: &[[f64; 3]],
+    x1: &[[f64; 3]],
     window: [f64; 2],
 ) -> Vec<Contact> {
     fresh.step_window(x0, x1, window).unwrap().contacts.clone()

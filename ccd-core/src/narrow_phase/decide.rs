@@ -229,8 +229,8 @@ pub fn pair<T: Copy + Into<R>, R: Real>(
 mod tests {
     use super::*;
 
-    /// Times of a window and the tolerance are rounded so that nothing is lost, and so that contacts
-    /// are left from the first time alone.
+    /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are
+    /// left from the first time alone.
     #[test]
     fn narrow_searches_hold_the_wide_ones() {
         let mut x = 1u64;
