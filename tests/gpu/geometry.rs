@@ -206,6 +206,11 @@ fn check_session<T: Coordinate>(
     session.earliest_toi(x0, x1).unwrap();
     let refused = session.record_geometry(&mut encoder).map(|_| ());
     assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
+    // Nor one of this mesh after another is there.
+    session.step(x0, x1).unwrap();
+    session.set_mesh(mesh).unwrap();
+    let refused = session.record_geometry(&mut encoder).map(|_| ());
+    assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
 }
 
 fn check_sessions(device: &Device) {

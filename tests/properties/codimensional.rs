@@ -1,7 +1,7 @@
 //! Particles and rods in a mesh, against every pair; and a mesh at one moment, against what the
 //! queries say of a mesh that stands still.
 
-use ccd::scenes::{particles_and_rods, triangle_soup};
+use ccd::scenes::{crumpled_sheet, particles_and_rods, triangle_soup};
 use ccd::{Bodies, Contact, Kind, Mesh, Options, Pair, Session, State};
 use ccd_testkit::brute;
 use ccd_testkit::compare::agree;
@@ -111,4 +111,58 @@ fn goes_through(x: &[[f64; 3]], [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
     };
     let around = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
     volume(a, b, c, p) != volume(a, b, c, q) && around.iter().all(|&side| side == around[0])
+}
+
+/// What is near at rest is what every pair says, between its bounds; and a session that leaves it
+/// out has the contacts that are left.
+#[test]
+fn what_is_near_at_rest_is_left_out() {
+    let step = crumpled_sheet(9, 3);
+    let (mesh, x) = (&step.mesh, &step.x0);
+    for distance in [0.0, 0.02, 0.1] {
+        let near = ccd::near_at_rest(mesh, x, distance).unwrap();
+        let (mut vf, mut ee, mut n_open) = (Vec::new(), Vec::new(), 0);
+        let mut ask = |kind: Kind, a: u32, b: u32| {
+            let d = mesh.distance(kind, Pair { a, b }, x);
+            let ids = mesh.vertices_of(kind, Pair { a, b }).map(|v| x[v as usize]);
+            let (p, q) = ids.split_at(kind.n_first());
+            // Corners of both bound it from above, and what is between two bounds is found.
+            let corners = p.iter().flat_map(|p| q.iter().map(move |q| length(*p, *q)));
+            assert!(d.least <= corners.fold(f64::INFINITY, f64::min) * (1.0 + 1e-15));
+            n_open += (d.least <= distance && d.greatest > distance) as usize;
+            d.least <= distance
+        };
+        for v in 0..mesh.n_vertices() as u32 {
+            for (f, face) in (0..).zip(mesh.faces()) {
+                if !face.contains(&v) && ask(Kind::VertexFace, v, f) {
+                    vf.push([v, f]);
+                }
+            }
+        }
+        for (i, a) in (0..).zip(mesh.edges()) {
+            for (j, b) in (0..).zip(mesh.edges()).skip(i as usize + 1) {
+                if !a.iter().any(|v| b.contains(v)) && ask(Kind::EdgeEdge, i, j) {
+                    ee.push([i, j]);
+                }
+            }
+        }
+        assert!(near.vf == vf && near.ee == ee, "{distance}");
+        assert!(distance == 0.0 || vf.len() > 40 && ee.len() > 40, "{} {}", vf.len(), ee.len());
+        assert!(n_open < 9, "{n_open}");
+        let options = Options::default().with_min_distance(distance);
+        let all = ccd::step(mesh, x, &step.x1, &options).unwrap().contacts;
+        let bodies = Bodies::new(&vec![0; mesh.n_vertices()], &[], true).with_exclusions(&near);
+        let left = ccd::step(mesh, x, &step.x1, &options.with_bodies(bodies)).unwrap().contacts;
+        let is_near = |c: &&Contact| match c.kind {
+            Kind::VertexFace => near.vf.contains(&[c.a, c.b]),
+            _ => near.ee.contains(&[c.a, c.b]),
+        };
+        let want: Vec<Contact> = all.iter().filter(|c| !is_near(c)).copied().collect();
+        assert!(left == want && (distance == 0.0 || left.len() < all.len()), "{distance}");
+        assert!(left.iter().all(|c| c.toi > 0.0), "{distance}");
+    }
+}
+
+fn length(p: [f64; 3], q: [f64; 3]) -> f64 {
+    (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt()
 }

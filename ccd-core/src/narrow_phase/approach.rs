@@ -197,7 +197,9 @@ impl<R: Real> Separation<R> {
             let (here, slope) = (self.excess(j, from), self.g1[j] - self.g0[j]);
             if slope > R::splat(0.0) {
                 lo = lo.max(from - here / slope);
-            } else if here > R::splat(0.0) {
+            } else if here > R::splat(0.0) && slope < R::splat(0.0) {
+                // One that neither rises nor falls, as where both vertices stand still, stays
+                // where it is: it ends nothing.
                 hi = hi.min(from - here / slope);
             }
         }

@@ -183,6 +183,9 @@ fn touches_edge(q: &VertexEdge<f64>, t: f64) -> bool {
 }
 
 #[cfg(test)]
+mod exact_tests;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::narrow_phase::query::TOI_TOLERANCE;

@@ -24,14 +24,21 @@ pub struct Verdicts {
 }
 
 /// What a frame has its `f32` kernels look for: times that hold those that are wanted.
+///
+/// Contacts are left only where the first time is an `f32`. From a time before it they would be
+/// left by the distance that there was then: what comes back to that may be nearer than at the
+/// first time, or be in contact again where it was apart by then. As they are not left they are
+/// open, and `f64` decides.
 #[inline(always)]
 pub fn search_of(frame: &Frame) -> Search<f32> {
+    let from = widen(frame.from);
+    let starts = from[0] == frame.from_bits[0] && from[1] == frame.from_bits[1];
     Search {
         min_distance: frame.min_distance,
         tolerance: frame.tolerance,
         from: frame.from,
         until: frame.until,
-        leaves: frame.has(Frame::FLAG_LEAVES),
+        leaves: frame.has(Frame::FLAG_LEAVES) && starts,
     }
 }
 
@@ -221,6 +228,40 @@ pub fn pair<T: Copy + Into<R>, R: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are
+    /// left from the first time alone.
+    #[test]
+    fn narrow_searches_hold_the_wide_ones() {
+        let mut x = 1u64;
+        let mut unit = || {
+            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (x >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let ends = [0.0, 1e-320, 1e-40, 0.5, 0.5f64.next_up(), 1.0f64.next_down(), 1.0];
+        for i in 0..4000 {
+            let mut time = || if i % 3 == 0 { ends[(unit() * 7.0) as usize] } else { unit() };
+            let (a, b) = (time(), time());
+            let (from, until) = (a.min(b), a.max(b));
+            let tolerance = 1e-12f64.max(unit().powi(9));
+            for leaves in [false, true] {
+                let wide = Search { from, until, tolerance, leaves, ..Search::whole(0.0) };
+                let frame = Frame::default().searching(&wide);
+                let wanted = search_of(&frame);
+                assert!(wanted.from as f64 <= from && wanted.until as f64 >= until, "{wide:?}");
+                assert!(wanted.tolerance as f64 <= tolerance && wanted.tolerance > 0.0);
+                let is_start = wanted.from as f64 == from;
+                assert!(wanted.leaves == (leaves && is_start) || from < 1e-37, "{wide:?}");
+                assert!(!wanted.leaves || leaves && is_start, "{wide:?}");
+                let found = wide_search_of(&frame);
+                let wide = Search { min_distance: found.min_distance, ..wide };
+                assert_eq!(found, wide);
+            }
+        }
+        let leaves = |from: f64| Search { leaves: true, from, ..Search::whole(0.0) };
+        let of = |from: f64| search_of(&Frame::default().searching(&leaves(from))).leaves;
+        assert_eq!([0.0, 0.25, 0.1f32 as f64, 0.1].map(of), [true, true, true, false]);
+    }
 
     #[test]
     fn keys_are_the_bits_of_f32_rounded_down() {

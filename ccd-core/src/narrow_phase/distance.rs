@@ -65,7 +65,9 @@ impl Distance {
         let greatest = dot(nearest, nearest).sqrt_up() * (1.0 + 8.0 * f64::UNIT) + error * 2.0;
         // What vanishes when it is brought back to the unit of the input was not nothing.
         let (least, greatest) = (least_along(&m, patch, nearest) / unit, greatest / unit);
-        Self { least: Num::max(Real::next_down(least), 0.0), greatest: Real::next_up(greatest) }
+        // Coordinates whose differences overflow, or that are none, may be at any distance.
+        let greatest = if greatest >= 0.0 { Real::next_up(greatest) } else { f64::INFINITY };
+        Self { least: Num::max(Real::next_down(least), 0.0), greatest }
     }
 }
 
@@ -138,5 +140,9 @@ mod tests {
         }
         let touching = Distance::vertex_vertex([[1e-300; 3]; 2]);
         assert!(touching.least == 0.0 && touching.greatest < 1e-290, "{touching:?}");
+        for x in [f64::MAX, f64::NAN, f64::INFINITY] {
+            let d = Distance::vertex_vertex([[x; 3], [-x; 3]]);
+            assert!(d.least == 0.0 && d.greatest == f64::INFINITY, "{d:?}");
+        }
     }
 }

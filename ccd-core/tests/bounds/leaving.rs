@@ -24,10 +24,12 @@ struct Near<R> {
 
 /// A vertex above a face or an edge above another, at a gap from large to small, over their middle
 /// or a side; all in any position, most of them moving along the gap and turning a little, some
-/// hardly moving along it.
+/// hardly moving along it, some hardly moving at all, by less than what products are rounded by.
 fn near<R: Real>(random: &mut Random) -> Near<R> {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
-    let gap = random.power(-12.0, 0.0);
+    let hardly = random.below(4) == 0;
+    // Where the direction is known best, rounding counts most.
+    let gap = if hardly { random.between(0.5, 1.0) } else { random.power(-12.0, 0.0) };
     let (mut s, mut r) = (random.unit(), random.unit());
     if random.below(4) == 0 {
         (s, r) = ([0.0, 1.0][random.below(2)], -0.2 * random.unit());
@@ -50,6 +52,11 @@ fn near<R: Real>(random: &mut Random) -> Near<R> {
     let along = gap * random.power(-8.0, 6.0) * random.sign();
     let turn = random.power(-30.0, 1.0) * along.abs();
     let side = random.power(-30.0, 0.0);
+    let (along, turn, side) = if hardly {
+        (random.power(-27.0, -21.0) * random.sign(), 0.0, random.power(-30.0, -22.0))
+    } else {
+        (along, turn, side)
+    };
     let moved: Points<f64> = std::array::from_fn(|i| {
         let first = if matches!(patch, Patch::Triangle) { i == 0 } else { i >= 2 };
         let by = random.vector();
@@ -265,4 +272,23 @@ fn a_second_contact_is_found() {
     );
     assert_eq!(touching.verdict.toi(), Some(0.0));
     assert_eq!(touching.approach, Approach::Unknown);
+}
+
+/// The same where another corner of the face does not move along the gap at all, nor does the
+/// vertex: what stands still ends no search.
+#[test]
+fn a_second_contact_is_found_past_what_stands_still() {
+    let with = |corner: f64, overtakes: f64| {
+        [[0.0; 3], [corner, 0.0, 0.0], [-4.0, 0.5, 0.0], [overtakes, -0.5, 0.0]]
+    };
+    let (t0, t1) = (with(-0.0625, -4.0), with(-1.0625, 8.0));
+    let wanted = Search { leaves: true, ..Search::whole(0.125) };
+    let m = Motion::<f64>::vertex_face(&t0, &t1, 0.0);
+    let departure = Departure::new(&m, Patch::Triangle, 0.0, 1.0, 0.125);
+    assert_eq!(departure.approach, Approach::Separating);
+    assert!(departure.again < departure.safe && departure.safe < 1.0, "{departure:?}");
+    let then = search(&m, Patch::Triangle, &wanted);
+    assert!(matches!(then.verdict, Verdict::Hit { toi } if toi > 0.25 && toi < 0.5), "{then:?}");
+    let near = Near { patch: Patch::Triangle, t0, t1, d: 0.125 };
+    check_left(&near, 0.0, then.verdict);
 }

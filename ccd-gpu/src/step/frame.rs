@@ -105,6 +105,8 @@ impl Frames {
         self.buffers = Buffers::reusing(device, mesh, options, Some(&self.buffers))?;
         self.bench.forget();
         self.order.forget();
+        // Contacts there are those of other ids.
+        self.geometry.listed = false;
         self.at_once = 0;
         Ok(())
     }
