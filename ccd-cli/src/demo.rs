@@ -35,13 +35,13 @@ const STEPS: usize = 8;
 
 impl Demo {
     pub fn run(&self) -> Outcome {
+        if let Some(folder) = &self.frames_out {
+            std::fs::create_dir_all(folder).map_err(|e| in_file(folder, e))?;
+        }
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
         for path in [&last, &plots] {
             files::create(path, "png")?;
-        }
-        if let Some(folder) = &self.frames_out {
-            std::fs::create_dir_all(folder).map_err(|e| in_file(folder, e))?;
         }
         let mut cloth = Cloth::new(&self.backend, &self.method)?;
         self.write_frame(0, &cloth)?;

@@ -169,5 +169,5 @@ pub fn the_demo_writes_its_frames() {
     assert_eq!(steps.len(), 2);
     assert!(steps[1]["file"].as_str().unwrap().ends_with("frame-00002.ply"), "{value}");
     assert_eq!(value["mesh"]["vertices"], 4096 + 16384);
-    check_refused(&["demo", "--frames-out", "/dev/null/x"], "/dev/null/x");
+    check_refused(&["demo", "--out", &out, "--frames-out", "/dev/null/x"], "/dev/null/x");
 }
