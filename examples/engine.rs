@@ -38,6 +38,7 @@ const REST: [[f32; 4]; 7] = [
 ];
 const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
 
+/// All of it, once; the tests of the GPU call it too.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The engine's device, with what ccd can use of it.
     let instance =
