@@ -62,7 +62,10 @@ impl Worker {
         let pairs = &mut queue;
         crate::simd::run!(Filter { pairs, scene, kind });
         *self.filtered.of(kind) += queue.len() as u64;
-        for &pair in &queue {
+        for (k, &pair) in queue.iter().enumerate() {
+            if let Some(&next) = queue.get(k + 1) {
+                touch(scene, kind, next);
+            }
             self.decide(scene, kind, pair);
         }
         queue.clear();
@@ -80,6 +83,20 @@ impl Worker {
         if scene.keep_contacts {
             self.contacts.push(contact);
         }
+    }
+}
+
+/// Reads positions of the pair that is decided next: they come to the cache while the one before
+/// is decided.
+#[inline]
+fn touch(scene: &Scene, kind: Kind, pair: Pair) {
+    fn read<T: Real>(v: [u32; 4], x: [&[[T; 3]]; 2]) {
+        std::hint::black_box(v.map(|v| x.map(|x| x[v as usize][0])));
+    }
+    let v = scene.mesh.vertices_of(kind, pair);
+    match scene.given {
+        Precision::F32(x) => read(v, x),
+        Precision::F64(x) => read(v, x),
     }
 }
 
