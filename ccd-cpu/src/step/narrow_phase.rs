@@ -62,10 +62,7 @@ impl Worker {
         let pairs = &mut queue;
         crate::simd::run!(Filter { pairs, scene, kind });
         *self.filtered.of(kind) += queue.len() as u64;
-        for (k, &pair) in queue.iter().enumerate() {
-            if let Some(&next) = queue.get(k + 1) {
-                touch(scene, kind, next);
-            }
+        for &pair in &queue {
             self.decide(scene, kind, pair);
         }
         queue.clear();
@@ -83,20 +80,6 @@ impl Worker {
         if scene.keep_contacts {
             self.contacts.push(contact);
         }
-    }
-}
-
-/// Reads positions of the pair that is decided next: they come to the cache while the one before
-/// is decided.
-#[inline]
-fn touch(scene: &Scene, kind: Kind, pair: Pair) {
-    fn read<T: Real>(v: [u32; 4], x: [&[[T; 3]]; 2]) {
-        std::hint::black_box(v.map(|v| x.map(|x| x[v as usize][0])));
-    }
-    let v = scene.mesh.vertices_of(kind, pair);
-    match scene.given {
-        Precision::F32(x) => read(v, x),
-        Precision::F64(x) => read(v, x),
     }
 }
 
