@@ -7,6 +7,7 @@
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, set_lane};
 use crate::broad_phase::pair_source::Marks;
+use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -20,28 +21,10 @@ pub struct BlockBvh {
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
-    /// Per level and block: the worlds in each lane; empty where none was marked.
-    worlds: Vec<Vec<Worlds>>,
+    worlds: Worlds,
     looseness_at_build: Option<f64>,
     sums: Vec<f64>,
     build: u64,
-}
-
-/// The worlds of what is in each lane of a block: none where the first is above the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Worlds {
-    pub first: [u16; WIDTH],
-    pub last: [u16; WIDTH],
-}
-
-impl Worlds {
-    const NONE: Self = Self { first: [u16::MAX; WIDTH], last: [0; WIDTH] };
-
-    /// Of all lanes together.
-    fn all(&self) -> [u16; 2] {
-        let first = self.first.iter().fold(u16::MAX, |a, &b| a.min(b));
-        [first, self.last.iter().fold(0, |a, &b| a.max(b))]
-    }
 }
 
 impl BlockBvh {
@@ -76,40 +59,10 @@ impl BlockBvh {
         self.any_fixed
     }
 
-    /// Whether worlds are told apart.
+    /// The worlds in its blocks.
     #[inline(always)]
-    pub fn has_worlds(&self) -> bool {
-        !self.worlds.is_empty()
-    }
-
-    /// The worlds in block `i` of a level, if they are known.
-    #[inline(always)]
-    pub fn worlds(&self, level: usize, i: usize) -> Option<&Worlds> {
-        self.worlds.get(level)?.get(i)
-    }
-
-    /// Marks the worlds of the new order.
-    fn begin_worlds(&mut self, order: &[u32], world: &dyn Fn(usize) -> u32) {
-        let mut here: Vec<Worlds> = Vec::with_capacity(order.len().div_ceil(WIDTH));
-        for ids in order.chunks(WIDTH) {
-            let mut of = Worlds::NONE;
-            for (j, &id) in ids.iter().enumerate() {
-                (of.first[j], of.last[j]) = (world(id as usize) as u16, world(id as usize) as u16);
-            }
-            here.push(of);
-        }
-        while here.len() > 1 {
-            let mut above = Vec::with_capacity(here.len().div_ceil(WIDTH));
-            for children in here.chunks(WIDTH) {
-                let mut of = Worlds::NONE;
-                for (j, child) in children.iter().enumerate() {
-                    [of.first[j], of.last[j]] = child.all();
-                }
-                above.push(of);
-            }
-            self.worlds.push(std::mem::replace(&mut here, above));
-        }
-        self.worlds.push(here);
+    pub fn worlds(&self) -> &Worlds {
+        &self.worlds
     }
 
     /// Forgets the boxes of before; marks those of the new order that are fixed, and their worlds.
@@ -119,7 +72,7 @@ impl BlockBvh {
         self.build += 1;
         self.worlds.clear();
         if let Some(world) = marks.world {
-            self.begin_worlds(order, world);
+            self.worlds.fill(order, world);
         }
         self.any_fixed = fixed.is_some();
         // Levels beyond those of this build, too: `raise` may need them, and they are not marked.

@@ -138,7 +138,7 @@ impl PairTree for BlockPairs<'_> {
     fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let pair = BlockPair::unpacked(pair);
         let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
-        if self.a.has_worlds() && masks != 0 {
+        if self.a.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
         }
         while masks != 0 {
@@ -160,7 +160,7 @@ impl PairTree for BlockPairs<'_> {
         let (a, b) = (pair.a as usize, pair.b as usize);
         let mut masks =
             overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
-        if self.a.has_worlds() && masks != 0 {
+        if self.a.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
         }
         if self.within && a == b {
@@ -204,7 +204,7 @@ impl FrontTree for BlockPairs<'_> {
 
     #[inline(always)]
     fn lifts(self) -> bool {
-        !self.a.has_worlds()
+        !self.a.worlds().are_known()
     }
 
     /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too; of
@@ -233,7 +233,7 @@ impl FrontTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
-        if self.a.has_worlds() {
+        if self.a.worlds().are_known() {
             masks &= self.in_one_world(pair);
         }
         let below = pair.level as usize - 1;
@@ -296,30 +296,10 @@ impl<'a> BlockPairs<'a> {
         once & !self.both_fixed(pair)
     }
 
-    /// Byte `i`, bit `j`: whether the ranges of worlds of box `i` of one block and box `j` of the
-    /// other have one in common, as boxes on an axis.
-    #[inline(never)]
+    /// Byte `i`, bit `j`: whether there may be a pair of one world below child `i` and child `j`.
+    #[inline(always)]
     fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
-        let level = level as usize;
-        let (Some(a), Some(b)) =
-            (self.a.worlds(level, a as usize), self.b.worlds(level, b as usize))
-        else {
-            return u64::MAX;
-        };
-        let only = [a.first[0]; WIDTH];
-        if [a.first, a.last, b.first, b.last] == [only; 4] {
-            return u64::MAX;
-        }
-        let mut masks = 0;
-        for i in 0..WIDTH {
-            let mut row = 0;
-            for j in 0..WIDTH {
-                let meet = a.first[i] <= b.last[j] && b.first[j] <= a.last[i];
-                row |= (meet as u64) << j;
-            }
-            masks |= row << (8 * i);
-        }
-        masks
+        self.a.worlds().meet(a as usize, self.b.worlds(), b as usize, level as usize)
     }
 
     /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is

@@ -39,6 +39,7 @@ mod tasks;
 mod tests;
 pub mod tree;
 mod uniform_grid;
+mod worlds;
 
 use crate::clock::{Instant, milliseconds};
 use crate::simd::RowSimd;

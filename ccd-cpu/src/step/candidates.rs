@@ -171,7 +171,8 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
         if mask == 0 {
             return;
         }
-        mask = self.scene.selection.of_bodies(a0, &ends_b[0], mask);
+        let of = &self.edges.bodies;
+        mask = self.scene.selection.of_bodies(a0, &ends_b[0], mask, (of, a), (of, b));
         if let Some(slack) = self.scene.slack {
             let blocks = self.edges.boxes.blocks();
             let sure = simd.overlaps_surely(&blocks[a], lane, &blocks[b], slack);
@@ -234,7 +235,8 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
         if mask == 0 {
             return;
         }
-        mask = self.scene.selection.of_bodies(vertex, &corners[0], mask);
+        let (of_a, of_b) = ((&self.vertices.bodies, a), (&self.faces.bodies, b));
+        mask = self.scene.selection.of_bodies(vertex, &corners[0], mask, of_a, of_b);
         if let Some(slack) = self.scene.slack {
             let sure = simd.overlaps_surely(
                 &self.vertices.boxes.blocks()[a],

@@ -3,8 +3,10 @@
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
+use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
 use ccd_core::Num;
+use ccd_core::model::rules::Rules;
 
 /// The features of one set, `N` vertices each, in leaf order, eight side by side.
 #[derive(Debug)]
@@ -13,6 +15,8 @@ pub struct Leaves<const N: usize> {
     pub boxes: LeafBoxes,
     /// Vertices of the features.
     pub vertices: Vec<[[u32; WIDTH]; N]>,
+    /// Bodies of the features.
+    pub bodies: BlockBodies,
     /// Boxes of the features at the start and at the end, of the positions in the table.
     pub ends: Vec<[Block; 2]>,
 }
@@ -20,17 +24,28 @@ pub struct Leaves<const N: usize> {
 impl<const N: usize> Leaves<N> {
     /// No features yet.
     pub fn new(set: Set) -> Self {
-        Self { boxes: LeafBoxes::new(set), vertices: Vec::new(), ends: Vec::new() }
+        Self {
+            boxes: LeafBoxes::new(set),
+            vertices: Vec::new(),
+            bodies: BlockBodies::default(),
+            ends: Vec::new(),
+        }
     }
 
-    /// Vertices, from those of every feature and the order of leaves.
-    pub fn order(&mut self, threads: &Threads, features: impl Fn(u32) -> [u32; N] + Sync) {
+    /// Vertices and bodies, from the vertices of every feature and the order of leaves.
+    pub fn order(
+        &mut self,
+        threads: &Threads,
+        rules: Option<&Rules>,
+        features: impl Fn(u32) -> [u32; N] + Sync,
+    ) {
         let boxes = &self.boxes;
         self.vertices.resize(boxes.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
         threads.fill(&mut self.vertices, |i| {
             let of = boxes.ids(i).map(&features);
             std::array::from_fn(|k| of.map(|vertices| vertices[k]))
         });
+        self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
     }
 
     /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still
@@ -39,37 +54,61 @@ impl<const N: usize> Leaves<N> {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [EMPTY; 2]);
         let n = if still { self.boxes.n_moving() } else { vertices.len() };
-        threads.fill(&mut self.ends[..n], |i| ends(table, &vertices[i]));
+        threads.chunks(&mut self.ends[..n], &|first, out| {
+            place(table, &vertices[first..first + out.len()], out);
+        });
     }
 }
 
 /// The boxes of eight features at both ends, from the table of positions.
 pub fn ends<const N: usize>(table: &[[f32; WIDTH]], vertices: &[[u32; WIDTH]; N]) -> [Block; 2] {
-    crate::simd::run_rows!(Place { table, vertices })
+    let mut out = [[EMPTY; 2]];
+    place(table, std::slice::from_ref(vertices), &mut out);
+    out[0]
 }
 
-/// The boxes of eight features at both ends.
+fn place<const N: usize>(
+    table: &[[f32; WIDTH]],
+    vertices: &[[[u32; WIDTH]; N]],
+    out: &mut [[Block; 2]],
+) {
+    crate::simd::run_rows!(Place { table, vertices, out })
+}
+
+/// The boxes of eight features at both ends, block by block, written where they belong.
 struct Place<'a, const N: usize> {
     table: &'a [[f32; WIDTH]],
-    vertices: &'a [[u32; WIDTH]; N],
+    vertices: &'a [[[u32; WIDTH]; N]],
+    out: &'a mut [[Block; 2]],
 }
 
 impl<S: RowSimd, const N: usize> Work<S> for Place<'_, N> {
-    type Out = [Block; 2];
+    type Out = ();
 
     #[inline(always)]
-    fn call(self, simd: S) -> [Block; 2] {
-        let first = simd.gather(self.table, &self.vertices[0]);
-        let (mut min, mut max) = (first, first);
-        for ids in &self.vertices[1..] {
-            let next = simd.gather(self.table, ids);
-            for k in 0..WIDTH {
-                min[k] = min[k].min(next[k]);
-                max[k] = max[k].max(next[k]);
-            }
+    fn call(self, simd: S) {
+        for (vertices, out) in self.vertices.iter().zip(self.out) {
+            *out = ends_of(simd, self.table, vertices);
         }
-        [block(simd, &min, &max, 0), block(simd, &min, &max, 4)]
     }
+}
+
+#[inline(always)]
+fn ends_of<S: RowSimd, const N: usize>(
+    simd: S,
+    table: &[[f32; WIDTH]],
+    vertices: &[[u32; WIDTH]; N],
+) -> [Block; 2] {
+    let first = simd.gather(table, &vertices[0]);
+    let (mut min, mut max) = (first, first);
+    for ids in &vertices[1..] {
+        let next = simd.gather(table, ids);
+        for k in 0..WIDTH {
+            min[k] = min[k].min(next[k]);
+            max[k] = max[k].max(next[k]);
+        }
+    }
+    [block(simd, &min, &max, 0), block(simd, &min, &max, 4)]
 }
 
 /// The boxes whose bounds begin at component `k`.

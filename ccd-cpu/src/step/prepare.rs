@@ -127,7 +127,7 @@ impl<const N: usize> Feature<N> {
         }
         marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
         self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
-        self.leaves.order(threads, &features);
+        self.leaves.order(threads, rules, &features);
     }
 
     fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {

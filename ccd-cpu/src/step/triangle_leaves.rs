@@ -11,6 +11,7 @@ use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;
 use crate::step::leaves::ends;
+use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
@@ -33,6 +34,7 @@ pub struct TriangleLeaves {
     swept: Vec<Aabb<f32>>,
     pub boxes: LeafBoxes,
     pub blocks: Vec<TriangleBlock>,
+    pub bodies: BlockBodies,
     /// Boxes of represented features during the step: three corners, three sides.
     pub features: Vec<[Block; 6]>,
     /// Boxes at the start and at the end, of the positions in the table: corners, sides, the face.
@@ -101,6 +103,7 @@ impl TriangleLeaves {
             swept: Vec::new(),
             boxes: LeafBoxes::new(Set { index: 0, searched: true }),
             blocks: Vec::new(),
+            bodies: BlockBodies::default(),
             features: Vec::new(),
             ends: Vec::new(),
         }
@@ -149,12 +152,13 @@ impl TriangleLeaves {
             }
         }
         self.boxes.build(threads, method.order(), &self.swept, marks);
-        let Self { triangles, orphans, stand_ins, boxes, blocks, .. } = self;
+        let Self { triangles, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);
         }
         blocks.resize(boxes.len().div_ceil(WIDTH), TriangleBlock::NONE);
         threads.fill(blocks, |i| block(triangles, boxes, i));
+        bodies.fill(rules, blocks.iter().map(|block| &block.corners[0]));
         Ok(())
     }
 

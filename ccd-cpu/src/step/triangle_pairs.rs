@@ -56,7 +56,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
     ) {
         let (of_a, of_b) = (&self.leaves.blocks[a], &self.leaves.blocks[b]);
         let [a0, a1, a2] = [0, 1, 2].map(|k| of_a.corners[k][lane]);
-        mask = self.scene.selection.of_bodies(a0, &of_b.corners[0], mask);
+        let of = &self.leaves.bodies;
+        mask = self.scene.selection.of_bodies(a0, &of_b.corners[0], mask, (of, a), (of, b));
         let n_pairs = mask.count_ones();
         let mut near = 0;
         for ids in &of_b.corners {
