@@ -58,18 +58,18 @@ struct type_23 {
     member: array<array<u32, 2>>,
 }
 
-struct type_24 {
+struct type_25 {
     member: u32,
 }
 
-struct type_25 {
+struct type_26 {
     member: type_7,
     member_1: type_8,
-    member_2: type_24,
+    member_2: type_25,
 }
 
-struct type_26 {
-    member: type_25,
+struct type_27 {
+    member: type_26,
 }
 
 struct type_29 {
@@ -130,7 +130,7 @@ struct type_44 {
 @group(0) @binding(1) 
 var<storage> paths: type_21;
 @group(0) @binding(0) 
-var<storage> params: type_26;
+var<storage> params: type_27;
 @group(0) @binding(3) 
 var<storage> edges: type_23;
 @group(0) @binding(4) 

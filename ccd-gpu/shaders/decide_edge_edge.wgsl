@@ -67,31 +67,31 @@ struct type_22 {
     member: array<array<u32, 2>>,
 }
 
-struct type_23 {
-    member: u32,
-}
-
-struct type_24 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_23,
-}
-
 struct type_25 {
-    member: type_24,
-}
-
-struct type_28 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_29 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
+}
+
+struct type_27 {
+    member: u32,
+}
+
+struct type_28 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_27,
+}
+
+struct type_29 {
+    member: type_28,
 }
 
 struct type_30 {
@@ -117,7 +117,7 @@ struct type_37 {
 }
 
 struct type_38 {
-    member: type_28,
+    member: type_25,
     member_1: f32,
 }
 
@@ -151,11 +151,11 @@ struct type_46 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_19;
-@group(0) @binding(0) 
-var<storage> params: type_25;
 @group(0) @binding(3) 
 var<storage> input: type_10;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_29;
 @group(0) @binding(2) 
 var<storage> elements: type_22;
 @group(0) @binding(4) 
@@ -461,9 +461,9 @@ fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_32;
     var local_1: type_32;
-    var local_2: type_29;
-    var local_3: type_29;
-    var local_4: type_29;
+    var local_2: type_26;
+    var local_3: type_26;
+    var local_4: type_26;
     var local_5: array<type_33, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
@@ -477,7 +477,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_15: type_32;
     var local_16: type_32;
     var local_17: type_32;
-    var local_18: type_28;
+    var local_18: type_25;
     var phi_250_: u32;
     var phi_266_: u32;
     var phi_287_: u32;
@@ -2455,7 +2455,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_733_ = _e432;
                             }
                             let _e438 = phi_733_;
-                            phi_764_ = type_38(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e431), (_e250 * _e431), (_e251 * _e431)), array<f32, 3>((_e253 * _e431), (_e254 * _e431), (_e255 * _e431))), array<array<f32, 3>, 2>(array<f32, 3>((_e258 * _e431), (_e259 * _e431), (_e260 * _e431)), array<f32, 3>((_e262 * _e431), (_e263 * _e431), (_e264 * _e431))), array<array<f32, 3>, 2>(array<f32, 3>((_e267 * _e431), (_e268 * _e431), (_e269 * _e431)), array<f32, 3>((_e271 * _e431), (_e272 * _e431), (_e273 * _e431))), (_e276 * _e431)), _e438);
+                            phi_764_ = type_38(type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e431), (_e250 * _e431), (_e251 * _e431)), array<f32, 3>((_e253 * _e431), (_e254 * _e431), (_e255 * _e431))), array<array<f32, 3>, 2>(array<f32, 3>((_e258 * _e431), (_e259 * _e431), (_e260 * _e431)), array<f32, 3>((_e262 * _e431), (_e263 * _e431), (_e264 * _e431))), array<array<f32, 3>, 2>(array<f32, 3>((_e267 * _e431), (_e268 * _e431), (_e269 * _e431)), array<f32, 3>((_e271 * _e431), (_e272 * _e431), (_e273 * _e431))), (_e276 * _e431)), _e438);
                             phi_765_ = false;
                         } else {
                             phi_764_ = type_38();
@@ -2477,12 +2477,12 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e478 = phi_768_;
                 let _e480 = phi_769_;
                 if _e480 {
-                    phi_774_ = type_38(type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), array<array<f32, 3>, 2>(array<f32, 3>(_e258, _e259, _e260), array<f32, 3>(_e262, _e263, _e264)), array<array<f32, 3>, 2>(array<f32, 3>(_e267, _e268, _e269), array<f32, 3>(_e271, _e272, _e273)), _e276), _e279);
+                    phi_774_ = type_38(type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), array<array<f32, 3>, 2>(array<f32, 3>(_e258, _e259, _e260), array<f32, 3>(_e262, _e263, _e264)), array<array<f32, 3>, 2>(array<f32, 3>(_e267, _e268, _e269), array<f32, 3>(_e271, _e272, _e273)), _e276), _e279);
                 } else {
                     phi_774_ = _e478;
                 }
                 let _e483 = phi_774_;
-                local_18 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member[0][0], _e483.member.member[0][1], _e483.member.member[0][2]), array<f32, 3>(_e483.member.member[1][0], _e483.member.member[1][1], _e483.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member_1[0][0], _e483.member.member_1[0][1], _e483.member.member_1[0][2]), array<f32, 3>(_e483.member.member_1[1][0], _e483.member.member_1[1][1], _e483.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member_2[0][0], _e483.member.member_2[0][1], _e483.member.member_2[0][2]), array<f32, 3>(_e483.member.member_2[1][0], _e483.member.member_2[1][1], _e483.member.member_2[1][2])), _e483.member.member_3);
+                local_18 = type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member[0][0], _e483.member.member[0][1], _e483.member.member[0][2]), array<f32, 3>(_e483.member.member[1][0], _e483.member.member[1][1], _e483.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member_1[0][0], _e483.member.member_1[0][1], _e483.member.member_1[0][2]), array<f32, 3>(_e483.member.member_1[1][0], _e483.member.member_1[1][1], _e483.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e483.member.member_2[0][0], _e483.member.member_2[0][1], _e483.member.member_2[0][2]), array<f32, 3>(_e483.member.member_2[1][0], _e483.member.member_2[1][1], _e483.member.member_2[1][2])), _e483.member.member_3);
                 if (_e483.member_1 > 0f) {
                     let _e5168 = local_18.member[0u];
                     let _e5174 = local_18.member[1u];
@@ -8992,7 +8992,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_11291_ = _e3032;
                                             }
                                             let _e3035 = phi_11291_;
-                                            local_2 = type_29(array<f32, 3>(_e2978, _e2979, _e2980), _e3017, (_e3035 + _e3017));
+                                            local_2 = type_26(array<f32, 3>(_e2978, _e2979, _e2980), _e3017, (_e3035 + _e3017));
                                             let _e3041 = local_18.member_3;
                                             let _e3043 = local_18.member_1[0u];
                                             if (_e3043[0] < 0f) {
@@ -9133,7 +9133,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_11498_ = _e3162;
                                             }
                                             let _e3165 = phi_11498_;
-                                            local_3 = type_29(array<f32, 3>(_e3108, _e3109, _e3110), _e3147, (_e3165 + _e3147));
+                                            local_3 = type_26(array<f32, 3>(_e3108, _e3109, _e3110), _e3147, (_e3165 + _e3147));
                                             let _e3171 = local_18.member_3;
                                             let _e3173 = local_18.member_2[0u];
                                             if (_e3173[0] < 0f) {
@@ -9274,7 +9274,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_11705_ = _e3292;
                                             }
                                             let _e3295 = phi_11705_;
-                                            local_4 = type_29(array<f32, 3>(_e3238, _e3239, _e3240), _e3277, (_e3295 + _e3277));
+                                            local_4 = type_26(array<f32, 3>(_e3238, _e3239, _e3240), _e3277, (_e3295 + _e3277));
                                             let _e3300 = local_3.member;
                                             let _e3305 = local_4.member;
                                             let _e3311 = ((_e3300[1] * _e3305[2]) - (_e3300[2] * _e3305[1]));

@@ -67,18 +67,18 @@ struct type_24 {
     member: array<array<u32, 2>>,
 }
 
-struct type_25 {
+struct type_26 {
     member: u32,
 }
 
-struct type_26 {
+struct type_27 {
     member: type_7,
     member_1: type_8,
-    member_2: type_25,
+    member_2: type_26,
 }
 
-struct type_27 {
-    member: type_26,
+struct type_28 {
+    member: type_27,
 }
 
 struct type_32 {
@@ -160,9 +160,9 @@ struct type_53 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_21;
-@group(0) @binding(0) 
-var<storage> params: type_27;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_28;
 @group(0) @binding(4) 
 var<storage> input: type_10;
 @group(0) @binding(2) 

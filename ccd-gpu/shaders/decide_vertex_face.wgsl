@@ -63,31 +63,31 @@ struct type_20 {
     member_5: u32,
 }
 
-struct type_21 {
-    member: u32,
-}
-
-struct type_22 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_21,
-}
-
 struct type_23 {
-    member: type_22,
-}
-
-struct type_26 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_27 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
+}
+
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
+}
+
+struct type_27 {
+    member: type_26,
 }
 
 struct type_28 {
@@ -117,7 +117,7 @@ struct type_37 {
 }
 
 struct type_38 {
-    member: type_26,
+    member: type_23,
     member_1: f32,
 }
 
@@ -151,11 +151,11 @@ struct type_46 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_19;
-@group(0) @binding(0) 
-var<storage> params: type_23;
 @group(0) @binding(3) 
 var<storage> input: type_10;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_27;
 @group(0) @binding(2) 
 var<storage> elements: type_30;
 @group(0) @binding(4) 
@@ -461,9 +461,9 @@ fn function_3(param_10: f32) -> array<u32, 2> {
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_32;
     var local_1: type_32;
-    var local_2: type_27;
-    var local_3: type_27;
-    var local_4: type_27;
+    var local_2: type_24;
+    var local_3: type_24;
+    var local_4: type_24;
     var local_5: array<type_33, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
@@ -477,7 +477,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_15: type_32;
     var local_16: type_32;
     var local_17: type_32;
-    var local_18: type_26;
+    var local_18: type_23;
     var phi_803_: u32;
     var phi_819_: u32;
     var phi_840_: u32;
@@ -2454,7 +2454,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_1275_ = _e429;
                             }
                             let _e435 = phi_1275_;
-                            phi_1306_ = type_38(type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e428), (_e247 * _e428), (_e248 * _e428)), array<f32, 3>((_e250 * _e428), (_e251 * _e428), (_e252 * _e428))), array<array<f32, 3>, 2>(array<f32, 3>((_e255 * _e428), (_e256 * _e428), (_e257 * _e428)), array<f32, 3>((_e259 * _e428), (_e260 * _e428), (_e261 * _e428))), array<array<f32, 3>, 2>(array<f32, 3>((_e264 * _e428), (_e265 * _e428), (_e266 * _e428)), array<f32, 3>((_e268 * _e428), (_e269 * _e428), (_e270 * _e428))), (_e273 * _e428)), _e435);
+                            phi_1306_ = type_38(type_23(array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e428), (_e247 * _e428), (_e248 * _e428)), array<f32, 3>((_e250 * _e428), (_e251 * _e428), (_e252 * _e428))), array<array<f32, 3>, 2>(array<f32, 3>((_e255 * _e428), (_e256 * _e428), (_e257 * _e428)), array<f32, 3>((_e259 * _e428), (_e260 * _e428), (_e261 * _e428))), array<array<f32, 3>, 2>(array<f32, 3>((_e264 * _e428), (_e265 * _e428), (_e266 * _e428)), array<f32, 3>((_e268 * _e428), (_e269 * _e428), (_e270 * _e428))), (_e273 * _e428)), _e435);
                             phi_1307_ = false;
                         } else {
                             phi_1306_ = type_38();
@@ -2476,12 +2476,12 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e475 = phi_1310_;
                 let _e477 = phi_1311_;
                 if _e477 {
-                    phi_1316_ = type_38(type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), array<array<f32, 3>, 2>(array<f32, 3>(_e255, _e256, _e257), array<f32, 3>(_e259, _e260, _e261)), array<array<f32, 3>, 2>(array<f32, 3>(_e264, _e265, _e266), array<f32, 3>(_e268, _e269, _e270)), _e273), _e276);
+                    phi_1316_ = type_38(type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), array<array<f32, 3>, 2>(array<f32, 3>(_e255, _e256, _e257), array<f32, 3>(_e259, _e260, _e261)), array<array<f32, 3>, 2>(array<f32, 3>(_e264, _e265, _e266), array<f32, 3>(_e268, _e269, _e270)), _e273), _e276);
                 } else {
                     phi_1316_ = _e475;
                 }
                 let _e480 = phi_1316_;
-                local_18 = type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member[0][0], _e480.member.member[0][1], _e480.member.member[0][2]), array<f32, 3>(_e480.member.member[1][0], _e480.member.member[1][1], _e480.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member_1[0][0], _e480.member.member_1[0][1], _e480.member.member_1[0][2]), array<f32, 3>(_e480.member.member_1[1][0], _e480.member.member_1[1][1], _e480.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member_2[0][0], _e480.member.member_2[0][1], _e480.member.member_2[0][2]), array<f32, 3>(_e480.member.member_2[1][0], _e480.member.member_2[1][1], _e480.member.member_2[1][2])), _e480.member.member_3);
+                local_18 = type_23(array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member[0][0], _e480.member.member[0][1], _e480.member.member[0][2]), array<f32, 3>(_e480.member.member[1][0], _e480.member.member[1][1], _e480.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member_1[0][0], _e480.member.member_1[0][1], _e480.member.member_1[0][2]), array<f32, 3>(_e480.member.member_1[1][0], _e480.member.member_1[1][1], _e480.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e480.member.member_2[0][0], _e480.member.member_2[0][1], _e480.member.member_2[0][2]), array<f32, 3>(_e480.member.member_2[1][0], _e480.member.member_2[1][1], _e480.member.member_2[1][2])), _e480.member.member_3);
                 if (_e480.member_1 > 0f) {
                     let _e5152 = local_18.member[0u];
                     let _e5158 = local_18.member[1u];
@@ -8973,7 +8973,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_11833_ = _e3023;
                                             }
                                             let _e3026 = phi_11833_;
-                                            local_2 = type_27(array<f32, 3>(_e2969, _e2970, _e2971), _e3008, (_e3026 + _e3008));
+                                            local_2 = type_24(array<f32, 3>(_e2969, _e2970, _e2971), _e3008, (_e3026 + _e3008));
                                             let _e3032 = local_18.member_3;
                                             let _e3034 = local_18.member_1[0u];
                                             if (_e3034[0] < 0f) {
@@ -9114,7 +9114,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_12040_ = _e3153;
                                             }
                                             let _e3156 = phi_12040_;
-                                            local_3 = type_27(array<f32, 3>(_e3099, _e3100, _e3101), _e3138, (_e3156 + _e3138));
+                                            local_3 = type_24(array<f32, 3>(_e3099, _e3100, _e3101), _e3138, (_e3156 + _e3138));
                                             let _e3162 = local_18.member_3;
                                             let _e3164 = local_18.member_2[0u];
                                             if (_e3164[0] < 0f) {
@@ -9255,7 +9255,7 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_12247_ = _e3283;
                                             }
                                             let _e3286 = phi_12247_;
-                                            local_4 = type_27(array<f32, 3>(_e3229, _e3230, _e3231), _e3268, (_e3286 + _e3268));
+                                            local_4 = type_24(array<f32, 3>(_e3229, _e3230, _e3231), _e3268, (_e3286 + _e3268));
                                             let _e3291 = local_3.member;
                                             let _e3296 = local_4.member;
                                             let _e3302 = ((_e3291[1] * _e3296[2]) - (_e3291[2] * _e3296[1]));

@@ -63,18 +63,18 @@ struct type_22 {
     member_5: u32,
 }
 
-struct type_23 {
+struct type_24 {
     member: u32,
 }
 
-struct type_24 {
+struct type_25 {
     member: type_7,
     member_1: type_8,
-    member_2: type_23,
+    member_2: type_24,
 }
 
-struct type_25 {
-    member: type_24,
+struct type_26 {
+    member: type_25,
 }
 
 struct type_28 {
@@ -160,9 +160,9 @@ struct type_53 {
 
 @group(0) @binding(1) 
 var<storage> paths: type_21;
-@group(0) @binding(0) 
-var<storage> params: type_25;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_26;
 @group(0) @binding(4) 
 var<storage> input: type_10;
 @group(0) @binding(2) 

@@ -58,50 +58,48 @@ struct type_21 {
     member: array<array<u32, 2>>,
 }
 
-struct type_22 {
-    member: u32,
-}
-
 struct type_23 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_22,
-}
-
-struct type_24 {
-    member: type_23,
-}
-
-struct type_26 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_28 {
-    member: array<type_26>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_31 {
+struct type_28 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_33 {
+struct type_30 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
+struct type_31 {
+    member: u32,
+}
+
+struct type_32 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_31,
+}
+
+struct type_33 {
+    member: type_32,
+}
+
 struct type_36 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_24;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_31;
+var<storage> keys: type_28;
 @group(0) @binding(5) 
 var<storage> paths: type_19;
 @group(0) @binding(6) 
@@ -109,8 +107,10 @@ var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_36;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_33;
 @group(0) @binding(1) 
-var<storage> boxes: type_28;
+var<storage> boxes: type_25;
 @group(0) @binding(2) 
 var<storage> elements: type_21;
 
@@ -271,9 +271,9 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_33;
-    var local_1: type_33;
-    var local_2: type_33;
+    var local: type_30;
+    var local_1: type_30;
+    var local_2: type_30;
     var phi_316_: u32;
     var phi_326_: u32;
     var phi_333_: u32;
@@ -1278,7 +1278,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e704 = paths.member[_e150[1]];
                     let _e710 = paths.member[_e152[0]];
                     let _e712 = paths.member[_e152[1]];
-                    local_2 = type_33(array<array<f32, 3>, 2>(array<f32, 3>((_e710.member[0] - _e702.member[0]), (_e710.member[1] - _e702.member[1]), (_e710.member[2] - _e702.member[2])), array<f32, 3>((_e710.member_1[0] - _e702.member_1[0]), (_e710.member_1[1] - _e702.member_1[1]), (_e710.member_1[2] - _e702.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e704.member[0] - _e702.member[0]), (_e704.member[1] - _e702.member[1]), (_e704.member[2] - _e702.member[2])), array<f32, 3>((_e704.member_1[0] - _e702.member_1[0]), (_e704.member_1[1] - _e702.member_1[1]), (_e704.member_1[2] - _e702.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e710.member[0] - _e712.member[0]), (_e710.member[1] - _e712.member[1]), (_e710.member[2] - _e712.member[2])), array<f32, 3>((_e710.member_1[0] - _e712.member_1[0]), (_e710.member_1[1] - _e712.member_1[1]), (_e710.member_1[2] - _e712.member_1[2]))), (_e698 + _e698));
+                    local_2 = type_30(array<array<f32, 3>, 2>(array<f32, 3>((_e710.member[0] - _e702.member[0]), (_e710.member[1] - _e702.member[1]), (_e710.member[2] - _e702.member[2])), array<f32, 3>((_e710.member_1[0] - _e702.member_1[0]), (_e710.member_1[1] - _e702.member_1[1]), (_e710.member_1[2] - _e702.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e704.member[0] - _e702.member[0]), (_e704.member[1] - _e702.member[1]), (_e704.member[2] - _e702.member[2])), array<f32, 3>((_e704.member_1[0] - _e702.member_1[0]), (_e704.member_1[1] - _e702.member_1[1]), (_e704.member_1[2] - _e702.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e710.member[0] - _e712.member[0]), (_e710.member[1] - _e712.member[1]), (_e710.member[2] - _e712.member[2])), array<f32, 3>((_e710.member_1[0] - _e712.member_1[0]), (_e710.member_1[1] - _e712.member_1[1]), (_e710.member_1[2] - _e712.member_1[2]))), (_e698 + _e698));
                     let _e772 = local_2.member_1[0u];
                     let _e778 = local_2.member_2[0u];
                     let _e784 = ((_e772[1] * _e778[2]) - (_e772[2] * _e778[1]));
@@ -2161,8 +2161,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e1783 = local_2.member_1[1u];
                         let _e1786 = local_2.member_2[1u];
                         let _e1788 = local_2.member_3;
-                        local = type_33(array<array<f32, 3>, 2>(_e1769, array<f32, 3>(_e1728, _e1729, _e1730)), array<array<f32, 3>, 2>(_e1772, array<f32, 3>(_e1746, _e1747, _e1748)), array<array<f32, 3>, 2>(_e1775, array<f32, 3>(_e1764, _e1765, _e1766)), _e1777);
-                        local_1 = type_33(array<array<f32, 3>, 2>(array<f32, 3>(_e1728, _e1729, _e1730), _e1780), array<array<f32, 3>, 2>(array<f32, 3>(_e1746, _e1747, _e1748), _e1783), array<array<f32, 3>, 2>(array<f32, 3>(_e1764, _e1765, _e1766), _e1786), _e1788);
+                        local = type_30(array<array<f32, 3>, 2>(_e1769, array<f32, 3>(_e1728, _e1729, _e1730)), array<array<f32, 3>, 2>(_e1772, array<f32, 3>(_e1746, _e1747, _e1748)), array<array<f32, 3>, 2>(_e1775, array<f32, 3>(_e1764, _e1765, _e1766)), _e1777);
+                        local_1 = type_30(array<array<f32, 3>, 2>(array<f32, 3>(_e1728, _e1729, _e1730), _e1780), array<array<f32, 3>, 2>(array<f32, 3>(_e1746, _e1747, _e1748), _e1783), array<array<f32, 3>, 2>(array<f32, 3>(_e1764, _e1765, _e1766), _e1786), _e1788);
                         let _e1805 = local.member_1[0u];
                         let _e1811 = local.member_2[0u];
                         let _e1817 = ((_e1805[1] * _e1811[2]) - (_e1805[2] * _e1811[1]));

@@ -54,38 +54,38 @@ struct type_19 {
     member: array<type_17>,
 }
 
-struct type_20 {
-    member: u32,
-}
-
 struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
-}
-
-struct type_24 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_29 {
+struct type_26 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_31 {
+struct type_28 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
+}
+
+struct type_29 {
+    member: u32,
+}
+
+struct type_30 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_29,
+}
+
+struct type_31 {
+    member: type_30,
 }
 
 struct type_33 {
@@ -96,12 +96,10 @@ struct type_36 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_22;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_29;
+var<storage> keys: type_26;
 @group(0) @binding(5) 
 var<storage> paths: type_19;
 @group(0) @binding(6) 
@@ -109,8 +107,10 @@ var<storage> input: type_10;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_36;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_31;
 @group(0) @binding(1) 
-var<storage> boxes: type_26;
+var<storage> boxes: type_23;
 @group(0) @binding(2) 
 var<storage> elements: type_33;
 
@@ -271,9 +271,9 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_31;
-    var local_1: type_31;
-    var local_2: type_31;
+    var local: type_28;
+    var local_1: type_28;
+    var local_2: type_28;
     var phi_317_: u32;
     var phi_327_: u32;
     var phi_334_: u32;
@@ -1322,7 +1322,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e714 = paths.member[_e150[0]];
                     let _e720 = paths.member[_e150[1]];
                     let _e722 = paths.member[_e150[2]];
-                    local_2 = type_31(array<array<f32, 3>, 2>(array<f32, 3>((_e712.member[0] - _e714.member[0]), (_e712.member[1] - _e714.member[1]), (_e712.member[2] - _e714.member[2])), array<f32, 3>((_e712.member_1[0] - _e714.member_1[0]), (_e712.member_1[1] - _e714.member_1[1]), (_e712.member_1[2] - _e714.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e720.member[0] - _e714.member[0]), (_e720.member[1] - _e714.member[1]), (_e720.member[2] - _e714.member[2])), array<f32, 3>((_e720.member_1[0] - _e714.member_1[0]), (_e720.member_1[1] - _e714.member_1[1]), (_e720.member_1[2] - _e714.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e722.member[0] - _e714.member[0]), (_e722.member[1] - _e714.member[1]), (_e722.member[2] - _e714.member[2])), array<f32, 3>((_e722.member_1[0] - _e714.member_1[0]), (_e722.member_1[1] - _e714.member_1[1]), (_e722.member_1[2] - _e714.member_1[2]))), (_e705 + _e705));
+                    local_2 = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e712.member[0] - _e714.member[0]), (_e712.member[1] - _e714.member[1]), (_e712.member[2] - _e714.member[2])), array<f32, 3>((_e712.member_1[0] - _e714.member_1[0]), (_e712.member_1[1] - _e714.member_1[1]), (_e712.member_1[2] - _e714.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e720.member[0] - _e714.member[0]), (_e720.member[1] - _e714.member[1]), (_e720.member[2] - _e714.member[2])), array<f32, 3>((_e720.member_1[0] - _e714.member_1[0]), (_e720.member_1[1] - _e714.member_1[1]), (_e720.member_1[2] - _e714.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e722.member[0] - _e714.member[0]), (_e722.member[1] - _e714.member[1]), (_e722.member[2] - _e714.member[2])), array<f32, 3>((_e722.member_1[0] - _e714.member_1[0]), (_e722.member_1[1] - _e714.member_1[1]), (_e722.member_1[2] - _e714.member_1[2]))), (_e705 + _e705));
                     let _e782 = local_2.member_1[0u];
                     let _e788 = local_2.member_2[0u];
                     let _e794 = ((_e782[1] * _e788[2]) - (_e782[2] * _e788[1]));
@@ -2330,8 +2330,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e1911 = local_2.member_1[1u];
                         let _e1914 = local_2.member_2[1u];
                         let _e1916 = local_2.member_3;
-                        local = type_31(array<array<f32, 3>, 2>(_e1897, array<f32, 3>(_e1856, _e1857, _e1858)), array<array<f32, 3>, 2>(_e1900, array<f32, 3>(_e1874, _e1875, _e1876)), array<array<f32, 3>, 2>(_e1903, array<f32, 3>(_e1892, _e1893, _e1894)), _e1905);
-                        local_1 = type_31(array<array<f32, 3>, 2>(array<f32, 3>(_e1856, _e1857, _e1858), _e1908), array<array<f32, 3>, 2>(array<f32, 3>(_e1874, _e1875, _e1876), _e1911), array<array<f32, 3>, 2>(array<f32, 3>(_e1892, _e1893, _e1894), _e1914), _e1916);
+                        local = type_28(array<array<f32, 3>, 2>(_e1897, array<f32, 3>(_e1856, _e1857, _e1858)), array<array<f32, 3>, 2>(_e1900, array<f32, 3>(_e1874, _e1875, _e1876)), array<array<f32, 3>, 2>(_e1903, array<f32, 3>(_e1892, _e1893, _e1894)), _e1905);
+                        local_1 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e1856, _e1857, _e1858), _e1908), array<array<f32, 3>, 2>(array<f32, 3>(_e1874, _e1875, _e1876), _e1911), array<array<f32, 3>, 2>(array<f32, 3>(_e1892, _e1893, _e1894), _e1914), _e1916);
                         let _e1933 = local.member_1[0u];
                         let _e1939 = local.member_2[0u];
                         let _e1945 = ((_e1933[1] * _e1939[2]) - (_e1933[2] * _e1939[1]));

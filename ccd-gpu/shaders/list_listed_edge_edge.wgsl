@@ -49,50 +49,50 @@ struct type_17 {
     member: array<array<u32, 2>>,
 }
 
-struct type_18 {
-    member: u32,
-}
-
 struct type_19 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_18,
-}
-
-struct type_20 {
-    member: type_19,
-}
-
-struct type_22 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_21 {
+    member: array<type_19>,
+}
+
 struct type_24 {
-    member: array<type_22>,
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
 }
 
 struct type_27 {
-    member: array<array<array<u32, 2>, 6>>,
+    member: type_26,
 }
 
 struct type_30 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_20;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_27;
+var<storage> keys: type_24;
 @group(0) @binding(5) 
 var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_27;
 @group(0) @binding(1) 
-var<storage> boxes: type_24;
+var<storage> boxes: type_21;
 @group(0) @binding(2) 
 var<storage> elements: type_17;
 

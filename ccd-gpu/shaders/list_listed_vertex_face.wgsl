@@ -45,31 +45,31 @@ struct type_15 {
     member_1: i32,
 }
 
-struct type_16 {
-    member: u32,
-}
-
 struct type_17 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_16,
-}
-
-struct type_18 {
-    member: type_17,
-}
-
-struct type_20 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_19 {
+    member: array<type_17>,
+}
+
 struct type_22 {
-    member: array<type_20>,
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_23 {
+    member: u32,
+}
+
+struct type_24 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_23,
 }
 
 struct type_25 {
-    member: array<array<array<u32, 2>, 6>>,
+    member: type_24,
 }
 
 struct type_27 {
@@ -80,19 +80,19 @@ struct type_30 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_18;
 @group(0) @binding(3) 
 var<storage> bodies: type_10;
 @group(0) @binding(4) 
-var<storage> keys: type_25;
+var<storage> keys: type_22;
 @group(0) @binding(5) 
 var<storage> input: type_10;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_25;
 @group(0) @binding(1) 
-var<storage> boxes: type_22;
+var<storage> boxes: type_19;
 @group(0) @binding(2) 
 var<storage> elements: type_27;
 

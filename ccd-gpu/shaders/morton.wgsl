@@ -35,45 +35,45 @@ struct type_11 {
     member_1: u32,
 }
 
-struct type_13 {
-    member: u32,
-}
-
 struct type_14 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_13,
-}
-
-struct type_15 {
-    member: type_14,
-}
-
-struct type_17 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_16 {
+    member: array<type_14>,
 }
 
-struct type_21 {
+struct type_18 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_22 {
+struct type_19 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_15;
+struct type_20 {
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
+}
+
+struct type_22 {
+    member: type_21,
+}
+
 @group(0) @binding(1) 
-var<storage> boxes: type_19;
+var<storage> boxes: type_16;
+@group(0) @binding(0) 
+var<storage> params: type_22;
 @group(0) @binding(3) 
 var<storage, read_write> keys: type_10;
 @group(0) @binding(4) 
@@ -83,10 +83,10 @@ var<storage> words: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var local_1: type_21;
-    var local_2: type_21;
-    var local_3: type_22;
-    var local_4: type_21;
+    var local_1: type_18;
+    var local_2: type_18;
+    var local_3: type_19;
+    var local_4: type_18;
     var phi_137_: u32;
     var phi_138_: u32;
     var phi_141_: type_11;
@@ -135,7 +135,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_138_ = _e73;
         }
         let _e75 = phi_138_;
-        local_2 = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_141_ = type_11(0u, 3u);
         loop {
             let _e77 = phi_141_;
@@ -224,9 +224,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e169 = phi_317_;
         let _e171 = local_4.member;
-        local_3 = type_22(_e171, _e169, (1024f - 1f));
+        local_3 = type_19(_e171, _e169, (1024f - 1f));
         let _e177 = boxes.member[_e58];
-        local_1 = type_21(array<f32, 3>(_e177.member.x, _e177.member.y, _e177.member_1.x), array<f32, 3>(_e177.member_1.y, _e177.member_2.x, _e177.member_2.y));
+        local_1 = type_18(array<f32, 3>(_e177.member.x, _e177.member.y, _e177.member_1.x), array<f32, 3>(_e177.member_1.y, _e177.member_2.x, _e177.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
         phi_367_ = type_11(0u, 3u);
         loop {

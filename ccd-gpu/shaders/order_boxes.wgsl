@@ -30,37 +30,37 @@ struct type_10 {
     member: array<u32>,
 }
 
-struct type_11 {
-    member: u32,
-}
-
 struct type_12 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_11,
-}
-
-struct type_13 {
-    member: type_12,
-}
-
-struct type_15 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_17 {
-    member: array<type_15>,
+struct type_14 {
+    member: array<type_12>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_13;
+struct type_15 {
+    member: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
+}
+
+struct type_17 {
+    member: type_16,
+}
+
 @group(0) @binding(2) 
 var<storage> order: type_10;
+@group(0) @binding(0) 
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> boxes: type_17;
+var<storage> boxes: type_14;
 @group(0) @binding(3) 
-var<storage, read_write> sorted: type_17;
+var<storage, read_write> sorted: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var id_2: vec3<u32>;

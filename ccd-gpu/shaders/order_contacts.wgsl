@@ -49,10 +49,10 @@ struct type_15 {
     member: type_14,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_15;
 @group(0) @binding(2) 
 var<storage> order: type_10;
+@group(0) @binding(0) 
+var<storage> params: type_15;
 @group(0) @binding(3) 
 var<storage, read_write> ordered: type_10;
 @group(0) @binding(1) 

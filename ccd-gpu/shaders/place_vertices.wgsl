@@ -40,31 +40,31 @@ struct type_17 {
     member: array<type_15>,
 }
 
-struct type_18 {
-    member: u32,
-}
-
 struct type_19 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_18,
-}
-
-struct type_20 {
-    member: type_19,
-}
-
-struct type_22 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_21 {
+    member: array<type_19>,
+}
+
 struct type_24 {
-    member: array<type_22>,
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_25 {
+    member: u32,
+}
+
+struct type_26 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
 }
 
 struct type_27 {
-    member: array<array<array<u32, 2>, 6>>,
+    member: type_26,
 }
 
 struct type_30 {
@@ -77,19 +77,19 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_27;
 @group(0) @binding(1) 
 var<storage> positions: type_30;
 @group(0) @binding(2) 
 var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_27;
+var<storage, read_write> keys: type_24;
 @group(0) @binding(4) 
-var<storage, read_write> boxes: type_24;
+var<storage, read_write> boxes: type_21;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_22;
-    var local_1: type_22;
+    var local: type_19;
+    var local_1: type_19;
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
     var local_4: type_15;
@@ -821,7 +821,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e576 = phi_949_;
         keys.member[_e52] = array<array<u32, 2>, 6>(_e436, _e464, _e492, _e520, _e548, _e576);
-        local_1 = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_955_ = type_10(0u, 3u);
         loop {
             let _e580 = phi_955_;
@@ -1022,7 +1022,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         let _e758 = local;
-        boxes.member[_e52] = type_22(array<f32, 3>(_e758.member[0], _e758.member[1], _e758.member[2]), array<f32, 3>(_e758.member_1[0], _e758.member_1[1], _e758.member_1[2]));
+        boxes.member[_e52] = type_19(array<f32, 3>(_e758.member[0], _e758.member[1], _e758.member[2]), array<f32, 3>(_e758.member_1[0], _e758.member_1[1], _e758.member_1[2]));
     }
     return;
 }

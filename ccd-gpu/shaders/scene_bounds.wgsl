@@ -41,51 +41,51 @@ struct type_13 {
     member_1: i32,
 }
 
-struct type_14 {
-    member: u32,
-}
-
 struct type_15 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_14,
-}
-
-struct type_16 {
-    member: type_15,
-}
-
-struct type_18 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
+struct type_17 {
+    member: array<type_15>,
+}
+
+struct type_19 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
 struct type_20 {
-    member: array<type_18>,
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
 }
 
 struct type_22 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: type_21,
 }
 
 struct type_26 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_16;
 @group(0) @binding(1) 
-var<storage> boxes: type_20;
+var<storage> boxes: type_17;
+@group(0) @binding(0) 
+var<storage> params: type_22;
 @group(0) @binding(2) 
 var<storage, read_write> words: type_26;
-var<workgroup> shared_: array<type_22, 256>;
+var<workgroup> shared_: array<type_19, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_22;
+    var local: type_19;
     var phi_103_: type_10;
-    var phi_106_: type_22;
+    var phi_106_: type_19;
     var phi_104_: type_10;
     var phi_129_: type_10;
     var phi_164_: f32;
@@ -94,12 +94,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_183_: f32;
     var phi_189_: f32;
     var phi_195_: f32;
-    var phi_198_: type_22;
-    var phi_107_: type_22;
-    var local_1: type_22;
-    var local_2: type_22;
-    var local_3: type_22;
-    var local_4: type_22;
+    var phi_198_: type_19;
+    var phi_107_: type_19;
+    var local_1: type_19;
+    var local_2: type_19;
+    var local_3: type_19;
+    var local_4: type_19;
     var phi_236_: type_12;
     var phi_239_: u32;
     var phi_260_: bool;
@@ -131,7 +131,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e31 = lane_2;
     let _e44 = params.member.member_1.member;
     phi_103_ = type_10(0u, 8u);
-    phi_106_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_106_ = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     loop {
         let _e46 = phi_103_;
         let _e48 = phi_106_;
@@ -189,14 +189,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_195_ = _e71.member_2.y;
                 }
                 let _e114 = phi_195_;
-                phi_198_ = type_22(array<f32, 3>(_e88, _e93, _e98), array<f32, 3>(_e104, _e109, _e114));
+                phi_198_ = type_19(array<f32, 3>(_e88, _e93, _e98), array<f32, 3>(_e104, _e109, _e114));
             } else {
                 phi_198_ = _e48;
             }
             let _e118 = phi_198_;
             phi_107_ = _e118;
         } else {
-            phi_107_ = type_22();
+            phi_107_ = type_19();
         }
         let _e120 = phi_107_;
         continue;
@@ -208,10 +208,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     let _e123 = local_1;
     let _e130 = local_2;
-    local = type_22(array<f32, 3>(_e123.member[0], _e123.member[1], _e123.member[2]), array<f32, 3>(_e130.member_1[0], _e130.member_1[1], _e130.member_1[2]));
+    local = type_19(array<f32, 3>(_e123.member[0], _e123.member[1], _e123.member[2]), array<f32, 3>(_e130.member_1[0], _e130.member_1[1], _e130.member_1[2]));
     let _e139 = local_3;
     let _e146 = local_4;
-    shared_[_e31] = type_22(array<f32, 3>(_e139.member[0], _e139.member[1], _e139.member[2]), array<f32, 3>(_e146.member_1[0], _e146.member_1[1], _e146.member_1[2]));
+    shared_[_e31] = type_19(array<f32, 3>(_e139.member[0], _e139.member[1], _e139.member[2]), array<f32, 3>(_e146.member_1[0], _e146.member_1[1], _e146.member_1[2]));
     phi_236_ = type_12(0i, 8i);
     phi_239_ = 128u;
     loop {
@@ -286,8 +286,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_356_ = _e188.member_1[2];
                 }
                 let _e232 = phi_356_;
-                local = type_22(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
-                shared_[_e31] = type_22(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
+                local = type_19(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
+                shared_[_e31] = type_19(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
             }
             phi_240_ = (_e156 / 2u);
         } else {

@@ -39,24 +39,24 @@ struct type_14 {
     member: array<type_12>,
 }
 
-struct type_15 {
+struct type_16 {
     member: u32,
 }
 
-struct type_16 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_15,
+    member_2: type_16,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_18 {
+    member: type_17,
 }
 
 @group(0) @binding(1) 
 var<storage> paths: type_14;
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(2) 
 var<storage> of_vf: type_10;
 @group(0) @binding(3) 

@@ -45,27 +45,27 @@ struct type_14 {
     member_1: i32,
 }
 
-struct type_15 {
-    member: u32,
-}
-
 struct type_16 {
-    member: type_6,
-    member_1: type_7,
-    member_2: type_15,
-}
-
-struct type_17 {
-    member: type_16,
-}
-
-struct type_19 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_18 {
+    member: array<type_16>,
+}
+
+struct type_19 {
+    member: u32,
+}
+
+struct type_20 {
+    member: type_6,
+    member_1: type_7,
+    member_2: type_19,
+}
+
 struct type_21 {
-    member: array<type_19>,
+    member: type_20,
 }
 
 struct type_22 {
@@ -75,9 +75,9 @@ struct type_22 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_21;
 @group(0) @binding(1) 
-var<storage> boxes: type_21;
+var<storage> boxes: type_18;
 @group(0) @binding(2) 
 var<storage, read_write> survey: type_9;
 var<workgroup> shared_: array<type_22, 256>;
@@ -86,8 +86,8 @@ fn function_(lane_1: u32) {
     var local: type_22;
     var local_1: type_22;
     var local_2: type_22;
-    var local_3: type_19;
-    var local_4: type_19;
+    var local_3: type_16;
+    var local_4: type_16;
     var local_5: type_22;
     var local_6: type_22;
     var local_7: type_22;
@@ -170,7 +170,7 @@ fn function_(lane_1: u32) {
                     let _e92 = (bitcast<i32>(_e88.member) != 0i);
                     if _e92 {
                         let _e94 = boxes.member[_e88.member_1];
-                        local_3 = type_19(array<f32, 3>(_e94.member[0], _e94.member[1], _e94.member[2]), array<f32, 3>(_e94.member_1[0], _e94.member_1[1], _e94.member_1[2]));
+                        local_3 = type_16(array<f32, 3>(_e94.member[0], _e94.member[1], _e94.member[2]), array<f32, 3>(_e94.member_1[0], _e94.member_1[1], _e94.member_1[2]));
                         phi_219_ = type_11(0u, 3u);
                         loop {
                             let _e107 = phi_219_;
@@ -242,7 +242,7 @@ fn function_(lane_1: u32) {
                     let _e193 = (bitcast<i32>(_e189.member) != 0i);
                     if _e193 {
                         let _e195 = boxes.member[_e189.member_1];
-                        local_4 = type_19(array<f32, 3>(_e195.member[0], _e195.member[1], _e195.member[2]), array<f32, 3>(_e195.member_1[0], _e195.member_1[1], _e195.member_1[2]));
+                        local_4 = type_16(array<f32, 3>(_e195.member[0], _e195.member[1], _e195.member[2]), array<f32, 3>(_e195.member_1[0], _e195.member_1[1], _e195.member_1[2]));
                         phi_395_ = type_11(0u, 3u);
                         loop {
                             let _e208 = phi_395_;

@@ -31,31 +31,31 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_11 {
-    member: u32,
-}
-
 struct type_12 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_11,
-}
-
-struct type_13 {
-    member: type_12,
-}
-
-struct type_15 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_14 {
+    member: array<type_12>,
+}
+
+struct type_15 {
+    member: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
+}
+
 struct type_17 {
-    member: array<type_15>,
+    member: type_16,
 }
 
 struct type_18 {
-    member: type_15,
+    member: type_12,
     member_1: array<f32, 3>,
 }
 
@@ -64,9 +64,9 @@ struct type_21 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> boxes: type_17;
+var<storage> boxes: type_14;
 @group(0) @binding(2) 
 var<storage, read_write> survey: type_21;
 var<workgroup> sides: array<atomic<u32>, 4>;
@@ -74,7 +74,7 @@ var<workgroup> sides: array<atomic<u32>, 4>;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_18;
     var local_1: type_18;
-    var local_2: type_15;
+    var local_2: type_12;
     var phi_97_: type_9;
     var phi_100_: type_18;
     var phi_98_: type_9;
@@ -112,7 +112,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     workgroupBarrier();
     phi_97_ = type_9(0u, 32u);
-    phi_100_ = type_18(type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), array<f32, 3>(0f, 0f, 0f));
+    phi_100_ = type_18(type_12(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), array<f32, 3>(0f, 0f, 0f));
     loop {
         let _e35 = phi_97_;
         let _e37 = phi_100_;
@@ -134,14 +134,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e67 = params.member.member_1.member;
             if (_e64 < _e67) {
                 let _e70 = boxes.member[_e64];
-                local_2 = type_15(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2]));
+                local_2 = type_12(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2]));
                 let _e84 = local_2.member_1[0u];
                 let _e88 = local_2.member[0u];
                 let _e93 = local_2.member_1[1u];
                 let _e97 = local_2.member[1u];
                 let _e102 = local_2.member_1[2u];
                 let _e106 = local_2.member[2u];
-                local_1 = type_18(type_15(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2])), array<f32, 3>(((_e84 * 0.5f) - (_e88 * 0.5f)), ((_e93 * 0.5f) - (_e97 * 0.5f)), ((_e102 * 0.5f) - (_e106 * 0.5f))));
+                local_1 = type_18(type_12(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2])), array<f32, 3>(((_e84 * 0.5f) - (_e88 * 0.5f)), ((_e93 * 0.5f) - (_e97 * 0.5f)), ((_e102 * 0.5f) - (_e106 * 0.5f))));
                 let _e128 = local_1.member.member[0u];
                 if (_e37.member.member[0] < _e128) {
                     phi_262_ = _e37.member.member[0];
@@ -184,7 +184,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_306_ = _e173;
                 }
                 let _e176 = phi_306_;
-                local.member = type_15(array<f32, 3>(_e131, _e140, _e149), array<f32, 3>(_e158, _e167, _e176));
+                local.member = type_12(array<f32, 3>(_e131, _e140, _e149), array<f32, 3>(_e158, _e167, _e176));
                 local.member_1 = array<f32, 3>(_e37.member_1[0], _e37.member_1[1], _e37.member_1[2]);
                 phi_329_ = type_9(0u, 3u);
                 loop {
@@ -219,7 +219,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
                 let _e225 = local;
-                phi_424_ = type_18(type_15(array<f32, 3>(_e225.member.member[0], _e225.member.member[1], _e225.member.member[2]), array<f32, 3>(_e225.member.member_1[0], _e225.member.member_1[1], _e225.member.member_1[2])), array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
+                phi_424_ = type_18(type_12(array<f32, 3>(_e225.member.member[0], _e225.member.member[1], _e225.member.member[2]), array<f32, 3>(_e225.member.member_1[0], _e225.member.member_1[1], _e225.member.member_1[2])), array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
             } else {
                 phi_424_ = _e37;
             }

@@ -30,35 +30,35 @@ struct type_10 {
     member: array<array<u32, 2>>,
 }
 
-struct type_11 {
-    member: u32,
-}
-
 struct type_12 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_11,
-}
-
-struct type_13 {
-    member: type_12,
-}
-
-struct type_15 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_14 {
+    member: array<type_12>,
+}
+
+struct type_15 {
+    member: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
+}
+
 struct type_17 {
-    member: array<type_15>,
+    member: type_16,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_17;
 @group(0) @binding(1) 
 var<storage> edges: type_10;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_17;
+var<storage, read_write> boxes: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: f32;
@@ -120,7 +120,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e76 = phi_144_;
         let _e82 = params.member.member.member_2[1u];
-        boxes.member[(_e82 + _e20)] = type_15(array<f32, 3>(_e40, _e47, _e54), array<f32, 3>(_e62, _e69, _e76));
+        boxes.member[(_e82 + _e20)] = type_12(array<f32, 3>(_e40, _e47, _e54), array<f32, 3>(_e62, _e69, _e76));
     }
     return;
 }

@@ -26,27 +26,27 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-}
-
 struct type_10 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_9,
-}
-
-struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_12 {
+    member: array<type_10>,
+}
+
+struct type_13 {
+    member: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
 struct type_15 {
-    member: array<type_13>,
+    member: type_14,
 }
 
 struct type_17 {
@@ -54,9 +54,9 @@ struct type_17 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_15;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_15;
+var<storage, read_write> boxes: type_12;
 @group(0) @binding(1) 
 var<storage> faces: type_17;
 
@@ -163,7 +163,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e109 = phi_190_;
         let _e115 = params.member.member.member_2[2u];
-        boxes.member[(_e115 + _e20)] = type_13(array<f32, 3>(_e83, _e88, _e93), array<f32, 3>(_e99, _e104, _e109));
+        boxes.member[(_e115 + _e20)] = type_10(array<f32, 3>(_e83, _e88, _e93), array<f32, 3>(_e99, _e104, _e109));
     }
     return;
 }

@@ -26,27 +26,27 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: u32,
-}
-
 struct type_10 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_9,
-}
-
-struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_12 {
+    member: array<type_10>,
+}
+
+struct type_13 {
+    member: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
 struct type_15 {
-    member: array<type_13>,
+    member: type_14,
 }
 
 struct type_16 {
@@ -61,13 +61,13 @@ struct type_18 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_15;
 @group(0) @binding(1) 
 var<storage> triangles: type_18;
 @group(0) @binding(2) 
-var<storage> boxes: type_15;
+var<storage> boxes: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> swept: type_15;
+var<storage, read_write> swept: type_12;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_114_: f32;
@@ -171,7 +171,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_196_ = _e79.member_1[2];
         }
         let _e110 = phi_196_;
-        swept.member[_e21] = type_13(array<f32, 3>(_e84, _e89, _e94), array<f32, 3>(_e100, _e105, _e110));
+        swept.member[_e21] = type_10(array<f32, 3>(_e84, _e89, _e94), array<f32, 3>(_e100, _e105, _e110));
     }
     return;
 }

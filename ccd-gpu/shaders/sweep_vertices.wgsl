@@ -40,40 +40,40 @@ struct type_15 {
     member: array<type_13>,
 }
 
-struct type_16 {
-    member: u32,
-}
-
 struct type_17 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_16,
-}
-
-struct type_18 {
-    member: type_17,
-}
-
-struct type_20 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
+struct type_19 {
+    member: array<type_17>,
+}
+
+struct type_20 {
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
+}
+
 struct type_22 {
-    member: array<type_20>,
+    member: type_21,
 }
 
 @group(0) @binding(1) 
 var<storage> paths: type_15;
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_22;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_22;
+var<storage, read_write> boxes: type_19;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_20;
-    var local_1: type_20;
-    var local_2: type_20;
+    var local: type_17;
+    var local_1: type_17;
+    var local_2: type_17;
     var phi_116_: f32;
     var phi_121_: f32;
     var phi_126_: f32;
@@ -160,7 +160,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e69 = phi_142_;
         if (_e43 > 0f) {
-            local_1 = type_20(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
+            local_1 = type_17(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
             phi_162_ = type_10(0u, 3u);
             loop {
                 let _e78 = phi_162_;
@@ -239,11 +239,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
         } else {
-            local_1 = type_20(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
+            local_1 = type_17(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
         }
         let _e148 = local_1;
         local_2 = _e148;
-        local = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        local = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_322_ = type_10(0u, 3u);
         loop {
             let _e150 = phi_322_;
@@ -359,7 +359,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         let _e238 = local;
-        boxes.member[_e33] = type_20(array<f32, 3>(_e238.member[0], _e238.member[1], _e238.member[2]), array<f32, 3>(_e238.member_1[0], _e238.member_1[1], _e238.member_1[2]));
+        boxes.member[_e33] = type_17(array<f32, 3>(_e238.member[0], _e238.member[1], _e238.member[2]), array<f32, 3>(_e238.member_1[0], _e238.member_1[1], _e238.member_1[2]));
     }
     return;
 }

@@ -35,50 +35,50 @@ struct type_12 {
     member_1: u32,
 }
 
-struct type_14 {
-    member: u32,
-}
-
 struct type_15 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_14,
-}
-
-struct type_16 {
-    member: type_15,
-}
-
-struct type_18 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
+struct type_17 {
+    member: array<type_15>,
+}
+
+struct type_19 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
 struct type_20 {
-    member: array<type_18>,
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
 }
 
 struct type_22 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
+    member: type_21,
 }
 
 struct type_25 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_16;
 @group(0) @binding(1) 
-var<storage> boxes: type_20;
+var<storage> boxes: type_17;
+@group(0) @binding(0) 
+var<storage> params: type_22;
 @group(0) @binding(2) 
 var<storage> worlds: type_10;
 @group(0) @binding(3) 
 var<storage, read_write> words: type_25;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_22;
+    var local: type_19;
     var phi_91_: type_12;
     var phi_92_: type_12;
     var phi_115_: type_12;
@@ -106,7 +106,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e23 = id_2;
     let _e24 = n_2;
     let _e25 = lane_2;
-    local = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     phi_91_ = type_12(0u, 8u);
     loop {
         let _e39 = phi_91_;
@@ -168,7 +168,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_202_ = _e66.member_2.y;
                 }
                 let _e114 = phi_202_;
-                local = type_22(array<f32, 3>(_e84, _e90, _e96), array<f32, 3>(_e102, _e108, _e114));
+                local = type_19(array<f32, 3>(_e84, _e90, _e96), array<f32, 3>(_e102, _e108, _e114));
                 if ((_e53.member_1 + 1u) == 8u) {
                     phi_226_ = true;
                 } else {
@@ -228,7 +228,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             break if !(_e152);
                         }
                     }
-                    local = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                    local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 }
             }
         }

@@ -13,7 +13,7 @@
 //! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
 //! | `kernel_cache.rs` | compiled kernels on disk |
 //! | `recorder.rs` | dispatches, bind groups, times |
-//! | `growable_list.rs`, `list_headers.rs`, `readback.rs` | lists that kernels append to, results |
+//! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
@@ -34,7 +34,6 @@ mod error;
 mod growable_list;
 pub mod harness;
 mod kernel_cache;
-mod list_headers;
 mod pipeline;
 mod readback;
 mod recorder;

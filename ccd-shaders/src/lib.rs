@@ -8,7 +8,6 @@
 #![deny(unsafe_code)]
 
 pub mod broad_phase;
-pub mod headers;
 pub mod probe;
 mod records;
 pub mod scheduling;

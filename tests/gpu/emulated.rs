@@ -9,8 +9,7 @@ use ccd_testkit::data::SCENES;
 const WHOLE: &str = "CCD_WHOLE";
 
 /// Tests of kernels that know no `f64`: a device that is used without it runs the same code.
-const ALIKE: [crate::Tests; 12] = [
-    crate::headers::TESTS,
+const ALIKE: [crate::Tests; 11] = [
     crate::sorts::TESTS,
     crate::pairs::TESTS,
     crate::trees::TESTS,

@@ -16,7 +16,6 @@ mod engine;
 mod failures;
 mod geometry;
 mod grazing;
-mod headers;
 mod intervals;
 mod kept_order;
 mod kernels;
@@ -116,7 +115,6 @@ fn main() {
             trees::TESTS,
             builders::TESTS,
             changes::TESTS,
-            headers::TESTS,
             kept_order::TESTS,
             listed::TESTS,
             rules::TESTS,

@@ -341,14 +341,6 @@ macro_rules! kernels {
             ContactGeometryWide = contact_geometry_wide(64 threads, 0 barriers, f64, Params<Plain>)
                 { paths: Read, positions: Read, edges: Read, faces: Read, contacts: Read,
                   geometry: Write }
-            /// Headers of eight lists, which become zero.
-            ClearHeaders = clear_headers(64 threads, 0 barriers, f32)
-                { list_0: Write, list_1: Write, list_2: Write, list_3: Write,
-                  list_4: Write, list_5: Write, list_6: Write, list_7: Write }
-            /// Headers of six lists, one after the other from word `dispatch.first` on.
-            GatherHeaders = gather_headers(64 threads, 0 barriers, f32, Params<Plain>)
-                { list_0: Read, list_1: Read, list_2: Read, list_3: Read, list_4: Read,
-                  list_5: Read, headers: Write }
             /// For tests: items that are counted whenever a worker takes them.
             StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
                 { words: Write, stacks: Write, counts: Write, status: Write }

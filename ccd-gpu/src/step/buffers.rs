@@ -10,15 +10,11 @@ use crate::broad_phase::pair_source::frame_of;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
-use crate::list_headers::ListHeaders;
 use ccd_core::layout::{Frame, Path, Touch};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::rules::Rules;
 use wgpu::BufferUsages as U;
-
-/// Lists besides those of the source.
-const OWN_LISTS: usize = 7;
 
 /// Words of a contact.
 const TOUCH_WORDS: u32 = (size_of::<Touch>() / 4) as u32;
@@ -44,7 +40,6 @@ pub struct Buffers {
     /// Pairs that `f32` leaves open, by kind.
     pub undecided: [List; 2],
     pub contacts: List,
-    pub headers: ListHeaders,
     /// Candidates, by kind; as small as possible until they are asked for.
     pub candidates: [List; 2],
     /// Contacts in order, where there are enough of them, and for how many the next frame does
@@ -87,8 +82,6 @@ impl Buffers {
         };
         let features = count[0] + count[1] + count[2];
         let old_positions = old.map(|old| &old.positions);
-        let source_of = old.map(|old| &old.source);
-        let source = Source::reusing(device, mesh, options, rules.as_ref(), count, source_of)?;
         let new = Self {
             count,
             groups: groups(device),
@@ -125,8 +118,14 @@ impl Buffers {
             ],
             sample: room(|old| &old.sample, "numbers of a sample", 16)?,
             never: room(|old| &old.never, "no time of impact", 16)?,
-            headers: ListHeaders::new(device, OWN_LISTS + source.lists().len())?,
-            source,
+            source: Source::reusing(
+                device,
+                mesh,
+                options,
+                rules.as_ref(),
+                count,
+                old.map(|old| &old.source),
+            )?,
             rules,
         };
         let write = |buffer, bytes: &[u8]| device.queue().write_buffer(buffer, 0, bytes);
@@ -179,7 +178,7 @@ impl Buffers {
     }
 
     /// Which lists a frame uses. `wide`: the device decides in `f64`, and leaves nothing open. What
-    /// is not used is neither cleared nor read.
+    /// is not used is neither cleared nor read: each costs as much as a small kernel.
     pub fn used(&self, goal: Goal, wide: bool) -> Lists<bool> {
         let filters = goal != Goal::Candidates;
         Lists {
@@ -189,12 +188,6 @@ impl Buffers {
             contacts: goal == Goal::Contacts,
             source: vec![true; self.source.lists().len()],
         }
-    }
-
-    /// The lists that a frame uses.
-    pub fn used_lists(&self, goal: Goal, wide: bool) -> Vec<&List> {
-        let lists = self.lists().zip(self.used(goal, wide)).into_vec().into_iter();
-        lists.filter_map(|(list, used)| used.then_some(list)).collect()
     }
 
     /// What a frame says to all kernels. `window`: the times that matter.

@@ -168,8 +168,7 @@ impl Frames {
         let frame = buffers.describe(options, WHOLE);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
-            buffers.headers.clear(&mut recorder, &buffers.lists().into_vec());
-            buffers.forget_earliest(&mut recorder);
+            buffers.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
             buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
             recorder.finish().map(|_| ())
         })??;
@@ -269,8 +268,7 @@ impl Frames {
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
         let of_earliest = [(); 2].map(|()| plan.part(asked(goal.is_earliest(), 4)));
         let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
-        let (used, lists) = (buffers.used(goal, wide), buffers.used_lists(goal, wide));
-        let of_headers = plan.part(HEADER_BYTES * lists.len() as u64);
+        let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
         let counters = buffers.source.counters();
@@ -280,14 +278,13 @@ impl Frames {
         let reading = readback.prepare(device, plan)?;
         let stages = submit(device, bench, |recorder| {
             buffers.record(recorder, &frame, goal, wide);
-            recorder.stage("headers");
-            buffers.headers.gather(recorder, &lists);
             recorder.end_of_work();
-            recorder.read(&reading, of_headers, buffers.headers.gathered(), 0);
             for (part, earliest) in of_earliest.iter().zip(&buffers.earliest) {
                 recorder.read(&reading, *part, earliest, 0);
             }
             recorder.read(&reading, of_sample, &buffers.sample, 0);
+            let lists = buffers.lists().zip(of_lists.clone());
+            lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
             for (part, (counters, of)) in of_counters.iter().zip(&counters) {
                 recorder.read(&reading, *part, counters, of.start);
             }
@@ -315,10 +312,9 @@ impl Frames {
                 let at = |i| word(of_sample.of(bytes), i) as u64;
                 (found.sampled, sampled_of) = (at(0) + at(1), at(2) + at(3));
             }
-            let mut gathered = of_headers.of(bytes).chunks_exact(HEADER_BYTES as usize);
-            let headers = used.try_map(|used| match used {
-                true => read_header(gathered.next().unwrap_or_default()),
-                false => Ok(Header::default()),
+            let headers = of_lists.try_map(|part| match part.bytes {
+                0 => Ok(Header::default()),
+                _ => read_header(part.of(bytes)),
             })?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);

@@ -7,6 +7,7 @@ use crate::bind::{
     DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, PlaceVertices,
     Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
+use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
@@ -20,9 +21,9 @@ const DECIDE: [&str; 2] = ["decide vertex-face", "decide edge-edge"];
 impl Buffers {
     /// Everything from positions to results.
     pub fn record(&self, recorder: &mut Recorder, frame: &Frame, goal: Goal, wide: bool) {
-        self.headers.clear(recorder, &self.used_lists(goal, wide));
-        if goal.is_earliest() {
-            self.forget_earliest(recorder);
+        self.clear(recorder, goal, wide);
+        for earliest in &self.earliest {
+            recorder.copy(&self.never, 0, earliest, 0, 4);
         }
         self.source.clear(recorder, self.keeps_order);
         recorder.stage("boxes");
@@ -59,13 +60,6 @@ impl Buffers {
         }
     }
 
-    /// There is no earliest time yet.
-    pub fn forget_earliest(&self, recorder: &mut Recorder) {
-        for earliest in &self.earliest {
-            recorder.copy(&self.never, 0, earliest, 0, 4);
-        }
-    }
-
     /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them. Returns
     /// what a frame then says.
     fn shorten(&self, recorder: &mut Recorder, frame: &Frame) -> Frame {
@@ -95,10 +89,16 @@ impl Buffers {
         for (to, list) in [8, 12].into_iter().zip(self.source.sampled()) {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
         }
-        self.headers.clear(recorder, &self.used_lists(Goal::Earliest, wide));
+        self.clear(recorder, Goal::Earliest, wide);
         let cut = self.shorten(recorder, frame);
         self.source.fit(recorder, &cut, &self.edges, &self.faces);
         self.contacts(recorder, &cut, &self.shortened, 1, wide);
+    }
+
+    fn clear(&self, recorder: &mut Recorder, goal: Goal, wide: bool) {
+        let lists = self.lists().zip(self.used(goal, wide)).into_vec().into_iter();
+        let used = lists.filter(|(_, is_used)| *is_used);
+        used.for_each(|(list, _)| recorder.clear(list.buffer(), HEADER_BYTES));
     }
 
     fn sweep(
