@@ -184,33 +184,33 @@ fn function_1(param_1: f64) -> array<u32, 2> {
 }
 
 fn function_2(param_2: array<f64, 3>, param_3: array<f64, 3>) -> array<f64, 3> {
-    var phi_16159_: array<f64, 3>;
+    var phi_16165_: array<f64, 3>;
 
     if ((((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])) < (((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2]))) {
-        phi_16159_ = param_3;
+        phi_16165_ = param_3;
     } else {
-        phi_16159_ = param_2;
+        phi_16165_ = param_2;
     }
-    let _e26 = phi_16159_;
+    let _e26 = phi_16165_;
     return _e26;
 }
 
 fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64, 3>, param_7: u32) -> array<f64, 3> {
-    var phi_16011_: f64;
-    var phi_16013_: f64;
-    var phi_16055_: f64;
-    var phi_16057_: f64;
-    var phi_16105_: f64;
-    var phi_16107_: f64;
-    var phi_15816_: f64;
-    var phi_15818_: f64;
-    var phi_15866_: f64;
-    var phi_15868_: f64;
-    var phi_15913_: f64;
-    var phi_15915_: f64;
-    var phi_15966_: f64;
-    var phi_15968_: f64;
-    var phi_16122_: array<array<f64, 3>, 4>;
+    var phi_16017_: f64;
+    var phi_16019_: f64;
+    var phi_16061_: f64;
+    var phi_16063_: f64;
+    var phi_16111_: f64;
+    var phi_16113_: f64;
+    var phi_15822_: f64;
+    var phi_15824_: f64;
+    var phi_15872_: f64;
+    var phi_15874_: f64;
+    var phi_15919_: f64;
+    var phi_15921_: f64;
+    var phi_15972_: f64;
+    var phi_15974_: f64;
+    var phi_16128_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_4[0] - param_5[0]);
     let _e12 = (param_4[1] - param_5[1]);
@@ -219,59 +219,59 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e169 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e169 > f64(0f)) {
             if (_e169 < f64(1f)) {
-                phi_15816_ = _e169;
+                phi_15822_ = _e169;
             } else {
-                phi_15816_ = f64(1f);
+                phi_15822_ = f64(1f);
             }
-            let _e177 = phi_15816_;
-            phi_15818_ = _e177;
+            let _e177 = phi_15822_;
+            phi_15824_ = _e177;
         } else {
-            phi_15818_ = f64(0f);
+            phi_15824_ = f64(0f);
         }
-        let _e179 = phi_15818_;
+        let _e179 = phi_15824_;
         let _e215 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e215 > f64(0f)) {
             if (_e215 < f64(1f)) {
-                phi_15866_ = _e215;
+                phi_15872_ = _e215;
             } else {
-                phi_15866_ = f64(1f);
+                phi_15872_ = f64(1f);
             }
-            let _e223 = phi_15866_;
-            phi_15868_ = _e223;
+            let _e223 = phi_15872_;
+            phi_15874_ = _e223;
         } else {
-            phi_15868_ = f64(0f);
+            phi_15874_ = f64(0f);
         }
-        let _e225 = phi_15868_;
+        let _e225 = phi_15874_;
         let _e258 = ((((_e9 * param_6[0]) + (_e12 * param_6[1])) + (_e15 * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e258 > f64(0f)) {
             if (_e258 < f64(1f)) {
-                phi_15913_ = _e258;
+                phi_15919_ = _e258;
             } else {
-                phi_15913_ = f64(1f);
+                phi_15919_ = f64(1f);
             }
-            let _e266 = phi_15913_;
-            phi_15915_ = _e266;
+            let _e266 = phi_15919_;
+            phi_15921_ = _e266;
         } else {
-            phi_15915_ = f64(0f);
+            phi_15921_ = f64(0f);
         }
-        let _e268 = phi_15915_;
+        let _e268 = phi_15921_;
         let _e281 = (param_4[0] - param_6[0]);
         let _e284 = (param_4[1] - param_6[1]);
         let _e287 = (param_4[2] - param_6[2]);
         let _e307 = ((((_e281 * param_5[0]) + (_e284 * param_5[1])) + (_e287 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e307 > f64(0f)) {
             if (_e307 < f64(1f)) {
-                phi_15966_ = _e307;
+                phi_15972_ = _e307;
             } else {
-                phi_15966_ = f64(1f);
+                phi_15972_ = f64(1f);
             }
-            let _e315 = phi_15966_;
-            phi_15968_ = _e315;
+            let _e315 = phi_15972_;
+            phi_15974_ = _e315;
         } else {
-            phi_15968_ = f64(0f);
+            phi_15974_ = f64(0f);
         }
-        let _e317 = phi_15968_;
-        phi_16122_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
+        let _e317 = phi_15974_;
+        phi_16128_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
     } else {
         let _e19 = (param_6[0] - param_5[0]);
         let _e22 = (param_6[1] - param_5[1]);
@@ -279,46 +279,46 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         if (_e36 > f64(0f)) {
             if (_e36 < f64(1f)) {
-                phi_16011_ = _e36;
+                phi_16017_ = _e36;
             } else {
-                phi_16011_ = f64(1f);
+                phi_16017_ = f64(1f);
             }
-            let _e44 = phi_16011_;
-            phi_16013_ = _e44;
+            let _e44 = phi_16017_;
+            phi_16019_ = _e44;
         } else {
-            phi_16013_ = f64(0f);
+            phi_16019_ = f64(0f);
         }
-        let _e46 = phi_16013_;
+        let _e46 = phi_16019_;
         let _e53 = array<f64, 3>((_e9 - (_e19 * _e46)), (_e12 - (_e22 * _e46)), (_e15 - (_e25 * _e46)));
         let _e76 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e76 > f64(0f)) {
             if (_e76 < f64(1f)) {
-                phi_16055_ = _e76;
+                phi_16061_ = _e76;
             } else {
-                phi_16055_ = f64(1f);
+                phi_16061_ = f64(1f);
             }
-            let _e84 = phi_16055_;
-            phi_16057_ = _e84;
+            let _e84 = phi_16061_;
+            phi_16063_ = _e84;
         } else {
-            phi_16057_ = f64(0f);
+            phi_16063_ = f64(0f);
         }
-        let _e86 = phi_16057_;
+        let _e86 = phi_16063_;
         let _e122 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e122 > f64(0f)) {
             if (_e122 < f64(1f)) {
-                phi_16105_ = _e122;
+                phi_16111_ = _e122;
             } else {
-                phi_16105_ = f64(1f);
+                phi_16111_ = f64(1f);
             }
-            let _e130 = phi_16105_;
-            phi_16107_ = _e130;
+            let _e130 = phi_16111_;
+            phi_16113_ = _e130;
         } else {
-            phi_16107_ = f64(0f);
+            phi_16113_ = f64(0f);
         }
-        let _e132 = phi_16107_;
-        phi_16122_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
+        let _e132 = phi_16113_;
+        phi_16128_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
     }
-    let _e330 = phi_16122_;
+    let _e330 = phi_16128_;
     let _e333 = function_2(_e330[0], _e330[1]);
     let _e335 = function_2(_e333, _e330[2]);
     let _e337 = function_2(_e335, _e330[3]);
@@ -326,24 +326,24 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
 }
 
 fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f64, 3>, param_11: u32) -> array<f64, 3> {
-    var phi_15713_: bool;
-    var phi_15714_: bool;
-    var phi_15715_: bool;
-    var phi_15716_: bool;
+    var phi_15719_: bool;
     var phi_15720_: bool;
-    var phi_15693_: bool;
-    var phi_15694_: bool;
-    var phi_15695_: bool;
-    var phi_15696_: bool;
-    var phi_15697_: bool;
-    var phi_15698_: bool;
-    var phi_15702_: bool;
     var phi_15721_: bool;
-    var phi_15755_: array<f64, 3>;
-    var phi_15756_: bool;
-    var phi_15757_: array<f64, 3>;
-    var phi_15758_: bool;
+    var phi_15722_: bool;
+    var phi_15726_: bool;
+    var phi_15699_: bool;
+    var phi_15700_: bool;
+    var phi_15701_: bool;
+    var phi_15702_: bool;
+    var phi_15703_: bool;
+    var phi_15704_: bool;
+    var phi_15708_: bool;
+    var phi_15727_: bool;
+    var phi_15761_: array<f64, 3>;
+    var phi_15762_: bool;
     var phi_15763_: array<f64, 3>;
+    var phi_15764_: bool;
+    var phi_15769_: array<f64, 3>;
 
     let _e23 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
     let _e34 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
@@ -359,90 +359,90 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
         if (_e76 >= _e71) {
             if (_e80 >= _e71) {
                 if (_e76 <= _e72) {
-                    phi_15693_ = (_e80 <= _e72);
-                    phi_15694_ = false;
+                    phi_15699_ = (_e80 <= _e72);
+                    phi_15700_ = false;
                 } else {
-                    phi_15693_ = bool();
-                    phi_15694_ = true;
+                    phi_15699_ = bool();
+                    phi_15700_ = true;
                 }
-                let _e101 = phi_15693_;
-                let _e103 = phi_15694_;
-                phi_15695_ = _e101;
-                phi_15696_ = _e103;
+                let _e101 = phi_15699_;
+                let _e103 = phi_15700_;
+                phi_15701_ = _e101;
+                phi_15702_ = _e103;
             } else {
-                phi_15695_ = bool();
-                phi_15696_ = true;
+                phi_15701_ = bool();
+                phi_15702_ = true;
             }
-            let _e105 = phi_15695_;
-            let _e107 = phi_15696_;
-            phi_15697_ = _e105;
-            phi_15698_ = _e107;
+            let _e105 = phi_15701_;
+            let _e107 = phi_15702_;
+            phi_15703_ = _e105;
+            phi_15704_ = _e107;
         } else {
-            phi_15697_ = bool();
-            phi_15698_ = true;
+            phi_15703_ = bool();
+            phi_15704_ = true;
         }
-        let _e109 = phi_15697_;
-        let _e111 = phi_15698_;
+        let _e109 = phi_15703_;
+        let _e111 = phi_15704_;
         if _e111 {
-            phi_15702_ = false;
+            phi_15708_ = false;
         } else {
-            phi_15702_ = _e109;
+            phi_15708_ = _e109;
         }
-        let _e113 = phi_15702_;
-        phi_15721_ = _e113;
+        let _e113 = phi_15708_;
+        phi_15727_ = _e113;
     } else {
         if (_e76 >= _e71) {
             if (_e80 >= _e71) {
-                phi_15713_ = ((_e76 + _e80) <= _e72);
-                phi_15714_ = false;
+                phi_15719_ = ((_e76 + _e80) <= _e72);
+                phi_15720_ = false;
             } else {
-                phi_15713_ = bool();
-                phi_15714_ = true;
+                phi_15719_ = bool();
+                phi_15720_ = true;
             }
-            let _e87 = phi_15713_;
-            let _e89 = phi_15714_;
-            phi_15715_ = _e87;
-            phi_15716_ = _e89;
+            let _e87 = phi_15719_;
+            let _e89 = phi_15720_;
+            phi_15721_ = _e87;
+            phi_15722_ = _e89;
         } else {
-            phi_15715_ = bool();
-            phi_15716_ = true;
+            phi_15721_ = bool();
+            phi_15722_ = true;
         }
-        let _e91 = phi_15715_;
-        let _e93 = phi_15716_;
+        let _e91 = phi_15721_;
+        let _e93 = phi_15722_;
         if _e93 {
-            phi_15720_ = false;
+            phi_15726_ = false;
         } else {
-            phi_15720_ = _e91;
+            phi_15726_ = _e91;
         }
-        let _e95 = phi_15720_;
-        phi_15721_ = _e95;
+        let _e95 = phi_15726_;
+        phi_15727_ = _e95;
     }
-    let _e115 = phi_15721_;
+    let _e115 = phi_15727_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e115 {
-            phi_15755_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
-            phi_15756_ = false;
+            phi_15761_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
+            phi_15762_ = false;
         } else {
-            phi_15755_ = array<f64, 3>();
-            phi_15756_ = true;
+            phi_15761_ = array<f64, 3>();
+            phi_15762_ = true;
         }
-        let _e144 = phi_15755_;
-        let _e146 = phi_15756_;
-        phi_15757_ = _e144;
-        phi_15758_ = _e146;
+        let _e144 = phi_15761_;
+        let _e146 = phi_15762_;
+        phi_15763_ = _e144;
+        phi_15764_ = _e146;
     } else {
-        phi_15757_ = array<f64, 3>();
-        phi_15758_ = true;
+        phi_15763_ = array<f64, 3>();
+        phi_15764_ = true;
     }
-    let _e148 = phi_15757_;
-    let _e150 = phi_15758_;
+    let _e148 = phi_15763_;
+    let _e150 = phi_15764_;
     if _e150 {
         let _e151 = function_3(param_8, param_9, param_10, param_11);
-        phi_15763_ = _e151;
+        phi_15769_ = _e151;
     } else {
-        phi_15763_ = _e148;
+        phi_15769_ = _e148;
     }
-    let _e153 = phi_15763_;
+    let _e153 = phi_15769_;
     return _e153;
 }
 
@@ -520,758 +520,752 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_993_: type_45;
     var phi_994_: bool;
     var phi_999_: type_45;
-    var phi_8059_: f64;
-    var phi_8066_: f64;
-    var phi_8071_: f64;
-    var phi_8078_: f64;
-    var phi_8083_: f64;
-    var phi_8096_: f64;
-    var phi_8103_: f64;
-    var phi_8108_: f64;
-    var phi_8115_: f64;
-    var phi_8120_: f64;
-    var phi_8125_: f64;
-    var phi_8142_: f64;
-    var phi_8149_: f64;
-    var phi_8154_: f64;
-    var phi_8161_: f64;
-    var phi_8166_: f64;
-    var phi_8180_: f64;
-    var phi_8187_: f64;
-    var phi_8192_: f64;
-    var phi_8199_: f64;
-    var phi_8204_: f64;
-    var phi_8209_: f64;
-    var phi_8226_: f64;
-    var phi_8233_: f64;
-    var phi_8238_: f64;
-    var phi_8245_: f64;
-    var phi_8250_: f64;
-    var phi_8264_: f64;
-    var phi_8271_: f64;
-    var phi_8276_: f64;
-    var phi_8283_: f64;
-    var phi_8288_: f64;
-    var phi_8293_: f64;
-    var phi_8330_: f64;
+    var phi_8065_: f64;
+    var phi_8072_: f64;
+    var phi_8077_: f64;
+    var phi_8084_: f64;
+    var phi_8089_: f64;
+    var phi_8102_: f64;
+    var phi_8109_: f64;
+    var phi_8114_: f64;
+    var phi_8121_: f64;
+    var phi_8126_: f64;
+    var phi_8131_: f64;
+    var phi_8148_: f64;
+    var phi_8155_: f64;
+    var phi_8160_: f64;
+    var phi_8167_: f64;
+    var phi_8172_: f64;
+    var phi_8186_: f64;
+    var phi_8193_: f64;
+    var phi_8198_: f64;
+    var phi_8205_: f64;
+    var phi_8210_: f64;
+    var phi_8215_: f64;
+    var phi_8232_: f64;
+    var phi_8239_: f64;
+    var phi_8244_: f64;
+    var phi_8251_: f64;
+    var phi_8256_: f64;
+    var phi_8270_: f64;
+    var phi_8277_: f64;
+    var phi_8282_: f64;
+    var phi_8289_: f64;
+    var phi_8294_: f64;
+    var phi_8299_: f64;
     var phi_8336_: f64;
-    var phi_8343_: f64;
-    var phi_8350_: f64;
+    var phi_8342_: f64;
+    var phi_8349_: f64;
     var phi_8356_: f64;
-    var phi_8363_: f64;
+    var phi_8362_: f64;
     var phi_8369_: f64;
     var phi_8375_: f64;
     var phi_8381_: f64;
-    var phi_8388_: f64;
-    var phi_8395_: f64;
-    var phi_8423_: f64;
-    var phi_8428_: f64;
-    var phi_8433_: f64;
-    var phi_8438_: f64;
-    var phi_8443_: f64;
-    var phi_8448_: f64;
-    var phi_8459_: f64;
-    var phi_8473_: f64;
+    var phi_8387_: f64;
+    var phi_8394_: f64;
+    var phi_8401_: f64;
+    var phi_8429_: f64;
+    var phi_8434_: f64;
+    var phi_8439_: f64;
+    var phi_8444_: f64;
+    var phi_8449_: f64;
+    var phi_8454_: f64;
+    var phi_8465_: f64;
     var phi_8479_: f64;
-    var phi_8484_: f64;
+    var phi_8485_: f64;
     var phi_8490_: f64;
     var phi_8496_: f64;
-    var phi_8501_: f64;
-    var phi_8506_: f64;
-    var phi_8516_: bool;
-    var phi_8523_: f64;
-    var phi_8531_: f64;
-    var phi_8539_: f64;
-    var phi_8558_: f64;
-    var phi_8707_: f64;
-    var phi_8714_: f64;
-    var phi_8719_: f64;
-    var phi_8726_: f64;
-    var phi_8731_: f64;
-    var phi_8744_: f64;
-    var phi_8751_: f64;
-    var phi_8756_: f64;
-    var phi_8763_: f64;
-    var phi_8768_: f64;
-    var phi_8773_: f64;
-    var phi_8790_: f64;
-    var phi_8797_: f64;
-    var phi_8802_: f64;
-    var phi_8809_: f64;
-    var phi_8814_: f64;
-    var phi_8828_: f64;
-    var phi_8835_: f64;
-    var phi_8840_: f64;
-    var phi_8847_: f64;
-    var phi_8852_: f64;
-    var phi_8857_: f64;
-    var phi_8874_: f64;
-    var phi_8881_: f64;
-    var phi_8886_: f64;
-    var phi_8893_: f64;
-    var phi_8898_: f64;
-    var phi_8912_: f64;
-    var phi_8919_: f64;
-    var phi_8924_: f64;
-    var phi_8931_: f64;
-    var phi_8936_: f64;
-    var phi_8941_: f64;
-    var phi_9062_: f64;
-    var phi_9069_: f64;
-    var phi_9077_: f64;
-    var phi_9123_: type_16;
-    var phi_9126_: f64;
-    var phi_9147_: bool;
-    var phi_9153_: type_17;
-    var phi_9124_: type_16;
-    var phi_9167_: type_17;
-    var phi_9127_: f64;
+    var phi_8502_: f64;
+    var phi_8507_: f64;
+    var phi_8512_: f64;
+    var phi_8522_: bool;
+    var phi_8529_: f64;
+    var phi_8537_: f64;
+    var phi_8545_: f64;
+    var phi_8564_: f64;
+    var phi_8713_: f64;
+    var phi_8720_: f64;
+    var phi_8725_: f64;
+    var phi_8732_: f64;
+    var phi_8737_: f64;
+    var phi_8750_: f64;
+    var phi_8757_: f64;
+    var phi_8762_: f64;
+    var phi_8769_: f64;
+    var phi_8774_: f64;
+    var phi_8779_: f64;
+    var phi_8796_: f64;
+    var phi_8803_: f64;
+    var phi_8808_: f64;
+    var phi_8815_: f64;
+    var phi_8820_: f64;
+    var phi_8834_: f64;
+    var phi_8841_: f64;
+    var phi_8846_: f64;
+    var phi_8853_: f64;
+    var phi_8858_: f64;
+    var phi_8863_: f64;
+    var phi_8880_: f64;
+    var phi_8887_: f64;
+    var phi_8892_: f64;
+    var phi_8899_: f64;
+    var phi_8904_: f64;
+    var phi_8918_: f64;
+    var phi_8925_: f64;
+    var phi_8930_: f64;
+    var phi_8937_: f64;
+    var phi_8942_: f64;
+    var phi_8947_: f64;
+    var phi_9068_: f64;
+    var phi_9075_: f64;
+    var phi_9083_: f64;
+    var phi_9129_: type_16;
+    var phi_9132_: f64;
+    var phi_9153_: bool;
+    var phi_9159_: type_17;
+    var phi_9130_: type_16;
+    var phi_9173_: type_17;
+    var phi_9133_: f64;
     var local_19: f64;
-    var phi_9116_: f64;
-    var phi_9180_: f64;
-    var phi_9249_: f64;
+    var phi_9122_: f64;
+    var phi_9186_: f64;
     var phi_9255_: f64;
-    var phi_9264_: f64;
+    var phi_9261_: f64;
     var phi_9270_: f64;
-    var phi_9279_: f64;
+    var phi_9276_: f64;
     var phi_9285_: f64;
-    var phi_9294_: f64;
+    var phi_9291_: f64;
     var phi_9300_: f64;
-    var phi_9306_: type_38;
-    var phi_9307_: bool;
-    var phi_9308_: type_38;
-    var phi_9309_: bool;
-    var phi_9319_: type_38;
-    var phi_9489_: bool;
-    var phi_9490_: bool;
-    var phi_9491_: bool;
-    var phi_9492_: bool;
-    var phi_9493_: bool;
-    var phi_9494_: bool;
+    var phi_9306_: f64;
+    var phi_9312_: type_38;
+    var phi_9313_: bool;
+    var phi_9314_: type_38;
+    var phi_9315_: bool;
+    var phi_9325_: type_38;
+    var phi_9495_: bool;
+    var phi_9496_: bool;
+    var phi_9497_: bool;
     var phi_9498_: bool;
-    var phi_9526_: f64;
+    var phi_9499_: bool;
+    var phi_9500_: bool;
+    var phi_9504_: bool;
     var phi_9532_: f64;
-    var phi_9539_: f64;
-    var phi_9582_: type_16;
-    var phi_9585_: f64;
-    var phi_9606_: bool;
-    var phi_9612_: type_17;
-    var phi_9583_: type_16;
-    var phi_9626_: type_17;
-    var phi_9586_: f64;
+    var phi_9538_: f64;
+    var phi_9545_: f64;
+    var phi_9588_: type_16;
+    var phi_9591_: f64;
+    var phi_9612_: bool;
+    var phi_9618_: type_17;
+    var phi_9589_: type_16;
+    var phi_9632_: type_17;
+    var phi_9592_: f64;
     var local_20: f64;
-    var phi_9575_: f64;
-    var phi_9639_: f64;
-    var phi_9708_: f64;
+    var phi_9581_: f64;
+    var phi_9645_: f64;
     var phi_9714_: f64;
-    var phi_9723_: f64;
+    var phi_9720_: f64;
     var phi_9729_: f64;
-    var phi_9738_: f64;
+    var phi_9735_: f64;
     var phi_9744_: f64;
-    var phi_9753_: f64;
+    var phi_9750_: f64;
     var phi_9759_: f64;
-    var phi_9765_: type_38;
-    var phi_9766_: bool;
-    var phi_9767_: type_38;
-    var phi_9768_: bool;
-    var phi_9778_: type_38;
-    var phi_9948_: bool;
-    var phi_9949_: bool;
-    var phi_9950_: bool;
-    var phi_9951_: bool;
-    var phi_9952_: bool;
-    var phi_9953_: bool;
+    var phi_9765_: f64;
+    var phi_9771_: type_38;
+    var phi_9772_: bool;
+    var phi_9773_: type_38;
+    var phi_9774_: bool;
+    var phi_9784_: type_38;
+    var phi_9954_: bool;
+    var phi_9955_: bool;
+    var phi_9956_: bool;
     var phi_9957_: bool;
-    var phi_9985_: f64;
+    var phi_9958_: bool;
+    var phi_9959_: bool;
+    var phi_9963_: bool;
     var phi_9991_: f64;
-    var phi_9998_: f64;
-    var phi_10041_: type_16;
-    var phi_10044_: f64;
-    var phi_10065_: bool;
-    var phi_10071_: type_17;
-    var phi_10042_: type_16;
-    var phi_10085_: type_17;
-    var phi_10045_: f64;
+    var phi_9997_: f64;
+    var phi_10004_: f64;
+    var phi_10047_: type_16;
+    var phi_10050_: f64;
+    var phi_10071_: bool;
+    var phi_10077_: type_17;
+    var phi_10048_: type_16;
+    var phi_10091_: type_17;
+    var phi_10051_: f64;
     var local_21: f64;
-    var phi_10034_: f64;
-    var phi_10098_: f64;
-    var phi_10167_: f64;
+    var phi_10040_: f64;
+    var phi_10104_: f64;
     var phi_10173_: f64;
-    var phi_10182_: f64;
+    var phi_10179_: f64;
     var phi_10188_: f64;
-    var phi_10197_: f64;
+    var phi_10194_: f64;
     var phi_10203_: f64;
-    var phi_10212_: f64;
+    var phi_10209_: f64;
     var phi_10218_: f64;
-    var phi_10224_: type_38;
-    var phi_10225_: bool;
-    var phi_10226_: type_38;
-    var phi_10227_: bool;
-    var phi_10237_: type_38;
-    var phi_10407_: bool;
-    var phi_10408_: bool;
-    var phi_10409_: bool;
-    var phi_10410_: bool;
-    var phi_10411_: bool;
-    var phi_10412_: bool;
+    var phi_10224_: f64;
+    var phi_10230_: type_38;
+    var phi_10231_: bool;
+    var phi_10232_: type_38;
+    var phi_10233_: bool;
+    var phi_10243_: type_38;
+    var phi_10413_: bool;
+    var phi_10414_: bool;
+    var phi_10415_: bool;
     var phi_10416_: bool;
-    var phi_10444_: f64;
+    var phi_10417_: bool;
+    var phi_10418_: bool;
+    var phi_10422_: bool;
     var phi_10450_: f64;
-    var phi_10457_: f64;
-    var phi_10500_: type_16;
-    var phi_10503_: f64;
-    var phi_10524_: bool;
-    var phi_10530_: type_17;
-    var phi_10501_: type_16;
-    var phi_10544_: type_17;
-    var phi_10504_: f64;
+    var phi_10456_: f64;
+    var phi_10463_: f64;
+    var phi_10506_: type_16;
+    var phi_10509_: f64;
+    var phi_10530_: bool;
+    var phi_10536_: type_17;
+    var phi_10507_: type_16;
+    var phi_10550_: type_17;
+    var phi_10510_: f64;
     var local_22: f64;
-    var phi_10493_: f64;
-    var phi_10557_: f64;
-    var phi_10626_: f64;
+    var phi_10499_: f64;
+    var phi_10563_: f64;
     var phi_10632_: f64;
-    var phi_10641_: f64;
+    var phi_10638_: f64;
     var phi_10647_: f64;
-    var phi_10656_: f64;
+    var phi_10653_: f64;
     var phi_10662_: f64;
-    var phi_10671_: f64;
+    var phi_10668_: f64;
     var phi_10677_: f64;
-    var phi_10683_: type_38;
-    var phi_10684_: bool;
-    var phi_10685_: type_38;
-    var phi_10686_: bool;
-    var phi_10696_: type_38;
-    var phi_10866_: bool;
-    var phi_10867_: bool;
-    var phi_10868_: bool;
-    var phi_10869_: bool;
-    var phi_10870_: bool;
-    var phi_10871_: bool;
+    var phi_10683_: f64;
+    var phi_10689_: type_38;
+    var phi_10690_: bool;
+    var phi_10691_: type_38;
+    var phi_10692_: bool;
+    var phi_10702_: type_38;
+    var phi_10872_: bool;
+    var phi_10873_: bool;
+    var phi_10874_: bool;
     var phi_10875_: bool;
     var phi_10876_: bool;
     var phi_10877_: bool;
-    var phi_10878_: bool;
-    var phi_10879_: bool;
-    var phi_10880_: bool;
+    var phi_10881_: bool;
+    var phi_10882_: bool;
+    var phi_10883_: bool;
     var phi_10884_: bool;
-    var phi_10890_: type_46;
-    var phi_10891_: bool;
-    var phi_10892_: type_46;
-    var phi_10893_: bool;
-    var phi_10939_: type_16;
-    var phi_10942_: f64;
-    var phi_10963_: bool;
-    var phi_10969_: type_17;
-    var phi_10940_: type_16;
-    var phi_10983_: type_17;
-    var phi_10943_: f64;
+    var phi_10885_: bool;
+    var phi_10886_: bool;
+    var phi_10890_: bool;
+    var phi_10896_: type_46;
+    var phi_10897_: bool;
+    var phi_10898_: type_46;
+    var phi_10899_: bool;
+    var phi_10945_: type_16;
+    var phi_10948_: f64;
+    var phi_10969_: bool;
+    var phi_10975_: type_17;
+    var phi_10946_: type_16;
+    var phi_10989_: type_17;
+    var phi_10949_: f64;
     var local_23: f64;
-    var phi_10932_: f64;
-    var phi_10996_: f64;
+    var phi_10938_: f64;
     var phi_11002_: f64;
-    var phi_11027_: type_12;
-    var phi_11030_: u32;
-    var phi_11028_: type_12;
-    var phi_11053_: type_12;
-    var phi_11097_: u32;
-    var phi_11098_: u32;
-    var phi_11031_: u32;
-    var phi_11099_: u32;
-    var phi_11119_: type_12;
-    var phi_11120_: type_12;
-    var phi_11143_: type_12;
-    var phi_11162_: f64;
-    var phi_11175_: f64;
-    var phi_11211_: f64;
-    var phi_11218_: f64;
-    var phi_11230_: bool;
-    var phi_11231_: bool;
-    var phi_11232_: bool;
-    var phi_11233_: bool;
+    var phi_11008_: f64;
+    var phi_11033_: type_12;
+    var phi_11036_: u32;
+    var phi_11034_: type_12;
+    var phi_11059_: type_12;
+    var phi_11103_: u32;
+    var phi_11104_: u32;
+    var phi_11037_: u32;
+    var phi_11105_: u32;
+    var phi_11125_: type_12;
+    var phi_11126_: type_12;
+    var phi_11149_: type_12;
+    var phi_11168_: f64;
+    var phi_11181_: f64;
+    var phi_11217_: f64;
+    var phi_11224_: f64;
+    var phi_11236_: bool;
     var phi_11237_: bool;
-    var phi_11249_: type_49;
-    var phi_11250_: type_49;
-    var phi_11251_: bool;
-    var phi_11252_: type_49;
-    var phi_11253_: bool;
-    var phi_11266_: f64;
-    var phi_11278_: type_12;
-    var phi_11281_: f64;
-    var phi_11283_: f64;
-    var phi_11285_: f64;
-    var phi_11279_: type_12;
-    var phi_11308_: type_12;
-    var phi_11335_: f64;
-    var phi_11336_: f64;
-    var phi_11364_: f64;
-    var phi_11380_: f64;
-    var phi_11387_: bool;
-    var phi_11388_: bool;
-    var phi_11389_: bool;
-    var phi_11395_: f64;
-    var phi_11396_: f64;
-    var phi_11397_: bool;
-    var phi_11282_: f64;
-    var phi_11284_: f64;
-    var phi_11286_: f64;
-    var phi_11398_: f64;
-    var phi_11399_: bool;
-    var phi_11400_: bool;
-    var local_24: bool;
+    var phi_11238_: bool;
+    var phi_11239_: bool;
+    var phi_11243_: bool;
+    var phi_11255_: type_49;
+    var phi_11256_: type_49;
+    var phi_11257_: bool;
+    var phi_11258_: type_49;
+    var phi_11259_: bool;
+    var phi_11272_: f64;
+    var phi_11284_: type_12;
+    var phi_11287_: f64;
+    var phi_11289_: f64;
+    var phi_11291_: f64;
+    var phi_11285_: type_12;
+    var phi_11314_: type_12;
+    var phi_11341_: f64;
+    var phi_11342_: f64;
+    var phi_11370_: f64;
+    var phi_11386_: f64;
+    var phi_11393_: bool;
+    var phi_11394_: bool;
+    var phi_11395_: bool;
+    var phi_11401_: f64;
+    var phi_11402_: f64;
+    var phi_11403_: bool;
+    var phi_11288_: f64;
+    var phi_11290_: f64;
+    var phi_11292_: f64;
     var phi_11404_: f64;
-    var phi_11405_: f64;
-    var phi_11415_: f64;
-    var phi_11419_: type_12;
-    var phi_11422_: f64;
-    var phi_11420_: type_12;
-    var phi_11445_: type_12;
-    var phi_11476_: f64;
-    var phi_11477_: bool;
-    var phi_11478_: f64;
-    var phi_11479_: bool;
-    var phi_11480_: bool;
-    var phi_11481_: bool;
+    var phi_11405_: bool;
+    var phi_11406_: bool;
+    var local_24: bool;
+    var phi_11410_: f64;
+    var phi_11411_: f64;
+    var phi_11421_: f64;
+    var phi_11425_: type_12;
+    var phi_11428_: f64;
+    var phi_11426_: type_12;
+    var phi_11451_: type_12;
     var phi_11482_: f64;
-    var phi_11423_: f64;
     var phi_11483_: bool;
-    var phi_11484_: bool;
+    var phi_11484_: f64;
     var phi_11485_: bool;
     var phi_11486_: bool;
-    var local_25: bool;
+    var phi_11487_: bool;
+    var phi_11488_: f64;
+    var phi_11429_: f64;
+    var phi_11489_: bool;
     var phi_11490_: bool;
     var phi_11491_: bool;
-    var phi_11495_: bool;
-    var phi_11499_: f64;
-    var phi_11500_: f64;
-    var phi_11502_: type_49;
-    var phi_11533_: f64;
-    var phi_11540_: f64;
-    var phi_11545_: f64;
-    var phi_11552_: f64;
-    var phi_11557_: f64;
-    var phi_11570_: f64;
-    var phi_11577_: f64;
-    var phi_11582_: f64;
-    var phi_11589_: f64;
-    var phi_11594_: f64;
-    var phi_11599_: f64;
-    var phi_11658_: f64;
+    var phi_11492_: bool;
+    var local_25: bool;
+    var phi_11496_: bool;
+    var phi_11497_: bool;
+    var phi_11501_: bool;
+    var phi_11505_: f64;
+    var phi_11506_: f64;
+    var phi_11508_: type_49;
+    var phi_11539_: f64;
+    var phi_11546_: f64;
+    var phi_11551_: f64;
+    var phi_11558_: f64;
+    var phi_11563_: f64;
+    var phi_11576_: f64;
+    var phi_11583_: f64;
+    var phi_11588_: f64;
+    var phi_11595_: f64;
+    var phi_11600_: f64;
+    var phi_11605_: f64;
     var phi_11664_: f64;
-    var phi_11669_: f64;
+    var phi_11670_: f64;
     var phi_11675_: f64;
-    var phi_11680_: f64;
-    var phi_11694_: f64;
+    var phi_11681_: f64;
+    var phi_11686_: f64;
     var phi_11700_: f64;
-    var phi_11705_: f64;
+    var phi_11706_: f64;
     var phi_11711_: f64;
-    var phi_11716_: f64;
-    var phi_11742_: f64;
-    var phi_11749_: f64;
-    var phi_11754_: f64;
-    var phi_11761_: f64;
-    var phi_11766_: f64;
-    var phi_11779_: f64;
-    var phi_11786_: f64;
-    var phi_11791_: f64;
-    var phi_11798_: f64;
-    var phi_11803_: f64;
-    var phi_11808_: f64;
-    var phi_11867_: f64;
+    var phi_11717_: f64;
+    var phi_11722_: f64;
+    var phi_11748_: f64;
+    var phi_11755_: f64;
+    var phi_11760_: f64;
+    var phi_11767_: f64;
+    var phi_11772_: f64;
+    var phi_11785_: f64;
+    var phi_11792_: f64;
+    var phi_11797_: f64;
+    var phi_11804_: f64;
+    var phi_11809_: f64;
+    var phi_11814_: f64;
     var phi_11873_: f64;
-    var phi_11878_: f64;
+    var phi_11879_: f64;
     var phi_11884_: f64;
-    var phi_11889_: f64;
-    var phi_11903_: f64;
+    var phi_11890_: f64;
+    var phi_11895_: f64;
     var phi_11909_: f64;
-    var phi_11914_: f64;
+    var phi_11915_: f64;
     var phi_11920_: f64;
-    var phi_11925_: f64;
-    var phi_11951_: f64;
-    var phi_11958_: f64;
-    var phi_11963_: f64;
-    var phi_11970_: f64;
-    var phi_11975_: f64;
-    var phi_11988_: f64;
-    var phi_11995_: f64;
-    var phi_12000_: f64;
-    var phi_12007_: f64;
-    var phi_12012_: f64;
-    var phi_12017_: f64;
-    var phi_12076_: f64;
+    var phi_11926_: f64;
+    var phi_11931_: f64;
+    var phi_11957_: f64;
+    var phi_11964_: f64;
+    var phi_11969_: f64;
+    var phi_11976_: f64;
+    var phi_11981_: f64;
+    var phi_11994_: f64;
+    var phi_12001_: f64;
+    var phi_12006_: f64;
+    var phi_12013_: f64;
+    var phi_12018_: f64;
+    var phi_12023_: f64;
     var phi_12082_: f64;
-    var phi_12087_: f64;
+    var phi_12088_: f64;
     var phi_12093_: f64;
-    var phi_12098_: f64;
-    var phi_12112_: f64;
+    var phi_12099_: f64;
+    var phi_12104_: f64;
     var phi_12118_: f64;
-    var phi_12123_: f64;
+    var phi_12124_: f64;
     var phi_12129_: f64;
-    var phi_12134_: f64;
-    var phi_12183_: f64;
+    var phi_12135_: f64;
+    var phi_12140_: f64;
     var phi_12189_: f64;
-    var phi_12217_: f64;
+    var phi_12195_: f64;
     var phi_12223_: f64;
-    var phi_12228_: u32;
-    var phi_12229_: u32;
-    var phi_12199_: f64;
+    var phi_12229_: f64;
+    var phi_12234_: u32;
+    var phi_12235_: u32;
     var phi_12205_: f64;
-    var phi_12210_: u32;
-    var phi_12211_: u32;
-    var phi_12230_: u32;
-    var phi_12231_: u32;
-    var phi_12304_: f64;
-    var phi_12316_: f64;
-    var phi_12459_: f64;
+    var phi_12211_: f64;
+    var phi_12216_: u32;
+    var phi_12217_: u32;
+    var phi_12236_: u32;
+    var phi_12237_: u32;
+    var phi_12310_: f64;
+    var phi_12322_: f64;
     var phi_12465_: f64;
-    var phi_12472_: f64;
-    var phi_12528_: type_12;
-    var phi_12531_: bool;
-    var phi_12529_: type_12;
-    var phi_12554_: type_12;
-    var phi_12581_: bool;
-    var phi_12582_: bool;
-    var phi_12532_: bool;
-    var phi_12583_: bool;
-    var phi_12584_: bool;
-    var local_26: bool;
+    var phi_12471_: f64;
+    var phi_12478_: f64;
+    var phi_12534_: type_12;
+    var phi_12537_: bool;
+    var phi_12535_: type_12;
+    var phi_12560_: type_12;
+    var phi_12587_: bool;
     var phi_12588_: bool;
+    var phi_12538_: bool;
+    var phi_12589_: bool;
+    var phi_12590_: bool;
+    var local_26: bool;
+    var phi_12594_: bool;
     var local_27: bool;
-    var phi_12595_: u32;
-    var phi_12596_: u32;
-    var phi_12597_: bool;
-    var phi_12598_: u32;
-    var phi_12599_: u32;
-    var phi_12600_: bool;
+    var phi_12601_: u32;
+    var phi_12602_: u32;
+    var phi_12603_: bool;
     var phi_12604_: u32;
-    var phi_12614_: bool;
-    var phi_12627_: bool;
-    var phi_12628_: bool;
-    var phi_12776_: f64;
-    var phi_12783_: f64;
-    var phi_12788_: f64;
-    var phi_12795_: f64;
-    var phi_12800_: f64;
-    var phi_12813_: f64;
-    var phi_12820_: f64;
-    var phi_12825_: f64;
-    var phi_12832_: f64;
-    var phi_12837_: f64;
-    var phi_12842_: f64;
-    var phi_12859_: f64;
-    var phi_12866_: f64;
-    var phi_12871_: f64;
-    var phi_12878_: f64;
-    var phi_12883_: f64;
-    var phi_12897_: f64;
-    var phi_12904_: f64;
-    var phi_12909_: f64;
-    var phi_12916_: f64;
-    var phi_12921_: f64;
-    var phi_12926_: f64;
-    var phi_12943_: f64;
-    var phi_12950_: f64;
-    var phi_12955_: f64;
-    var phi_12962_: f64;
-    var phi_12967_: f64;
-    var phi_12981_: f64;
-    var phi_12988_: f64;
-    var phi_12993_: f64;
-    var phi_13000_: f64;
-    var phi_13005_: f64;
-    var phi_13010_: f64;
-    var phi_13057_: type_12;
-    var phi_13060_: f64;
-    var phi_13062_: f64;
-    var phi_13064_: f64;
+    var phi_12605_: u32;
+    var phi_12606_: bool;
+    var phi_12610_: u32;
+    var phi_12620_: bool;
+    var phi_12633_: bool;
+    var phi_12634_: bool;
+    var phi_12782_: f64;
+    var phi_12789_: f64;
+    var phi_12794_: f64;
+    var phi_12801_: f64;
+    var phi_12806_: f64;
+    var phi_12819_: f64;
+    var phi_12826_: f64;
+    var phi_12831_: f64;
+    var phi_12838_: f64;
+    var phi_12843_: f64;
+    var phi_12848_: f64;
+    var phi_12865_: f64;
+    var phi_12872_: f64;
+    var phi_12877_: f64;
+    var phi_12884_: f64;
+    var phi_12889_: f64;
+    var phi_12903_: f64;
+    var phi_12910_: f64;
+    var phi_12915_: f64;
+    var phi_12922_: f64;
+    var phi_12927_: f64;
+    var phi_12932_: f64;
+    var phi_12949_: f64;
+    var phi_12956_: f64;
+    var phi_12961_: f64;
+    var phi_12968_: f64;
+    var phi_12973_: f64;
+    var phi_12987_: f64;
+    var phi_12994_: f64;
+    var phi_12999_: f64;
+    var phi_13006_: f64;
+    var phi_13011_: f64;
+    var phi_13016_: f64;
+    var phi_13063_: type_12;
     var phi_13066_: f64;
-    var phi_13068_: bool;
-    var phi_13070_: u32;
-    var phi_13058_: type_12;
-    var phi_13093_: type_12;
-    var phi_13208_: f64;
+    var phi_13068_: f64;
+    var phi_13070_: f64;
+    var phi_13072_: f64;
+    var phi_13074_: bool;
+    var phi_13076_: u32;
+    var phi_13064_: type_12;
+    var phi_13099_: type_12;
     var phi_13214_: f64;
     var phi_13220_: f64;
-    var phi_13222_: array<f64, 3>;
-    var phi_13229_: f64;
-    var phi_13236_: f64;
-    var phi_13244_: f64;
-    var phi_13290_: type_16;
-    var phi_13293_: f64;
-    var phi_13314_: bool;
-    var phi_13320_: type_17;
-    var phi_13291_: type_16;
-    var phi_13334_: type_17;
-    var phi_13294_: f64;
+    var phi_13226_: f64;
+    var phi_13228_: array<f64, 3>;
+    var phi_13235_: f64;
+    var phi_13242_: f64;
+    var phi_13250_: f64;
+    var phi_13296_: type_16;
+    var phi_13299_: f64;
+    var phi_13320_: bool;
+    var phi_13326_: type_17;
+    var phi_13297_: type_16;
+    var phi_13340_: type_17;
+    var phi_13300_: f64;
     var local_28: f64;
-    var phi_13283_: f64;
-    var phi_13347_: f64;
-    var phi_13416_: f64;
+    var phi_13289_: f64;
+    var phi_13353_: f64;
     var phi_13422_: f64;
-    var phi_13431_: f64;
+    var phi_13428_: f64;
     var phi_13437_: f64;
-    var phi_13446_: f64;
+    var phi_13443_: f64;
     var phi_13452_: f64;
-    var phi_13461_: f64;
+    var phi_13458_: f64;
     var phi_13467_: f64;
-    var phi_13473_: type_38;
-    var phi_13474_: bool;
-    var phi_13475_: type_38;
-    var phi_13476_: bool;
-    var phi_13486_: type_38;
-    var phi_13658_: bool;
-    var phi_13659_: bool;
-    var phi_13660_: bool;
-    var phi_13661_: bool;
-    var phi_13662_: bool;
-    var phi_13663_: bool;
+    var phi_13473_: f64;
+    var phi_13479_: type_38;
+    var phi_13480_: bool;
+    var phi_13481_: type_38;
+    var phi_13482_: bool;
+    var phi_13492_: type_38;
+    var phi_13664_: bool;
+    var phi_13665_: bool;
+    var phi_13666_: bool;
     var phi_13667_: bool;
-    var phi_13965_: bool;
-    var phi_13966_: bool;
-    var phi_13967_: bool;
-    var phi_13968_: bool;
-    var phi_13969_: bool;
-    var phi_13970_: bool;
+    var phi_13668_: bool;
+    var phi_13669_: bool;
+    var phi_13673_: bool;
+    var phi_13971_: bool;
+    var phi_13972_: bool;
+    var phi_13973_: bool;
     var phi_13974_: bool;
-    var phi_13978_: bool;
-    var phi_13989_: bool;
-    var phi_13990_: bool;
-    var phi_14064_: bool;
-    var phi_14065_: bool;
-    var phi_14088_: f64;
-    var phi_14089_: bool;
-    var phi_14090_: f64;
-    var phi_14091_: bool;
-    var phi_14092_: f64;
-    var phi_14093_: bool;
-    var phi_14094_: bool;
-    var phi_14099_: f64;
+    var phi_13975_: bool;
+    var phi_13976_: bool;
+    var phi_13980_: bool;
+    var phi_13984_: bool;
+    var phi_13995_: bool;
+    var phi_13996_: bool;
+    var phi_14070_: bool;
+    var phi_14071_: bool;
+    var phi_14094_: f64;
+    var phi_14095_: bool;
+    var phi_14096_: f64;
+    var phi_14097_: bool;
+    var phi_14098_: f64;
+    var phi_14099_: bool;
     var phi_14100_: bool;
-    var phi_14104_: f64;
-    var phi_14136_: bool;
-    var phi_14137_: bool;
-    var phi_14160_: f64;
-    var phi_14161_: bool;
-    var phi_14162_: f64;
-    var phi_14163_: bool;
-    var phi_14164_: f64;
-    var phi_14165_: bool;
-    var phi_14166_: bool;
-    var phi_14171_: f64;
+    var phi_14105_: f64;
+    var phi_14106_: bool;
+    var phi_14110_: f64;
+    var phi_14142_: bool;
+    var phi_14143_: bool;
+    var phi_14166_: f64;
+    var phi_14167_: bool;
+    var phi_14168_: f64;
+    var phi_14169_: bool;
+    var phi_14170_: f64;
+    var phi_14171_: bool;
     var phi_14172_: bool;
-    var phi_14176_: f64;
-    var phi_14181_: f64;
-    var phi_14213_: bool;
-    var phi_14214_: bool;
-    var phi_14237_: f64;
-    var phi_14238_: bool;
-    var phi_14239_: f64;
-    var phi_14240_: bool;
-    var phi_14241_: f64;
-    var phi_14242_: bool;
-    var phi_14243_: bool;
-    var phi_14248_: f64;
+    var phi_14177_: f64;
+    var phi_14178_: bool;
+    var phi_14182_: f64;
+    var phi_14187_: f64;
+    var phi_14219_: bool;
+    var phi_14220_: bool;
+    var phi_14243_: f64;
+    var phi_14244_: bool;
+    var phi_14245_: f64;
+    var phi_14246_: bool;
+    var phi_14247_: f64;
+    var phi_14248_: bool;
     var phi_14249_: bool;
-    var phi_14253_: f64;
-    var phi_14285_: bool;
-    var phi_14286_: bool;
-    var phi_14309_: f64;
-    var phi_14310_: bool;
-    var phi_14311_: f64;
-    var phi_14312_: bool;
-    var phi_14313_: f64;
-    var phi_14314_: bool;
-    var phi_14315_: bool;
-    var phi_14320_: f64;
+    var phi_14254_: f64;
+    var phi_14255_: bool;
+    var phi_14259_: f64;
+    var phi_14291_: bool;
+    var phi_14292_: bool;
+    var phi_14315_: f64;
+    var phi_14316_: bool;
+    var phi_14317_: f64;
+    var phi_14318_: bool;
+    var phi_14319_: f64;
+    var phi_14320_: bool;
     var phi_14321_: bool;
-    var phi_14325_: f64;
-    var phi_14330_: f64;
-    var phi_14335_: f64;
-    var phi_14340_: f64;
-    var phi_14354_: f64;
-    var phi_14492_: type_16;
-    var phi_14495_: f64;
-    var phi_14516_: bool;
-    var phi_14522_: type_17;
-    var phi_14493_: type_16;
-    var phi_14536_: type_17;
-    var phi_14496_: f64;
+    var phi_14326_: f64;
+    var phi_14327_: bool;
+    var phi_14331_: f64;
+    var phi_14336_: f64;
+    var phi_14341_: f64;
+    var phi_14346_: f64;
+    var phi_14360_: f64;
+    var phi_14498_: type_16;
+    var phi_14501_: f64;
+    var phi_14522_: bool;
+    var phi_14528_: type_17;
+    var phi_14499_: type_16;
+    var phi_14542_: type_17;
+    var phi_14502_: f64;
     var local_29: f64;
-    var phi_14485_: f64;
-    var phi_14549_: f64;
-    var phi_14567_: f64;
-    var phi_14574_: f64;
-    var phi_14579_: f64;
-    var phi_14586_: f64;
-    var phi_14591_: f64;
-    var phi_14604_: f64;
-    var phi_14611_: f64;
-    var phi_14616_: f64;
-    var phi_14623_: f64;
-    var phi_14628_: f64;
-    var phi_14633_: f64;
-    var phi_14650_: f64;
-    var phi_14657_: f64;
-    var phi_14662_: f64;
-    var phi_14669_: f64;
-    var phi_14674_: f64;
-    var phi_14688_: f64;
-    var phi_14695_: f64;
-    var phi_14700_: f64;
-    var phi_14707_: f64;
-    var phi_14712_: f64;
-    var phi_14717_: f64;
-    var phi_14734_: f64;
-    var phi_14741_: f64;
-    var phi_14746_: f64;
-    var phi_14753_: f64;
-    var phi_14758_: f64;
-    var phi_14772_: f64;
-    var phi_14779_: f64;
-    var phi_14784_: f64;
-    var phi_14791_: f64;
-    var phi_14796_: f64;
-    var phi_14801_: f64;
-    var phi_14825_: bool;
-    var phi_14826_: bool;
-    var phi_14827_: bool;
-    var phi_14844_: f64;
-    var phi_14845_: bool;
-    var phi_14846_: f64;
-    var phi_14847_: bool;
+    var phi_14491_: f64;
+    var phi_14555_: f64;
+    var phi_14573_: f64;
+    var phi_14580_: f64;
+    var phi_14585_: f64;
+    var phi_14592_: f64;
+    var phi_14597_: f64;
+    var phi_14610_: f64;
+    var phi_14617_: f64;
+    var phi_14622_: f64;
+    var phi_14629_: f64;
+    var phi_14634_: f64;
+    var phi_14639_: f64;
+    var phi_14656_: f64;
+    var phi_14663_: f64;
+    var phi_14668_: f64;
+    var phi_14675_: f64;
+    var phi_14680_: f64;
+    var phi_14694_: f64;
+    var phi_14701_: f64;
+    var phi_14706_: f64;
+    var phi_14713_: f64;
+    var phi_14718_: f64;
+    var phi_14723_: f64;
+    var phi_14740_: f64;
+    var phi_14747_: f64;
+    var phi_14752_: f64;
+    var phi_14759_: f64;
+    var phi_14764_: f64;
+    var phi_14778_: f64;
+    var phi_14785_: f64;
+    var phi_14790_: f64;
+    var phi_14797_: f64;
+    var phi_14802_: f64;
+    var phi_14807_: f64;
+    var phi_14831_: bool;
+    var phi_14832_: bool;
+    var phi_14833_: bool;
+    var phi_14850_: f64;
+    var phi_14851_: bool;
     var phi_14852_: f64;
-    var phi_14854_: f64;
-    var phi_14855_: f64;
-    var phi_14856_: bool;
-    var phi_14857_: f64;
+    var phi_14853_: bool;
     var phi_14858_: f64;
-    var phi_14859_: bool;
-    var phi_14860_: bool;
+    var phi_14860_: f64;
     var phi_14861_: f64;
-    var phi_14862_: f64;
+    var phi_14862_: bool;
     var phi_14863_: f64;
     var phi_14864_: f64;
     var phi_14865_: bool;
     var phi_14866_: bool;
-    var phi_14867_: bool;
-    var phi_14868_: bool;
+    var phi_14867_: f64;
+    var phi_14868_: f64;
     var phi_14869_: f64;
     var phi_14870_: f64;
-    var phi_14871_: f64;
-    var phi_14872_: f64;
+    var phi_14871_: bool;
+    var phi_14872_: bool;
     var phi_14873_: bool;
     var phi_14874_: bool;
-    var phi_14875_: bool;
-    var phi_14876_: bool;
-    var phi_14877_: bool;
+    var phi_14875_: f64;
+    var phi_14876_: f64;
+    var phi_14877_: f64;
     var phi_14878_: f64;
-    var phi_14879_: f64;
-    var phi_14880_: f64;
-    var phi_14881_: f64;
+    var phi_14879_: bool;
+    var phi_14880_: bool;
+    var phi_14881_: bool;
     var phi_14882_: bool;
     var phi_14883_: bool;
-    var phi_14884_: bool;
-    var phi_14885_: bool;
-    var phi_14886_: bool;
-    var phi_14972_: f64;
-    var phi_15045_: f64;
-    var phi_15050_: f64;
-    var phi_15123_: f64;
-    var phi_15196_: f64;
-    var phi_15201_: f64;
-    var phi_15222_: f64;
-    var phi_15223_: f64;
-    var phi_15224_: f64;
-    var phi_14899_: bool;
-    var phi_15226_: u32;
-    var phi_15227_: f64;
-    var phi_15228_: bool;
-    var phi_15229_: bool;
-    var phi_15230_: bool;
-    var phi_15231_: u32;
-    var phi_15232_: f64;
+    var phi_14884_: f64;
+    var phi_14885_: f64;
+    var phi_14886_: f64;
+    var phi_14887_: f64;
+    var phi_14888_: bool;
+    var phi_14889_: bool;
+    var phi_14890_: bool;
+    var phi_14891_: bool;
+    var phi_14892_: bool;
+    var phi_14978_: f64;
+    var phi_15051_: f64;
+    var phi_15056_: f64;
+    var phi_15129_: f64;
+    var phi_15202_: f64;
+    var phi_15207_: f64;
+    var phi_15228_: f64;
+    var phi_15229_: f64;
+    var phi_15230_: f64;
+    var phi_14905_: bool;
+    var phi_15232_: u32;
     var phi_15233_: f64;
-    var phi_15234_: f64;
-    var phi_15235_: f64;
+    var phi_15234_: bool;
+    var phi_15235_: bool;
     var phi_15236_: bool;
     var phi_15237_: u32;
-    var phi_15238_: bool;
-    var phi_15239_: bool;
-    var phi_15240_: bool;
-    var phi_15241_: bool;
+    var phi_15238_: f64;
+    var phi_15239_: f64;
+    var phi_15240_: f64;
+    var phi_15241_: f64;
     var phi_15242_: bool;
-    var phi_15243_: bool;
-    var phi_15252_: f64;
-    var phi_15257_: f64;
-    var phi_15266_: bool;
-    var phi_15270_: bool;
-    var phi_15271_: f64;
-    var phi_15272_: f64;
-    var phi_15273_: f64;
-    var phi_15274_: f64;
-    var phi_15275_: bool;
-    var phi_15276_: u32;
-    var phi_15277_: bool;
-    var phi_15278_: bool;
-    var phi_15279_: bool;
-    var phi_15280_: bool;
+    var phi_15243_: u32;
+    var phi_15244_: bool;
+    var phi_15245_: bool;
+    var phi_15246_: bool;
+    var phi_15247_: bool;
+    var phi_15248_: bool;
+    var phi_15249_: bool;
+    var phi_15258_: f64;
+    var phi_15263_: f64;
+    var phi_15272_: bool;
+    var phi_15276_: bool;
+    var phi_15277_: f64;
+    var phi_15278_: f64;
+    var phi_15279_: f64;
+    var phi_15280_: f64;
     var phi_15281_: bool;
-    var phi_15282_: bool;
-    var phi_13061_: f64;
-    var phi_13063_: f64;
-    var phi_13065_: f64;
-    var phi_13067_: f64;
-    var phi_13069_: bool;
-    var phi_13071_: u32;
-    var phi_15283_: f64;
-    var phi_15284_: f64;
+    var phi_15282_: u32;
+    var phi_15283_: bool;
+    var phi_15284_: bool;
     var phi_15285_: bool;
     var phi_15286_: bool;
     var phi_15287_: bool;
     var phi_15288_: bool;
-    var phi_15289_: bool;
-    var phi_15290_: bool;
+    var phi_13067_: f64;
+    var phi_13069_: f64;
+    var phi_13071_: f64;
+    var phi_13073_: f64;
+    var phi_13075_: bool;
+    var phi_13077_: u32;
+    var phi_15289_: f64;
+    var phi_15290_: f64;
     var phi_15291_: bool;
-    var local_30: bool;
+    var phi_15292_: bool;
+    var phi_15293_: bool;
+    var phi_15294_: bool;
     var phi_15295_: bool;
     var phi_15296_: bool;
     var phi_15297_: bool;
-    var phi_15298_: bool;
-    var phi_15299_: bool;
-    var local_31: f64;
-    var phi_15304_: type_46;
+    var local_30: bool;
+    var phi_15301_: bool;
+    var phi_15302_: bool;
+    var phi_15303_: bool;
+    var phi_15304_: bool;
     var phi_15305_: bool;
-    var phi_15306_: bool;
-    var phi_15307_: bool;
-    var phi_15308_: bool;
-    var phi_15309_: bool;
-    var phi_15314_: type_46;
+    var local_31: f64;
+    var phi_15310_: type_46;
+    var phi_15311_: bool;
+    var phi_15312_: bool;
+    var phi_15313_: bool;
+    var phi_15314_: bool;
     var phi_15315_: bool;
-    var phi_15316_: bool;
-    var phi_15317_: bool;
-    var phi_15318_: bool;
-    var phi_15319_: bool;
-    var phi_15323_: f64;
+    var phi_15320_: type_46;
+    var phi_15321_: bool;
+    var phi_15322_: bool;
+    var phi_15323_: bool;
     var phi_15324_: bool;
     var phi_15325_: bool;
-    var phi_15326_: bool;
-    var phi_15327_: bool;
-    var phi_15331_: f64;
+    var phi_15329_: f64;
+    var phi_15330_: bool;
+    var phi_15331_: bool;
     var phi_15332_: bool;
     var phi_15333_: bool;
-    var phi_15334_: bool;
-    var phi_15339_: type_46;
+    var phi_15337_: f64;
+    var phi_15338_: bool;
+    var phi_15339_: bool;
     var phi_15340_: bool;
-    var phi_15341_: bool;
-    var phi_15346_: type_46;
+    var phi_15345_: type_46;
+    var phi_15346_: bool;
     var phi_15347_: bool;
-    var phi_15351_: type_46;
-    var phi_15358_: bool;
-    var phi_15359_: f64;
-    var phi_15360_: bool;
-    var phi_15361_: bool;
-    var phi_15362_: bool;
-    var phi_15363_: bool;
-    var phi_15364_: f64;
+    var phi_15352_: type_46;
+    var phi_15353_: bool;
+    var phi_15357_: type_46;
+    var phi_15364_: bool;
     var phi_15365_: f64;
     var phi_15366_: bool;
     var phi_15367_: bool;
@@ -1283,61 +1277,67 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_15373_: bool;
     var phi_15374_: bool;
     var phi_15375_: bool;
+    var phi_15376_: f64;
+    var phi_15377_: f64;
+    var phi_15378_: bool;
     var phi_15379_: bool;
     var phi_15380_: bool;
     var phi_15381_: bool;
-    var phi_15382_: type_49;
-    var phi_15383_: bool;
-    var phi_15384_: f64;
-    var phi_15385_: f64;
-    var phi_15386_: type_49;
+    var phi_15385_: bool;
+    var phi_15386_: bool;
     var phi_15387_: bool;
-    var phi_15388_: bool;
+    var phi_15388_: type_49;
     var phi_15389_: bool;
-    var phi_15390_: bool;
+    var phi_15390_: f64;
+    var phi_15391_: f64;
+    var phi_15392_: type_49;
+    var phi_15393_: bool;
     var phi_15394_: bool;
     var phi_15395_: bool;
     var phi_15396_: bool;
-    var phi_15397_: type_49;
-    var phi_15398_: bool;
-    var phi_15399_: f64;
-    var phi_15400_: f64;
-    var phi_15401_: type_49;
+    var phi_15400_: bool;
+    var phi_15401_: bool;
     var phi_15402_: bool;
-    var phi_15403_: bool;
+    var phi_15403_: type_49;
     var phi_15404_: bool;
-    var phi_15405_: bool;
-    var local_32: bool;
-    var phi_15410_: type_46;
+    var phi_15405_: f64;
+    var phi_15406_: f64;
+    var phi_15407_: type_49;
+    var phi_15408_: bool;
+    var phi_15409_: bool;
+    var phi_15410_: bool;
     var phi_15411_: bool;
-    var phi_15412_: bool;
+    var local_32: bool;
+    var phi_15416_: type_46;
+    var phi_15417_: bool;
+    var phi_15418_: bool;
     var local_33: bool;
     var local_34: type_49;
     var local_35: f64;
     var local_36: f64;
     var local_37: f64;
-    var phi_15426_: type_46;
-    var phi_15427_: bool;
-    var phi_15428_: type_46;
-    var phi_15429_: bool;
-    var local_38: f64;
+    var phi_15432_: type_46;
+    var phi_15433_: bool;
     var phi_15434_: type_46;
-    var phi_15435_: type_46;
-    var phi_15436_: bool;
+    var phi_15435_: bool;
+    var local_38: f64;
+    var phi_15440_: type_46;
+    var phi_15441_: type_46;
+    var phi_15442_: bool;
     var local_39: type_49;
-    var phi_15442_: type_46;
-    var phi_15443_: bool;
-    var phi_15447_: type_46;
     var phi_15448_: type_46;
     var phi_15449_: bool;
     var phi_15453_: type_46;
     var phi_15454_: type_46;
     var phi_15455_: bool;
     var phi_15459_: type_46;
-    var phi_15470_: bool;
-    var phi_15471_: bool;
-    var phi_15475_: bool;
-    var phi_15479_: u32;
+    var phi_15460_: type_46;
+    var phi_15461_: bool;
+    var phi_15465_: type_46;
+    var phi_15476_: bool;
+    var phi_15477_: bool;
+    var phi_15481_: bool;
+    var phi_15485_: u32;
     var phi_1174_: type_16;
     var phi_1177_: f64;
     var phi_1198_: bool;
@@ -1938,192 +1938,193 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6803_: f64;
     var phi_6799_: type_12;
     var phi_6826_: type_12;
-    var phi_6907_: f64;
-    var phi_6908_: f64;
+    var phi_6912_: f64;
+    var phi_6913_: f64;
+    var phi_6914_: f64;
     var phi_6895_: f64;
-    var phi_6909_: f64;
-    var phi_6910_: f64;
+    var phi_6915_: f64;
+    var phi_6916_: f64;
     var phi_6802_: f64;
     var phi_6804_: f64;
     var local_55: f64;
     var local_56: f64;
     var local_57: f64;
-    var phi_7073_: bool;
-    var phi_7074_: bool;
-    var phi_7075_: bool;
-    var phi_7076_: bool;
-    var phi_7077_: bool;
-    var phi_7078_: bool;
+    var phi_7079_: bool;
+    var phi_7080_: bool;
+    var phi_7081_: bool;
     var phi_7082_: bool;
-    var phi_7086_: bool;
-    var phi_7087_: bool;
+    var phi_7083_: bool;
+    var phi_7084_: bool;
     var phi_7088_: bool;
-    var phi_7093_: f64;
-    var phi_7097_: type_48;
-    var phi_7098_: type_48;
-    var phi_7099_: bool;
-    var phi_7100_: type_48;
-    var phi_7101_: type_48;
-    var phi_7102_: bool;
-    var phi_7108_: type_48;
-    var phi_7109_: type_48;
-    var phi_7110_: bool;
+    var phi_7092_: bool;
+    var phi_7093_: bool;
+    var phi_7094_: bool;
+    var phi_7099_: f64;
+    var phi_7103_: type_48;
+    var phi_7104_: type_48;
+    var phi_7105_: bool;
+    var phi_7106_: type_48;
+    var phi_7107_: type_48;
+    var phi_7108_: bool;
     var phi_7114_: type_48;
     var phi_7115_: type_48;
     var phi_7116_: bool;
-    var phi_7117_: bool;
-    var phi_7118_: type_48;
-    var phi_7119_: type_48;
-    var phi_7120_: bool;
-    var phi_7121_: bool;
-    var phi_7127_: type_48;
-    var phi_7128_: bool;
-    var phi_7132_: type_48;
-    var phi_7148_: f64;
-    var phi_7149_: f64;
-    var phi_7150_: bool;
-    var phi_7151_: f64;
-    var phi_7152_: f64;
-    var phi_7153_: bool;
-    var phi_7154_: bool;
-    var phi_7155_: bool;
-    var phi_7156_: f64;
+    var phi_7120_: type_48;
+    var phi_7121_: type_48;
+    var phi_7122_: bool;
+    var phi_7123_: bool;
+    var phi_7124_: type_48;
+    var phi_7125_: type_48;
+    var phi_7126_: bool;
+    var phi_7127_: bool;
+    var phi_7133_: type_48;
+    var phi_7134_: bool;
+    var phi_7138_: type_48;
+    var phi_7154_: f64;
+    var phi_7155_: f64;
+    var phi_7156_: bool;
     var phi_7157_: f64;
-    var phi_7158_: bool;
+    var phi_7158_: f64;
     var phi_7159_: bool;
     var phi_7160_: bool;
-    var phi_7161_: f64;
-    var phi_7162_: u32;
+    var phi_7161_: bool;
+    var phi_7162_: f64;
     var phi_7163_: f64;
-    var phi_7164_: type_48;
-    var phi_7165_: u32;
-    var phi_7166_: u32;
-    var phi_7167_: bool;
-    var phi_7168_: bool;
-    var phi_7169_: bool;
-    var phi_7170_: f64;
+    var phi_7164_: bool;
+    var phi_7165_: bool;
+    var phi_7166_: bool;
+    var phi_7167_: f64;
+    var phi_7168_: u32;
+    var phi_7169_: f64;
+    var phi_7170_: type_48;
     var phi_7171_: u32;
-    var phi_7172_: f64;
-    var phi_7173_: type_48;
-    var phi_7174_: u32;
-    var phi_7175_: u32;
-    var phi_7176_: bool;
-    var phi_7177_: bool;
-    var phi_7178_: bool;
-    var phi_7179_: bool;
-    var phi_7180_: bool;
-    var phi_7181_: f64;
+    var phi_7172_: u32;
+    var phi_7173_: bool;
+    var phi_7174_: bool;
+    var phi_7175_: bool;
+    var phi_7176_: f64;
+    var phi_7177_: u32;
+    var phi_7178_: f64;
+    var phi_7179_: type_48;
+    var phi_7180_: u32;
+    var phi_7181_: u32;
+    var phi_7182_: bool;
+    var phi_7183_: bool;
+    var phi_7184_: bool;
+    var phi_7185_: bool;
+    var phi_7186_: bool;
+    var phi_7187_: f64;
     var phi_2171_: f64;
     var phi_2173_: u32;
     var phi_2175_: f64;
-    var phi_7182_: type_48;
-    var phi_7183_: u32;
-    var phi_7184_: f64;
-    var phi_7185_: u32;
-    var phi_7186_: bool;
-    var phi_7187_: bool;
-    var phi_7188_: bool;
-    var phi_7189_: bool;
-    var phi_7190_: bool;
-    var phi_7191_: bool;
-    var local_58: bool;
+    var phi_7188_: type_48;
+    var phi_7189_: u32;
+    var phi_7190_: f64;
+    var phi_7191_: u32;
+    var phi_7192_: bool;
+    var phi_7193_: bool;
+    var phi_7194_: bool;
     var phi_7195_: bool;
     var phi_7196_: bool;
     var phi_7197_: bool;
-    var phi_7198_: bool;
+    var local_58: bool;
+    var phi_7201_: bool;
+    var phi_7202_: bool;
+    var phi_7203_: bool;
+    var phi_7204_: bool;
     var local_59: type_48;
     var local_60: type_48;
-    var phi_7215_: u32;
+    var phi_7221_: u32;
     var local_61: type_48;
-    var phi_7220_: type_47;
-    var phi_7221_: type_47;
-    var phi_7222_: bool;
-    var phi_7223_: bool;
-    var phi_7224_: bool;
-    var phi_7225_: bool;
-    var phi_7229_: u32;
-    var phi_7230_: f64;
+    var phi_7226_: type_47;
+    var phi_7227_: type_47;
+    var phi_7228_: bool;
+    var phi_7229_: bool;
+    var phi_7230_: bool;
     var phi_7231_: bool;
-    var phi_7232_: bool;
-    var phi_7233_: bool;
-    var phi_7234_: bool;
-    var phi_7238_: f64;
-    var phi_7239_: u32;
+    var phi_7235_: u32;
+    var phi_7236_: f64;
+    var phi_7237_: bool;
+    var phi_7238_: bool;
+    var phi_7239_: bool;
     var phi_7240_: bool;
-    var phi_7241_: bool;
-    var phi_7242_: bool;
-    var phi_7256_: f64;
-    var phi_7259_: type_12;
-    var phi_7260_: type_12;
-    var phi_7283_: type_12;
-    var phi_7305_: f64;
-    var phi_7435_: type_16;
-    var phi_7438_: f64;
-    var phi_7459_: bool;
-    var phi_7465_: type_17;
-    var phi_7436_: type_16;
-    var phi_7479_: type_17;
-    var phi_7439_: f64;
+    var phi_7244_: f64;
+    var phi_7245_: u32;
+    var phi_7246_: bool;
+    var phi_7247_: bool;
+    var phi_7248_: bool;
+    var phi_7262_: f64;
+    var phi_7265_: type_12;
+    var phi_7266_: type_12;
+    var phi_7289_: type_12;
+    var phi_7311_: f64;
+    var phi_7441_: type_16;
+    var phi_7444_: f64;
+    var phi_7465_: bool;
+    var phi_7471_: type_17;
+    var phi_7442_: type_16;
+    var phi_7485_: type_17;
+    var phi_7445_: f64;
     var local_62: f64;
-    var phi_7428_: f64;
-    var phi_7492_: f64;
-    var phi_7510_: f64;
-    var phi_7517_: f64;
-    var phi_7522_: f64;
-    var phi_7529_: f64;
-    var phi_7534_: f64;
-    var phi_7547_: f64;
-    var phi_7554_: f64;
-    var phi_7559_: f64;
-    var phi_7566_: f64;
-    var phi_7571_: f64;
-    var phi_7576_: f64;
-    var phi_7593_: f64;
-    var phi_7600_: f64;
-    var phi_7605_: f64;
-    var phi_7612_: f64;
-    var phi_7617_: f64;
-    var phi_7631_: f64;
-    var phi_7638_: f64;
-    var phi_7643_: f64;
-    var phi_7650_: f64;
-    var phi_7655_: f64;
-    var phi_7660_: f64;
-    var phi_7677_: f64;
-    var phi_7684_: f64;
-    var phi_7689_: f64;
-    var phi_7696_: f64;
-    var phi_7701_: f64;
-    var phi_7715_: f64;
-    var phi_7722_: f64;
-    var phi_7727_: f64;
-    var phi_7734_: f64;
-    var phi_7739_: f64;
-    var phi_7744_: f64;
-    var phi_7768_: bool;
-    var phi_7769_: bool;
-    var phi_7770_: bool;
+    var phi_7434_: f64;
+    var phi_7498_: f64;
+    var phi_7516_: f64;
+    var phi_7523_: f64;
+    var phi_7528_: f64;
+    var phi_7535_: f64;
+    var phi_7540_: f64;
+    var phi_7553_: f64;
+    var phi_7560_: f64;
+    var phi_7565_: f64;
+    var phi_7572_: f64;
+    var phi_7577_: f64;
+    var phi_7582_: f64;
+    var phi_7599_: f64;
+    var phi_7606_: f64;
+    var phi_7611_: f64;
+    var phi_7618_: f64;
+    var phi_7623_: f64;
+    var phi_7637_: f64;
+    var phi_7644_: f64;
+    var phi_7649_: f64;
+    var phi_7656_: f64;
+    var phi_7661_: f64;
+    var phi_7666_: f64;
+    var phi_7683_: f64;
+    var phi_7690_: f64;
+    var phi_7695_: f64;
+    var phi_7702_: f64;
+    var phi_7707_: f64;
+    var phi_7721_: f64;
+    var phi_7728_: f64;
+    var phi_7733_: f64;
+    var phi_7740_: f64;
+    var phi_7745_: f64;
+    var phi_7750_: f64;
+    var phi_7774_: bool;
+    var phi_7775_: bool;
+    var phi_7776_: bool;
     var local_63: bool;
-    var phi_7778_: u32;
-    var phi_7782_: type_47;
-    var phi_7783_: bool;
-    var phi_7791_: u32;
-    var phi_7795_: type_47;
-    var phi_7796_: type_47;
-    var phi_7797_: bool;
-    var phi_7798_: bool;
-    var phi_7805_: type_47;
-    var phi_7806_: bool;
-    var phi_7810_: type_47;
+    var phi_7784_: u32;
+    var phi_7788_: type_47;
+    var phi_7789_: bool;
+    var phi_7797_: u32;
+    var phi_7801_: type_47;
+    var phi_7802_: type_47;
+    var phi_7803_: bool;
+    var phi_7804_: bool;
     var phi_7811_: type_47;
     var phi_7812_: bool;
     var phi_7816_: type_47;
-    var phi_15483_: type_47;
-    var phi_15498_: type_37;
-    var phi_15522_: u32;
-    var phi_15526_: type_22;
-    var phi_15527_: bool;
-    var phi_15546_: u32;
+    var phi_7817_: type_47;
+    var phi_7818_: bool;
+    var phi_7822_: type_47;
+    var phi_15489_: type_47;
+    var phi_15504_: type_37;
+    var phi_15528_: u32;
+    var phi_15532_: type_22;
+    var phi_15533_: bool;
+    var phi_15552_: u32;
     var local_64: u32;
     var local_65: f64;
     var local_66: f64;
@@ -4856,16 +4857,16 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_4899_ = false;
                                         phi_4900_ = false;
                                     } else {
-                                        let _e11886 = local_81;
-                                        phi_4896_ = _e11886;
-                                        let _e11889 = local_82;
-                                        phi_4897_ = _e11889;
-                                        let _e11892 = local_83;
-                                        phi_4898_ = _e11892;
-                                        let _e11895 = local_84;
-                                        phi_4899_ = _e11895;
-                                        let _e11898 = local_85;
-                                        phi_4900_ = _e11898;
+                                        let _e11890 = local_81;
+                                        phi_4896_ = _e11890;
+                                        let _e11893 = local_82;
+                                        phi_4897_ = _e11893;
+                                        let _e11896 = local_83;
+                                        phi_4898_ = _e11896;
+                                        let _e11899 = local_84;
+                                        phi_4899_ = _e11899;
+                                        let _e11902 = local_85;
+                                        phi_4900_ = _e11902;
                                     }
                                     let _e8418 = phi_4896_;
                                     let _e8420 = phi_4897_;
@@ -4884,8 +4885,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_4905_ = type_46();
                                         phi_4906_ = _e8420;
                                         phi_4907_ = _e8422;
-                                        let _e11905 = local_86;
-                                        phi_4908_ = _e11905;
+                                        let _e11909 = local_86;
+                                        phi_4908_ = _e11909;
                                         phi_4909_ = _e8424;
                                         phi_4910_ = _e8426;
                                     }
@@ -4917,15 +4918,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e8453 = phi_4919_;
                                     let _e8455 = phi_4920_;
                                     if _e8447 {
-                                        let _e11916 = local_87;
-                                        phi_4924_ = _e11916;
+                                        let _e11920 = local_87;
+                                        phi_4924_ = _e11920;
                                         phi_4925_ = true;
                                         phi_4926_ = false;
                                         phi_4927_ = false;
                                         phi_4928_ = false;
                                     } else {
-                                        let _e11918 = local_88;
-                                        phi_4924_ = _e11918;
+                                        let _e11922 = local_88;
+                                        phi_4924_ = _e11922;
                                         phi_4925_ = _e8449;
                                         phi_4926_ = _e8451;
                                         phi_4927_ = _e8453;
@@ -4942,8 +4943,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_4934_ = false;
                                         phi_4935_ = false;
                                     } else {
-                                        let _e11925 = local_89;
-                                        phi_4932_ = _e11925;
+                                        let _e11929 = local_89;
+                                        phi_4932_ = _e11929;
                                         phi_4933_ = _e8461;
                                         phi_4934_ = _e8463;
                                         phi_4935_ = _e8465;
@@ -4990,15 +4991,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e8495 {
                                     let _e8496 = (_e8493 > _e413);
                                     if _e8496 {
-                                        phi_7161_ = f64();
-                                        phi_7162_ = u32();
-                                        phi_7163_ = f64();
-                                        phi_7164_ = type_48();
-                                        phi_7165_ = u32();
-                                        phi_7166_ = u32();
-                                        phi_7167_ = false;
-                                        phi_7168_ = false;
-                                        phi_7169_ = false;
+                                        phi_7167_ = f64();
+                                        phi_7168_ = u32();
+                                        phi_7169_ = f64();
+                                        phi_7170_ = type_48();
+                                        phi_7171_ = u32();
+                                        phi_7172_ = u32();
+                                        phi_7173_ = false;
+                                        phi_7174_ = false;
+                                        phi_7175_ = false;
                                     } else {
                                         let _e8500 = local_18.member[0u];
                                         let _e8506 = local_18.member[1u];
@@ -6001,8 +6002,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e9676 = f64(2f);
                                                     let _e9678 = local_51;
                                                     if (_e9678 < _e9676) {
-                                                        let _e12096 = local_90;
-                                                        phi_6763_ = _e12096;
+                                                        let _e12100 = local_90;
+                                                        phi_6763_ = _e12100;
                                                     } else {
                                                         phi_6763_ = _e9676;
                                                     }
@@ -6018,8 +6019,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         }
                                                         let _e9691 = phi_6774_;
                                                         phi_6775_ = _e9691;
-                                                        let _e12103 = local_91;
-                                                        phi_6776_ = _e12103;
+                                                        let _e12107 = local_91;
+                                                        phi_6776_ = _e12107;
                                                     } else {
                                                         phi_6775_ = type_48();
                                                         phi_6776_ = true;
@@ -6072,863 +6073,869 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e9754 = local_15.member[_e9728.member_1];
                                                                     let _e9755 = (_e9751 - _e9754);
                                                                     if (_e9755 > f64(0f)) {
-                                                                        let _e9768 = (_e6647 - (_e9748 / _e9755));
-                                                                        if (_e9714 > _e9768) {
+                                                                        let _e9772 = (_e6647 - (_e9748 / _e9755));
+                                                                        if (_e9714 > _e9772) {
                                                                             phi_6895_ = _e9714;
                                                                         } else {
-                                                                            phi_6895_ = _e9768;
+                                                                            phi_6895_ = _e9772;
                                                                         }
-                                                                        let _e9771 = phi_6895_;
-                                                                        phi_6909_ = _e9712;
-                                                                        phi_6910_ = _e9771;
+                                                                        let _e9775 = phi_6895_;
+                                                                        phi_6915_ = _e9712;
+                                                                        phi_6916_ = _e9775;
                                                                     } else {
                                                                         if (_e9748 > f64(0f)) {
-                                                                            let _e9761 = (_e6647 - (_e9748 / _e9755));
-                                                                            if (_e9712 < _e9761) {
-                                                                                phi_6907_ = _e9712;
+                                                                            if (_e9755 < f64(0f)) {
+                                                                                let _e9763 = (_e6647 - (_e9748 / _e9755));
+                                                                                if (_e9712 < _e9763) {
+                                                                                    phi_6912_ = _e9712;
+                                                                                } else {
+                                                                                    phi_6912_ = _e9763;
+                                                                                }
+                                                                                let _e9766 = phi_6912_;
+                                                                                phi_6913_ = _e9766;
                                                                             } else {
-                                                                                phi_6907_ = _e9761;
+                                                                                phi_6913_ = _e9712;
                                                                             }
-                                                                            let _e9764 = phi_6907_;
-                                                                            phi_6908_ = _e9764;
+                                                                            let _e9768 = phi_6913_;
+                                                                            phi_6914_ = _e9768;
                                                                         } else {
-                                                                            phi_6908_ = _e9712;
+                                                                            phi_6914_ = _e9712;
                                                                         }
-                                                                        let _e9766 = phi_6908_;
-                                                                        phi_6909_ = _e9766;
-                                                                        phi_6910_ = _e9714;
+                                                                        let _e9770 = phi_6914_;
+                                                                        phi_6915_ = _e9770;
+                                                                        phi_6916_ = _e9714;
                                                                     }
-                                                                    let _e9773 = phi_6909_;
-                                                                    let _e9775 = phi_6910_;
-                                                                    phi_6802_ = _e9773;
-                                                                    phi_6804_ = _e9775;
+                                                                    let _e9777 = phi_6915_;
+                                                                    let _e9779 = phi_6916_;
+                                                                    phi_6802_ = _e9777;
+                                                                    phi_6804_ = _e9779;
                                                                 } else {
                                                                     phi_6802_ = f64();
                                                                     phi_6804_ = f64();
                                                                 }
-                                                                let _e9777 = phi_6802_;
-                                                                let _e9779 = phi_6804_;
+                                                                let _e9781 = phi_6802_;
+                                                                let _e9783 = phi_6804_;
                                                                 continue;
                                                                 continuing {
                                                                     phi_6798_ = _e9726;
-                                                                    phi_6801_ = _e9777;
-                                                                    phi_6803_ = _e9779;
+                                                                    phi_6801_ = _e9781;
+                                                                    phi_6803_ = _e9783;
                                                                     break if !(_e9732);
                                                                 }
                                                             }
-                                                            let _e9782 = local_55;
-                                                            let _e9784 = local_56;
-                                                            let _e9789 = local_57;
-                                                            let _e9790 = (_e9789 + ((_e9782 - _e9784) * f64(0.5f)));
-                                                            if (_e9790 > _e6647) {
-                                                                if (_e9790 <= _e9708) {
-                                                                    let _e9793 = f64(0f);
-                                                                    let _e9796 = local_15.member[0u];
-                                                                    let _e9799 = local_15.member_1[0u];
-                                                                    let _e9802 = local_15.member[0u];
-                                                                    let _e9808 = local_15.member_2[0u];
-                                                                    if (((_e9796 + ((_e9799 - _e9802) * _e9790)) - _e9808) > _e9793) {
-                                                                        let _e9813 = local_15.member[1u];
-                                                                        let _e9816 = local_15.member_1[1u];
-                                                                        let _e9819 = local_15.member[1u];
-                                                                        let _e9825 = local_15.member_2[1u];
-                                                                        if (((_e9813 + ((_e9816 - _e9819) * _e9790)) - _e9825) > _e9793) {
-                                                                            let _e9830 = local_15.member[2u];
-                                                                            let _e9833 = local_15.member_1[2u];
-                                                                            let _e9836 = local_15.member[2u];
-                                                                            let _e9842 = local_15.member_2[2u];
-                                                                            if (((_e9830 + ((_e9833 - _e9836) * _e9790)) - _e9842) > _e9793) {
-                                                                                let _e9847 = local_15.member[3u];
-                                                                                let _e9850 = local_15.member_1[3u];
-                                                                                let _e9853 = local_15.member[3u];
-                                                                                let _e9859 = local_15.member_2[3u];
-                                                                                phi_7073_ = (((_e9847 + ((_e9850 - _e9853) * _e9790)) - _e9859) > _e9793);
-                                                                                phi_7074_ = false;
+                                                            let _e9786 = local_55;
+                                                            let _e9788 = local_56;
+                                                            let _e9793 = local_57;
+                                                            let _e9794 = (_e9793 + ((_e9786 - _e9788) * f64(0.5f)));
+                                                            if (_e9794 > _e6647) {
+                                                                if (_e9794 <= _e9708) {
+                                                                    let _e9797 = f64(0f);
+                                                                    let _e9800 = local_15.member[0u];
+                                                                    let _e9803 = local_15.member_1[0u];
+                                                                    let _e9806 = local_15.member[0u];
+                                                                    let _e9812 = local_15.member_2[0u];
+                                                                    if (((_e9800 + ((_e9803 - _e9806) * _e9794)) - _e9812) > _e9797) {
+                                                                        let _e9817 = local_15.member[1u];
+                                                                        let _e9820 = local_15.member_1[1u];
+                                                                        let _e9823 = local_15.member[1u];
+                                                                        let _e9829 = local_15.member_2[1u];
+                                                                        if (((_e9817 + ((_e9820 - _e9823) * _e9794)) - _e9829) > _e9797) {
+                                                                            let _e9834 = local_15.member[2u];
+                                                                            let _e9837 = local_15.member_1[2u];
+                                                                            let _e9840 = local_15.member[2u];
+                                                                            let _e9846 = local_15.member_2[2u];
+                                                                            if (((_e9834 + ((_e9837 - _e9840) * _e9794)) - _e9846) > _e9797) {
+                                                                                let _e9851 = local_15.member[3u];
+                                                                                let _e9854 = local_15.member_1[3u];
+                                                                                let _e9857 = local_15.member[3u];
+                                                                                let _e9863 = local_15.member_2[3u];
+                                                                                phi_7079_ = (((_e9851 + ((_e9854 - _e9857) * _e9794)) - _e9863) > _e9797);
+                                                                                phi_7080_ = false;
                                                                             } else {
-                                                                                phi_7073_ = bool();
-                                                                                phi_7074_ = true;
+                                                                                phi_7079_ = bool();
+                                                                                phi_7080_ = true;
                                                                             }
-                                                                            let _e9863 = phi_7073_;
-                                                                            let _e9865 = phi_7074_;
-                                                                            phi_7075_ = _e9863;
-                                                                            phi_7076_ = _e9865;
+                                                                            let _e9867 = phi_7079_;
+                                                                            let _e9869 = phi_7080_;
+                                                                            phi_7081_ = _e9867;
+                                                                            phi_7082_ = _e9869;
                                                                         } else {
-                                                                            phi_7075_ = bool();
-                                                                            phi_7076_ = true;
+                                                                            phi_7081_ = bool();
+                                                                            phi_7082_ = true;
                                                                         }
-                                                                        let _e9867 = phi_7075_;
-                                                                        let _e9869 = phi_7076_;
-                                                                        phi_7077_ = _e9867;
-                                                                        phi_7078_ = _e9869;
+                                                                        let _e9871 = phi_7081_;
+                                                                        let _e9873 = phi_7082_;
+                                                                        phi_7083_ = _e9871;
+                                                                        phi_7084_ = _e9873;
                                                                     } else {
-                                                                        phi_7077_ = bool();
-                                                                        phi_7078_ = true;
+                                                                        phi_7083_ = bool();
+                                                                        phi_7084_ = true;
                                                                     }
-                                                                    let _e9871 = phi_7077_;
-                                                                    let _e9873 = phi_7078_;
-                                                                    if _e9873 {
-                                                                        phi_7082_ = false;
+                                                                    let _e9875 = phi_7083_;
+                                                                    let _e9877 = phi_7084_;
+                                                                    if _e9877 {
+                                                                        phi_7088_ = false;
                                                                     } else {
-                                                                        phi_7082_ = _e9871;
+                                                                        phi_7088_ = _e9875;
                                                                     }
-                                                                    let _e9875 = phi_7082_;
-                                                                    if _e9875 {
-                                                                        phi_7086_ = false;
+                                                                    let _e9879 = phi_7088_;
+                                                                    if _e9879 {
+                                                                        phi_7092_ = false;
                                                                     } else {
-                                                                        phi_7086_ = true;
+                                                                        phi_7092_ = true;
                                                                     }
-                                                                    let _e9877 = phi_7086_;
-                                                                    phi_7087_ = _e9877;
+                                                                    let _e9881 = phi_7092_;
+                                                                    phi_7093_ = _e9881;
                                                                 } else {
-                                                                    phi_7087_ = true;
+                                                                    phi_7093_ = true;
                                                                 }
-                                                                let _e9879 = phi_7087_;
-                                                                phi_7088_ = _e9879;
+                                                                let _e9883 = phi_7093_;
+                                                                phi_7094_ = _e9883;
                                                             } else {
-                                                                phi_7088_ = true;
+                                                                phi_7094_ = true;
                                                             }
-                                                            let _e9881 = phi_7088_;
-                                                            if _e9881 {
-                                                                phi_7093_ = f64(2f);
+                                                            let _e9885 = phi_7094_;
+                                                            if _e9885 {
+                                                                phi_7099_ = f64(2f);
                                                             } else {
-                                                                phi_7093_ = _e9790;
+                                                                phi_7099_ = _e9794;
                                                             }
-                                                            let _e9884 = phi_7093_;
-                                                            phi_7097_ = type_48(_e9708, _e9884, 2u);
-                                                            phi_7098_ = type_48();
-                                                            phi_7099_ = false;
+                                                            let _e9888 = phi_7099_;
+                                                            phi_7103_ = type_48(_e9708, _e9888, 2u);
+                                                            phi_7104_ = type_48();
+                                                            phi_7105_ = false;
                                                         } else {
-                                                            phi_7097_ = type_48();
-                                                            phi_7098_ = type_48(_e6647, f64(2f), 0u);
-                                                            phi_7099_ = true;
+                                                            phi_7103_ = type_48();
+                                                            phi_7104_ = type_48(_e6647, f64(2f), 0u);
+                                                            phi_7105_ = true;
                                                         }
-                                                        let _e9887 = phi_7097_;
-                                                        let _e9889 = phi_7098_;
-                                                        let _e9891 = phi_7099_;
-                                                        phi_7100_ = _e9887;
-                                                        phi_7101_ = _e9889;
-                                                        phi_7102_ = _e9891;
+                                                        let _e9891 = phi_7103_;
+                                                        let _e9893 = phi_7104_;
+                                                        let _e9895 = phi_7105_;
+                                                        phi_7106_ = _e9891;
+                                                        phi_7107_ = _e9893;
+                                                        phi_7108_ = _e9895;
                                                     } else {
-                                                        phi_7100_ = type_48();
-                                                        phi_7101_ = _e9693;
-                                                        phi_7102_ = true;
+                                                        phi_7106_ = type_48();
+                                                        phi_7107_ = _e9693;
+                                                        phi_7108_ = true;
                                                     }
-                                                    let _e9893 = phi_7100_;
-                                                    let _e9895 = phi_7101_;
-                                                    let _e9897 = phi_7102_;
-                                                    phi_7108_ = _e9895;
-                                                    phi_7109_ = _e9893;
-                                                    phi_7110_ = _e9897;
+                                                    let _e9897 = phi_7106_;
+                                                    let _e9899 = phi_7107_;
+                                                    let _e9901 = phi_7108_;
+                                                    phi_7114_ = _e9899;
+                                                    phi_7115_ = _e9897;
+                                                    phi_7116_ = _e9901;
                                                 } else {
-                                                    phi_7108_ = type_48(_e6647, f64(2f), 0u);
-                                                    phi_7109_ = type_48();
-                                                    phi_7110_ = true;
+                                                    phi_7114_ = type_48(_e6647, f64(2f), 0u);
+                                                    phi_7115_ = type_48();
+                                                    phi_7116_ = true;
                                                 }
-                                                let _e9899 = phi_7108_;
-                                                let _e9901 = phi_7109_;
-                                                let _e9903 = phi_7110_;
-                                                phi_7114_ = _e9899;
-                                                phi_7115_ = _e9901;
-                                                phi_7116_ = false;
-                                                phi_7117_ = _e9903;
+                                                let _e9903 = phi_7114_;
+                                                let _e9905 = phi_7115_;
+                                                let _e9907 = phi_7116_;
+                                                phi_7120_ = _e9903;
+                                                phi_7121_ = _e9905;
+                                                phi_7122_ = false;
+                                                phi_7123_ = _e9907;
                                             } else {
-                                                phi_7114_ = type_48();
-                                                phi_7115_ = type_48();
-                                                phi_7116_ = true;
-                                                phi_7117_ = false;
+                                                phi_7120_ = type_48();
+                                                phi_7121_ = type_48();
+                                                phi_7122_ = true;
+                                                phi_7123_ = false;
                                             }
-                                            let _e9905 = phi_7114_;
-                                            let _e9907 = phi_7115_;
-                                            let _e9909 = phi_7116_;
-                                            let _e9911 = phi_7117_;
-                                            phi_7118_ = _e9905;
-                                            phi_7119_ = _e9907;
-                                            phi_7120_ = _e9909;
-                                            phi_7121_ = _e9911;
+                                            let _e9909 = phi_7120_;
+                                            let _e9911 = phi_7121_;
+                                            let _e9913 = phi_7122_;
+                                            let _e9915 = phi_7123_;
+                                            phi_7124_ = _e9909;
+                                            phi_7125_ = _e9911;
+                                            phi_7126_ = _e9913;
+                                            phi_7127_ = _e9915;
                                         } else {
-                                            phi_7118_ = type_48();
-                                            phi_7119_ = type_48();
-                                            phi_7120_ = true;
-                                            phi_7121_ = false;
+                                            phi_7124_ = type_48();
+                                            phi_7125_ = type_48();
+                                            phi_7126_ = true;
+                                            phi_7127_ = false;
                                         }
-                                        let _e9913 = phi_7118_;
-                                        let _e9915 = phi_7119_;
-                                        let _e9917 = phi_7120_;
-                                        let _e9919 = phi_7121_;
-                                        if _e9917 {
-                                            phi_7127_ = type_48(_e6647, f64(2f), 0u);
-                                            phi_7128_ = true;
-                                        } else {
-                                            phi_7127_ = _e9913;
-                                            phi_7128_ = _e9919;
-                                        }
+                                        let _e9917 = phi_7124_;
+                                        let _e9919 = phi_7125_;
+                                        let _e9921 = phi_7126_;
                                         let _e9923 = phi_7127_;
-                                        let _e9925 = phi_7128_;
-                                        if _e9925 {
-                                            phi_7132_ = _e9923;
+                                        if _e9921 {
+                                            phi_7133_ = type_48(_e6647, f64(2f), 0u);
+                                            phi_7134_ = true;
                                         } else {
-                                            phi_7132_ = _e9915;
+                                            phi_7133_ = _e9917;
+                                            phi_7134_ = _e9923;
                                         }
-                                        let _e9927 = phi_7132_;
+                                        let _e9927 = phi_7133_;
+                                        let _e9929 = phi_7134_;
+                                        if _e9929 {
+                                            phi_7138_ = _e9927;
+                                        } else {
+                                            phi_7138_ = _e9919;
+                                        }
+                                        let _e9931 = phi_7138_;
                                         if ((_e424 & 64u) != 0u) {
-                                            if (_e9927.member_2 == 2u) {
-                                                let _e9931 = (_e9927.member_1 <= _e422);
-                                                if _e9931 {
-                                                    phi_7148_ = _e9927.member_1;
-                                                    phi_7149_ = _e9927.member_1;
-                                                    phi_7150_ = false;
+                                            if (_e9931.member_2 == 2u) {
+                                                let _e9935 = (_e9931.member_1 <= _e422);
+                                                if _e9935 {
+                                                    phi_7154_ = _e9931.member_1;
+                                                    phi_7155_ = _e9931.member_1;
+                                                    phi_7156_ = false;
                                                 } else {
-                                                    phi_7148_ = f64();
-                                                    phi_7149_ = f64();
-                                                    phi_7150_ = true;
+                                                    phi_7154_ = f64();
+                                                    phi_7155_ = f64();
+                                                    phi_7156_ = true;
                                                 }
-                                                let _e9935 = phi_7148_;
-                                                let _e9937 = phi_7149_;
-                                                let _e9939 = phi_7150_;
-                                                phi_7151_ = _e9935;
-                                                phi_7152_ = _e9937;
-                                                phi_7153_ = _e9931;
-                                                phi_7154_ = _e9939;
-                                                phi_7155_ = false;
+                                                let _e9939 = phi_7154_;
+                                                let _e9941 = phi_7155_;
+                                                let _e9943 = phi_7156_;
+                                                phi_7157_ = _e9939;
+                                                phi_7158_ = _e9941;
+                                                phi_7159_ = _e9935;
+                                                phi_7160_ = _e9943;
+                                                phi_7161_ = false;
                                             } else {
-                                                phi_7151_ = f64();
-                                                phi_7152_ = f64();
-                                                phi_7153_ = false;
-                                                phi_7154_ = false;
-                                                phi_7155_ = true;
+                                                phi_7157_ = f64();
+                                                phi_7158_ = f64();
+                                                phi_7159_ = false;
+                                                phi_7160_ = false;
+                                                phi_7161_ = true;
                                             }
-                                            let _e9941 = phi_7151_;
-                                            let _e9943 = phi_7152_;
-                                            let _e9945 = phi_7153_;
-                                            let _e9947 = phi_7154_;
-                                            let _e9949 = phi_7155_;
-                                            phi_7156_ = _e9941;
-                                            phi_7157_ = _e9943;
-                                            phi_7158_ = _e9945;
-                                            phi_7159_ = _e9947;
-                                            phi_7160_ = _e9949;
+                                            let _e9945 = phi_7157_;
+                                            let _e9947 = phi_7158_;
+                                            let _e9949 = phi_7159_;
+                                            let _e9951 = phi_7160_;
+                                            let _e9953 = phi_7161_;
+                                            phi_7162_ = _e9945;
+                                            phi_7163_ = _e9947;
+                                            phi_7164_ = _e9949;
+                                            phi_7165_ = _e9951;
+                                            phi_7166_ = _e9953;
                                         } else {
-                                            phi_7156_ = f64();
-                                            phi_7157_ = f64();
-                                            phi_7158_ = false;
-                                            phi_7159_ = false;
-                                            phi_7160_ = true;
+                                            phi_7162_ = f64();
+                                            phi_7163_ = f64();
+                                            phi_7164_ = false;
+                                            phi_7165_ = false;
+                                            phi_7166_ = true;
                                         }
-                                        let _e9951 = phi_7156_;
-                                        let _e9953 = phi_7157_;
-                                        let _e9955 = phi_7158_;
-                                        let _e9957 = phi_7159_;
-                                        let _e9959 = phi_7160_;
-                                        phi_7161_ = _e9951;
-                                        phi_7162_ = _e9927.member_2;
-                                        phi_7163_ = _e9953;
-                                        phi_7164_ = _e9927;
-                                        phi_7165_ = _e9927.member_2;
-                                        phi_7166_ = _e9927.member_2;
+                                        let _e9955 = phi_7162_;
+                                        let _e9957 = phi_7163_;
+                                        let _e9959 = phi_7164_;
+                                        let _e9961 = phi_7165_;
+                                        let _e9963 = phi_7166_;
                                         phi_7167_ = _e9955;
-                                        phi_7168_ = _e9957;
-                                        phi_7169_ = _e9959;
+                                        phi_7168_ = _e9931.member_2;
+                                        phi_7169_ = _e9957;
+                                        phi_7170_ = _e9931;
+                                        phi_7171_ = _e9931.member_2;
+                                        phi_7172_ = _e9931.member_2;
+                                        phi_7173_ = _e9959;
+                                        phi_7174_ = _e9961;
+                                        phi_7175_ = _e9963;
                                     }
-                                    let _e9961 = phi_7161_;
-                                    let _e9963 = phi_7162_;
-                                    let _e9965 = phi_7163_;
-                                    let _e9967 = phi_7164_;
-                                    let _e9969 = phi_7165_;
-                                    let _e9971 = phi_7166_;
-                                    let _e9973 = phi_7167_;
-                                    let _e9975 = phi_7168_;
-                                    let _e9977 = phi_7169_;
-                                    phi_7170_ = _e9961;
-                                    phi_7171_ = _e9963;
-                                    phi_7172_ = _e9965;
-                                    phi_7173_ = _e9967;
-                                    phi_7174_ = _e9969;
-                                    phi_7175_ = _e9971;
-                                    phi_7176_ = _e9973;
-                                    phi_7177_ = _e8496;
-                                    phi_7178_ = _e9975;
-                                    phi_7179_ = _e9977;
-                                    phi_7180_ = false;
+                                    let _e9965 = phi_7167_;
+                                    let _e9967 = phi_7168_;
+                                    let _e9969 = phi_7169_;
+                                    let _e9971 = phi_7170_;
+                                    let _e9973 = phi_7171_;
+                                    let _e9975 = phi_7172_;
+                                    let _e9977 = phi_7173_;
+                                    let _e9979 = phi_7174_;
+                                    let _e9981 = phi_7175_;
+                                    phi_7176_ = _e9965;
+                                    phi_7177_ = _e9967;
+                                    phi_7178_ = _e9969;
+                                    phi_7179_ = _e9971;
+                                    phi_7180_ = _e9973;
+                                    phi_7181_ = _e9975;
+                                    phi_7182_ = _e9977;
+                                    phi_7183_ = _e8496;
+                                    phi_7184_ = _e9979;
+                                    phi_7185_ = _e9981;
+                                    phi_7186_ = false;
                                 } else {
-                                    phi_7170_ = f64();
-                                    phi_7171_ = u32();
-                                    phi_7172_ = f64();
-                                    phi_7173_ = type_48();
-                                    phi_7174_ = u32();
-                                    phi_7175_ = u32();
-                                    phi_7176_ = false;
-                                    phi_7177_ = false;
-                                    phi_7178_ = false;
-                                    phi_7179_ = false;
-                                    phi_7180_ = true;
+                                    phi_7176_ = f64();
+                                    phi_7177_ = u32();
+                                    phi_7178_ = f64();
+                                    phi_7179_ = type_48();
+                                    phi_7180_ = u32();
+                                    phi_7181_ = u32();
+                                    phi_7182_ = false;
+                                    phi_7183_ = false;
+                                    phi_7184_ = false;
+                                    phi_7185_ = false;
+                                    phi_7186_ = true;
                                 }
-                                let _e9979 = phi_7170_;
-                                let _e9981 = phi_7171_;
-                                let _e9983 = phi_7172_;
-                                let _e9985 = phi_7173_;
-                                let _e9987 = phi_7174_;
-                                let _e9989 = phi_7175_;
-                                let _e9991 = phi_7176_;
-                                let _e9993 = phi_7177_;
-                                let _e9995 = phi_7178_;
-                                let _e9997 = phi_7179_;
-                                let _e9999 = phi_7180_;
-                                phi_7181_ = _e8493;
-                                phi_2171_ = _e9979;
-                                phi_2173_ = _e9981;
-                                phi_2175_ = _e9983;
-                                phi_7182_ = _e9985;
-                                phi_7183_ = _e9987;
-                                phi_7184_ = _e8493;
-                                phi_7185_ = _e9989;
-                                phi_7186_ = _e9991;
-                                phi_7187_ = _e9993;
-                                phi_7188_ = _e9995;
-                                phi_7189_ = _e9997;
-                                phi_7190_ = false;
-                                phi_7191_ = _e9999;
+                                let _e9983 = phi_7176_;
+                                let _e9985 = phi_7177_;
+                                let _e9987 = phi_7178_;
+                                let _e9989 = phi_7179_;
+                                let _e9991 = phi_7180_;
+                                let _e9993 = phi_7181_;
+                                let _e9995 = phi_7182_;
+                                let _e9997 = phi_7183_;
+                                let _e9999 = phi_7184_;
+                                let _e10001 = phi_7185_;
+                                let _e10003 = phi_7186_;
+                                phi_7187_ = _e8493;
+                                phi_2171_ = _e9983;
+                                phi_2173_ = _e9985;
+                                phi_2175_ = _e9987;
+                                phi_7188_ = _e9989;
+                                phi_7189_ = _e9991;
+                                phi_7190_ = _e8493;
+                                phi_7191_ = _e9993;
+                                phi_7192_ = _e9995;
+                                phi_7193_ = _e9997;
+                                phi_7194_ = _e9999;
+                                phi_7195_ = _e10001;
+                                phi_7196_ = false;
+                                phi_7197_ = _e10003;
                             } else {
-                                phi_7181_ = f64();
+                                phi_7187_ = f64();
                                 phi_2171_ = f64();
                                 phi_2173_ = u32();
                                 phi_2175_ = f64();
-                                phi_7182_ = type_48();
-                                phi_7183_ = u32();
-                                phi_7184_ = f64();
-                                phi_7185_ = u32();
-                                phi_7186_ = false;
-                                phi_7187_ = false;
-                                phi_7188_ = false;
-                                phi_7189_ = false;
-                                phi_7190_ = true;
-                                phi_7191_ = false;
+                                phi_7188_ = type_48();
+                                phi_7189_ = u32();
+                                phi_7190_ = f64();
+                                phi_7191_ = u32();
+                                phi_7192_ = false;
+                                phi_7193_ = false;
+                                phi_7194_ = false;
+                                phi_7195_ = false;
+                                phi_7196_ = true;
+                                phi_7197_ = false;
                             }
-                            let _e10001 = phi_7181_;
-                            let _e10003 = phi_2171_;
-                            let _e10005 = phi_2173_;
-                            let _e10007 = phi_2175_;
-                            let _e10009 = phi_7182_;
-                            let _e10011 = phi_7183_;
-                            let _e10013 = phi_7184_;
-                            let _e10015 = phi_7185_;
-                            let _e10017 = phi_7186_;
-                            let _e10019 = phi_7187_;
-                            let _e10021 = phi_7188_;
-                            let _e10023 = phi_7189_;
-                            let _e10025 = phi_7190_;
-                            let _e10027 = phi_7191_;
-                            local_58 = _e10019;
-                            local_92 = _e10021;
-                            local_93 = _e10023;
-                            local_94 = _e10025;
-                            local_95 = _e10027;
-                            local_59 = _e10009;
-                            local_60 = _e10009;
-                            local_96 = _e10011;
-                            local_61 = _e10009;
-                            local_97 = _e10019;
-                            local_98 = _e10015;
-                            local_100 = _e10013;
-                            local_101 = _e10001;
+                            let _e10005 = phi_7187_;
+                            let _e10007 = phi_2171_;
+                            let _e10009 = phi_2173_;
+                            let _e10011 = phi_2175_;
+                            let _e10013 = phi_7188_;
+                            let _e10015 = phi_7189_;
+                            let _e10017 = phi_7190_;
+                            let _e10019 = phi_7191_;
+                            let _e10021 = phi_7192_;
+                            let _e10023 = phi_7193_;
+                            let _e10025 = phi_7194_;
+                            let _e10027 = phi_7195_;
+                            let _e10029 = phi_7196_;
+                            let _e10031 = phi_7197_;
+                            local_58 = _e10023;
+                            local_92 = _e10025;
+                            local_93 = _e10027;
+                            local_94 = _e10029;
+                            local_95 = _e10031;
+                            local_59 = _e10013;
+                            local_60 = _e10013;
+                            local_96 = _e10015;
+                            local_61 = _e10013;
+                            local_97 = _e10023;
+                            local_98 = _e10019;
+                            local_100 = _e10017;
+                            local_101 = _e10005;
                             continue;
                             continuing {
                                 phi_2167_ = _e6670;
-                                phi_2170_ = _e10003;
-                                phi_2172_ = _e10005;
-                                phi_2174_ = _e10007;
-                                break if !(_e10017);
+                                phi_2170_ = _e10007;
+                                phi_2172_ = _e10009;
+                                phi_2174_ = _e10011;
+                                break if !(_e10021);
                             }
                         }
-                        let _e10030 = local_58;
-                        if _e10030 {
-                            phi_7195_ = false;
-                            phi_7196_ = false;
-                            phi_7197_ = false;
-                            phi_7198_ = false;
+                        let _e10034 = local_58;
+                        if _e10034 {
+                            phi_7201_ = false;
+                            phi_7202_ = false;
+                            phi_7203_ = false;
+                            phi_7204_ = false;
                         } else {
-                            let _e12203 = local_92;
-                            phi_7195_ = _e12203;
-                            let _e12206 = local_93;
-                            phi_7196_ = _e12206;
-                            let _e12209 = local_94;
-                            phi_7197_ = _e12209;
-                            let _e12212 = local_95;
-                            phi_7198_ = _e12212;
+                            let _e12208 = local_92;
+                            phi_7201_ = _e12208;
+                            let _e12211 = local_93;
+                            phi_7202_ = _e12211;
+                            let _e12214 = local_94;
+                            phi_7203_ = _e12214;
+                            let _e12217 = local_95;
+                            phi_7204_ = _e12217;
                         }
-                        let _e10032 = phi_7195_;
-                        let _e10034 = phi_7196_;
-                        let _e10036 = phi_7197_;
-                        let _e10038 = phi_7198_;
-                        if _e10032 {
-                            let _e10040 = local_59;
-                            if (_e10040.member >= _e422) {
-                                phi_7220_ = type_47(type_46(0u, f64()), 0u);
+                        let _e10036 = phi_7201_;
+                        let _e10038 = phi_7202_;
+                        let _e10040 = phi_7203_;
+                        let _e10042 = phi_7204_;
+                        if _e10036 {
+                            let _e10044 = local_59;
+                            if (_e10044.member >= _e422) {
+                                phi_7226_ = type_47(type_46(0u, f64()), 0u);
                             } else {
-                                let _e10044 = local_60;
-                                if (_e10044.member > _e413) {
-                                    phi_7215_ = 0u;
+                                let _e10048 = local_60;
+                                if (_e10048.member > _e413) {
+                                    phi_7221_ = 0u;
                                 } else {
-                                    let _e12217 = local_96;
-                                    phi_7215_ = _e12217;
+                                    let _e12222 = local_96;
+                                    phi_7221_ = _e12222;
                                 }
-                                let _e10048 = phi_7215_;
-                                let _e10050 = local_61;
-                                phi_7220_ = type_47(type_46(2u, _e10050.member), _e10048);
+                                let _e10052 = phi_7221_;
+                                let _e10054 = local_61;
+                                phi_7226_ = type_47(type_46(2u, _e10054.member), _e10052);
                             }
-                            let _e10057 = phi_7220_;
-                            phi_7221_ = _e10057;
-                            phi_7222_ = false;
-                            phi_7223_ = false;
-                            phi_7224_ = false;
-                            phi_7225_ = false;
+                            let _e10061 = phi_7226_;
+                            phi_7227_ = _e10061;
+                            phi_7228_ = false;
+                            phi_7229_ = false;
+                            phi_7230_ = false;
+                            phi_7231_ = false;
                         } else {
-                            phi_7221_ = type_47();
-                            phi_7222_ = _e10034;
-                            let _e12224 = local_97;
-                            phi_7223_ = _e12224;
-                            phi_7224_ = _e10036;
-                            phi_7225_ = _e10038;
-                        }
-                        let _e10059 = phi_7221_;
-                        let _e10061 = phi_7222_;
-                        let _e10063 = phi_7223_;
-                        let _e10065 = phi_7224_;
-                        let _e10067 = phi_7225_;
-                        if _e10061 {
-                            let _e12229 = local_98;
+                            phi_7227_ = type_47();
+                            phi_7228_ = _e10038;
+                            let _e12229 = local_97;
                             phi_7229_ = _e12229;
-                            let _e12234 = local_100;
-                            phi_7230_ = _e12234;
-                            phi_7231_ = true;
-                            phi_7232_ = false;
-                            phi_7233_ = false;
-                            phi_7234_ = false;
-                        } else {
-                            let _e12231 = local_99;
-                            phi_7229_ = _e12231;
-                            let _e12236 = local_101;
-                            phi_7230_ = _e12236;
-                            phi_7231_ = _e10063;
-                            phi_7232_ = _e10065;
-                            phi_7233_ = _e10067;
-                            phi_7234_ = _e10032;
+                            phi_7230_ = _e10040;
+                            phi_7231_ = _e10042;
                         }
-                        let _e10069 = phi_7229_;
-                        let _e10071 = phi_7230_;
-                        let _e10073 = phi_7231_;
-                        let _e10075 = phi_7232_;
-                        let _e10077 = phi_7233_;
-                        let _e10079 = phi_7234_;
-                        if _e10073 {
-                            phi_7238_ = _e10071;
-                            phi_7239_ = _e10069;
-                            phi_7240_ = true;
-                            phi_7241_ = false;
-                            phi_7242_ = false;
+                        let _e10063 = phi_7227_;
+                        let _e10065 = phi_7228_;
+                        let _e10067 = phi_7229_;
+                        let _e10069 = phi_7230_;
+                        let _e10071 = phi_7231_;
+                        if _e10065 {
+                            let _e12234 = local_98;
+                            phi_7235_ = _e12234;
+                            let _e12239 = local_100;
+                            phi_7236_ = _e12239;
+                            phi_7237_ = true;
+                            phi_7238_ = false;
+                            phi_7239_ = false;
+                            phi_7240_ = false;
                         } else {
-                            let _e12243 = local_102;
-                            phi_7238_ = _e12243;
-                            let _e12246 = local_103;
-                            phi_7239_ = _e12246;
-                            phi_7240_ = _e10075;
-                            phi_7241_ = _e10077;
-                            phi_7242_ = _e10079;
+                            let _e12236 = local_99;
+                            phi_7235_ = _e12236;
+                            let _e12241 = local_101;
+                            phi_7236_ = _e12241;
+                            phi_7237_ = _e10067;
+                            phi_7238_ = _e10069;
+                            phi_7239_ = _e10071;
+                            phi_7240_ = _e10036;
                         }
-                        let _e10081 = phi_7238_;
-                        let _e10083 = phi_7239_;
-                        let _e10085 = phi_7240_;
-                        let _e10087 = phi_7241_;
-                        let _e10089 = phi_7242_;
-                        if _e10085 {
+                        let _e10073 = phi_7235_;
+                        let _e10075 = phi_7236_;
+                        let _e10077 = phi_7237_;
+                        let _e10079 = phi_7238_;
+                        let _e10081 = phi_7239_;
+                        let _e10083 = phi_7240_;
+                        if _e10077 {
+                            phi_7244_ = _e10075;
+                            phi_7245_ = _e10073;
+                            phi_7246_ = true;
+                            phi_7247_ = false;
+                            phi_7248_ = false;
+                        } else {
+                            let _e12248 = local_102;
+                            phi_7244_ = _e12248;
+                            let _e12251 = local_103;
+                            phi_7245_ = _e12251;
+                            phi_7246_ = _e10079;
+                            phi_7247_ = _e10081;
+                            phi_7248_ = _e10083;
+                        }
+                        let _e10085 = phi_7244_;
+                        let _e10087 = phi_7245_;
+                        let _e10089 = phi_7246_;
+                        let _e10091 = phi_7247_;
+                        let _e10093 = phi_7248_;
+                        if _e10089 {
                             local_13[0u] = 0.01f;
                             local_13[1u] = 0f;
                             local_13[2u] = 0.8f;
                             if (_e404 >= (1.1102230246251565e-16lf * f64(8f))) {
-                                phi_7256_ = _e404;
+                                phi_7262_ = _e404;
                             } else {
-                                phi_7256_ = f64(0f);
+                                phi_7262_ = f64(0f);
                             }
-                            let _e10098 = phi_7256_;
-                            phi_7259_ = type_12(0u, 3u);
+                            let _e10102 = phi_7262_;
+                            phi_7265_ = type_12(0u, 3u);
                             loop {
-                                let _e10100 = phi_7259_;
-                                if (_e10100.member < _e10100.member_1) {
-                                    phi_7260_ = type_12((_e10100.member + 1u), _e10100.member_1);
-                                    phi_7283_ = type_12(1u, _e10100.member);
+                                let _e10104 = phi_7265_;
+                                if (_e10104.member < _e10104.member_1) {
+                                    phi_7266_ = type_12((_e10104.member + 1u), _e10104.member_1);
+                                    phi_7289_ = type_12(1u, _e10104.member);
                                 } else {
-                                    phi_7260_ = _e10100;
-                                    phi_7283_ = type_12(0u, type_12().member_1);
+                                    phi_7266_ = _e10104;
+                                    phi_7289_ = type_12(0u, type_12().member_1);
                                 }
-                                let _e10112 = phi_7260_;
-                                let _e10114 = phi_7283_;
-                                if (bitcast<i32>(_e10114.member) != 0i) {
-                                    let _e10120 = local_13[_e10114.member_1];
-                                    let _e10123 = (_e10081 + (_e10098 * f64(_e10120)));
-                                    if (_e10123 < _e422) {
-                                        phi_7305_ = _e10123;
+                                let _e10116 = phi_7266_;
+                                let _e10118 = phi_7289_;
+                                if (bitcast<i32>(_e10118.member) != 0i) {
+                                    let _e10124 = local_13[_e10118.member_1];
+                                    let _e10127 = (_e10085 + (_e10102 * f64(_e10124)));
+                                    if (_e10127 < _e422) {
+                                        phi_7311_ = _e10127;
                                     } else {
-                                        phi_7305_ = _e422;
+                                        phi_7311_ = _e422;
                                     }
-                                    let _e10126 = phi_7305_;
-                                    let _e10129 = local_18.member[0u];
-                                    let _e10135 = local_18.member[1u];
-                                    let _e10151 = local_18.member_1[0u];
-                                    let _e10157 = local_18.member_1[1u];
-                                    let _e10173 = local_18.member_2[0u];
-                                    let _e10179 = local_18.member_2[1u];
-                                    let _e10193 = function_4(array<f64, 3>((_e10129[0] + ((_e10135[0] - _e10129[0]) * _e10126)), (_e10129[1] + ((_e10135[1] - _e10129[1]) * _e10126)), (_e10129[2] + ((_e10135[2] - _e10129[2]) * _e10126))), array<f64, 3>((_e10151[0] + ((_e10157[0] - _e10151[0]) * _e10126)), (_e10151[1] + ((_e10157[1] - _e10151[1]) * _e10126)), (_e10151[2] + ((_e10157[2] - _e10151[2]) * _e10126))), array<f64, 3>((_e10173[0] + ((_e10179[0] - _e10173[0]) * _e10126)), (_e10173[1] + ((_e10179[1] - _e10173[1]) * _e10126)), (_e10173[2] + ((_e10179[2] - _e10173[2]) * _e10126))), 1u);
-                                    let _e10204 = (((_e10193[0] * _e10193[0]) + (_e10193[1] * _e10193[1])) + (_e10193[2] * _e10193[2]));
-                                    if (_e10204 <= 2.2250738585072014e-308lf) {
-                                        if (_e10204 > 0.0lf) {
-                                            phi_7428_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e10130 = phi_7311_;
+                                    let _e10133 = local_18.member[0u];
+                                    let _e10139 = local_18.member[1u];
+                                    let _e10155 = local_18.member_1[0u];
+                                    let _e10161 = local_18.member_1[1u];
+                                    let _e10177 = local_18.member_2[0u];
+                                    let _e10183 = local_18.member_2[1u];
+                                    let _e10197 = function_4(array<f64, 3>((_e10133[0] + ((_e10139[0] - _e10133[0]) * _e10130)), (_e10133[1] + ((_e10139[1] - _e10133[1]) * _e10130)), (_e10133[2] + ((_e10139[2] - _e10133[2]) * _e10130))), array<f64, 3>((_e10155[0] + ((_e10161[0] - _e10155[0]) * _e10130)), (_e10155[1] + ((_e10161[1] - _e10155[1]) * _e10130)), (_e10155[2] + ((_e10161[2] - _e10155[2]) * _e10130))), array<f64, 3>((_e10177[0] + ((_e10183[0] - _e10177[0]) * _e10130)), (_e10177[1] + ((_e10183[1] - _e10177[1]) * _e10130)), (_e10177[2] + ((_e10183[2] - _e10177[2]) * _e10130))), 1u);
+                                    let _e10208 = (((_e10197[0] * _e10197[0]) + (_e10197[1] * _e10197[1])) + (_e10197[2] * _e10197[2]));
+                                    if (_e10208 <= 2.2250738585072014e-308lf) {
+                                        if (_e10208 > 0.0lf) {
+                                            phi_7434_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_7428_ = 0.0lf;
+                                            phi_7434_ = 0.0lf;
                                         }
-                                        let _e10256 = phi_7428_;
-                                        phi_7492_ = _e10256;
+                                        let _e10260 = phi_7434_;
+                                        phi_7498_ = _e10260;
                                     } else {
-                                        phi_7435_ = type_16(0i, 5i);
-                                        phi_7438_ = bitcast<f64>(((bitcast<u64>(_e10204) / 2lu) + 2303426169912950784lu));
+                                        phi_7441_ = type_16(0i, 5i);
+                                        phi_7444_ = bitcast<f64>(((bitcast<u64>(_e10208) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e10211 = phi_7435_;
-                                            let _e10213 = phi_7438_;
-                                            local_62 = _e10213;
-                                            if (_e10211.member < _e10211.member_1) {
-                                                let _e10220 = (_e10211.member + 1i);
-                                                if ((false == (_e10220 > _e10211.member)) != false) {
-                                                    phi_7459_ = true;
+                                            let _e10215 = phi_7441_;
+                                            let _e10217 = phi_7444_;
+                                            local_62 = _e10217;
+                                            if (_e10215.member < _e10215.member_1) {
+                                                let _e10224 = (_e10215.member + 1i);
+                                                if ((false == (_e10224 > _e10215.member)) != false) {
+                                                    phi_7465_ = true;
                                                 } else {
-                                                    phi_7459_ = false;
+                                                    phi_7465_ = false;
                                                 }
-                                                let _e10225 = phi_7459_;
-                                                if _e10225 {
-                                                    phi_7465_ = type_17(0u, type_17().member_1);
+                                                let _e10229 = phi_7465_;
+                                                if _e10229 {
+                                                    phi_7471_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_7465_ = type_17(1u, _e10220);
+                                                    phi_7471_ = type_17(1u, _e10224);
                                                 }
-                                                let _e10230 = phi_7465_;
-                                                phi_7436_ = type_16(_e10230.member_1, _e10211.member_1);
-                                                phi_7479_ = type_17(1u, _e10211.member);
+                                                let _e10234 = phi_7471_;
+                                                phi_7442_ = type_16(_e10234.member_1, _e10215.member_1);
+                                                phi_7485_ = type_17(1u, _e10215.member);
                                             } else {
-                                                phi_7436_ = _e10211;
-                                                phi_7479_ = type_17(0u, type_17().member_1);
+                                                phi_7442_ = _e10215;
+                                                phi_7485_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e10236 = phi_7436_;
-                                            let _e10238 = phi_7479_;
-                                            let _e10241 = (bitcast<i32>(_e10238.member) != 0i);
-                                            if _e10241 {
-                                                phi_7439_ = (0.5lf * (_e10213 + (_e10204 / _e10213)));
+                                            let _e10240 = phi_7442_;
+                                            let _e10242 = phi_7485_;
+                                            let _e10245 = (bitcast<i32>(_e10242.member) != 0i);
+                                            if _e10245 {
+                                                phi_7445_ = (0.5lf * (_e10217 + (_e10208 / _e10217)));
                                             } else {
-                                                phi_7439_ = f64();
+                                                phi_7445_ = f64();
                                             }
-                                            let _e10246 = phi_7439_;
+                                            let _e10250 = phi_7445_;
                                             continue;
                                             continuing {
-                                                phi_7435_ = _e10236;
-                                                phi_7438_ = _e10246;
-                                                break if !(_e10241);
+                                                phi_7441_ = _e10240;
+                                                phi_7444_ = _e10250;
+                                                break if !(_e10245);
                                             }
                                         }
-                                        let _e10251 = local_62;
-                                        phi_7492_ = (_e10251 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e10255 = local_62;
+                                        phi_7498_ = (_e10255 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e10258 = phi_7492_;
-                                    let _e10266 = local_18.member[0u];
-                                    if (_e10266[0] < 0.0lf) {
-                                        phi_7510_ = -(_e10266[0]);
+                                    let _e10262 = phi_7498_;
+                                    let _e10270 = local_18.member[0u];
+                                    if (_e10270[0] < 0.0lf) {
+                                        phi_7516_ = -(_e10270[0]);
                                     } else {
-                                        phi_7510_ = _e10266[0];
+                                        phi_7516_ = _e10270[0];
                                     }
-                                    let _e10273 = phi_7510_;
-                                    if (_e10266[1] < 0.0lf) {
-                                        phi_7517_ = -(_e10266[1]);
+                                    let _e10277 = phi_7516_;
+                                    if (_e10270[1] < 0.0lf) {
+                                        phi_7523_ = -(_e10270[1]);
                                     } else {
-                                        phi_7517_ = _e10266[1];
+                                        phi_7523_ = _e10270[1];
                                     }
-                                    let _e10277 = phi_7517_;
-                                    if (_e10273 > _e10277) {
-                                        phi_7522_ = _e10273;
+                                    let _e10281 = phi_7523_;
+                                    if (_e10277 > _e10281) {
+                                        phi_7528_ = _e10277;
                                     } else {
-                                        phi_7522_ = _e10277;
+                                        phi_7528_ = _e10281;
                                     }
-                                    let _e10280 = phi_7522_;
-                                    if (_e10266[2] < 0.0lf) {
-                                        phi_7529_ = -(_e10266[2]);
+                                    let _e10284 = phi_7528_;
+                                    if (_e10270[2] < 0.0lf) {
+                                        phi_7535_ = -(_e10270[2]);
                                     } else {
-                                        phi_7529_ = _e10266[2];
+                                        phi_7535_ = _e10270[2];
                                     }
-                                    let _e10284 = phi_7529_;
-                                    if (_e10280 > _e10284) {
-                                        phi_7534_ = _e10280;
+                                    let _e10288 = phi_7535_;
+                                    if (_e10284 > _e10288) {
+                                        phi_7540_ = _e10284;
                                     } else {
-                                        phi_7534_ = _e10284;
+                                        phi_7540_ = _e10288;
                                     }
-                                    let _e10287 = phi_7534_;
-                                    let _e10290 = local_18.member[1u];
-                                    if (_e10290[0] < 0.0lf) {
-                                        phi_7547_ = -(_e10290[0]);
+                                    let _e10291 = phi_7540_;
+                                    let _e10294 = local_18.member[1u];
+                                    if (_e10294[0] < 0.0lf) {
+                                        phi_7553_ = -(_e10294[0]);
                                     } else {
-                                        phi_7547_ = _e10290[0];
+                                        phi_7553_ = _e10294[0];
                                     }
-                                    let _e10297 = phi_7547_;
-                                    if (_e10290[1] < 0.0lf) {
-                                        phi_7554_ = -(_e10290[1]);
+                                    let _e10301 = phi_7553_;
+                                    if (_e10294[1] < 0.0lf) {
+                                        phi_7560_ = -(_e10294[1]);
                                     } else {
-                                        phi_7554_ = _e10290[1];
+                                        phi_7560_ = _e10294[1];
                                     }
-                                    let _e10301 = phi_7554_;
-                                    if (_e10297 > _e10301) {
-                                        phi_7559_ = _e10297;
+                                    let _e10305 = phi_7560_;
+                                    if (_e10301 > _e10305) {
+                                        phi_7565_ = _e10301;
                                     } else {
-                                        phi_7559_ = _e10301;
+                                        phi_7565_ = _e10305;
                                     }
-                                    let _e10304 = phi_7559_;
-                                    if (_e10290[2] < 0.0lf) {
-                                        phi_7566_ = -(_e10290[2]);
+                                    let _e10308 = phi_7565_;
+                                    if (_e10294[2] < 0.0lf) {
+                                        phi_7572_ = -(_e10294[2]);
                                     } else {
-                                        phi_7566_ = _e10290[2];
+                                        phi_7572_ = _e10294[2];
                                     }
-                                    let _e10308 = phi_7566_;
-                                    if (_e10304 > _e10308) {
-                                        phi_7571_ = _e10304;
+                                    let _e10312 = phi_7572_;
+                                    if (_e10308 > _e10312) {
+                                        phi_7577_ = _e10308;
                                     } else {
-                                        phi_7571_ = _e10308;
+                                        phi_7577_ = _e10312;
                                     }
-                                    let _e10311 = phi_7571_;
-                                    if (_e10287 > _e10311) {
-                                        phi_7576_ = _e10287;
+                                    let _e10315 = phi_7577_;
+                                    if (_e10291 > _e10315) {
+                                        phi_7582_ = _e10291;
                                     } else {
-                                        phi_7576_ = _e10311;
+                                        phi_7582_ = _e10315;
                                     }
-                                    let _e10314 = phi_7576_;
-                                    let _e10316 = local_18.member_3;
-                                    let _e10320 = local_18.member_1[0u];
-                                    if (_e10320[0] < 0.0lf) {
-                                        phi_7593_ = -(_e10320[0]);
+                                    let _e10318 = phi_7582_;
+                                    let _e10320 = local_18.member_3;
+                                    let _e10324 = local_18.member_1[0u];
+                                    if (_e10324[0] < 0.0lf) {
+                                        phi_7599_ = -(_e10324[0]);
                                     } else {
-                                        phi_7593_ = _e10320[0];
+                                        phi_7599_ = _e10324[0];
                                     }
-                                    let _e10327 = phi_7593_;
-                                    if (_e10320[1] < 0.0lf) {
-                                        phi_7600_ = -(_e10320[1]);
+                                    let _e10331 = phi_7599_;
+                                    if (_e10324[1] < 0.0lf) {
+                                        phi_7606_ = -(_e10324[1]);
                                     } else {
-                                        phi_7600_ = _e10320[1];
+                                        phi_7606_ = _e10324[1];
                                     }
-                                    let _e10331 = phi_7600_;
-                                    if (_e10327 > _e10331) {
-                                        phi_7605_ = _e10327;
+                                    let _e10335 = phi_7606_;
+                                    if (_e10331 > _e10335) {
+                                        phi_7611_ = _e10331;
                                     } else {
-                                        phi_7605_ = _e10331;
+                                        phi_7611_ = _e10335;
                                     }
-                                    let _e10334 = phi_7605_;
-                                    if (_e10320[2] < 0.0lf) {
-                                        phi_7612_ = -(_e10320[2]);
+                                    let _e10338 = phi_7611_;
+                                    if (_e10324[2] < 0.0lf) {
+                                        phi_7618_ = -(_e10324[2]);
                                     } else {
-                                        phi_7612_ = _e10320[2];
+                                        phi_7618_ = _e10324[2];
                                     }
-                                    let _e10338 = phi_7612_;
-                                    if (_e10334 > _e10338) {
-                                        phi_7617_ = _e10334;
+                                    let _e10342 = phi_7618_;
+                                    if (_e10338 > _e10342) {
+                                        phi_7623_ = _e10338;
                                     } else {
-                                        phi_7617_ = _e10338;
+                                        phi_7623_ = _e10342;
                                     }
-                                    let _e10341 = phi_7617_;
-                                    let _e10344 = local_18.member_1[1u];
-                                    if (_e10344[0] < 0.0lf) {
-                                        phi_7631_ = -(_e10344[0]);
+                                    let _e10345 = phi_7623_;
+                                    let _e10348 = local_18.member_1[1u];
+                                    if (_e10348[0] < 0.0lf) {
+                                        phi_7637_ = -(_e10348[0]);
                                     } else {
-                                        phi_7631_ = _e10344[0];
+                                        phi_7637_ = _e10348[0];
                                     }
-                                    let _e10351 = phi_7631_;
-                                    if (_e10344[1] < 0.0lf) {
-                                        phi_7638_ = -(_e10344[1]);
+                                    let _e10355 = phi_7637_;
+                                    if (_e10348[1] < 0.0lf) {
+                                        phi_7644_ = -(_e10348[1]);
                                     } else {
-                                        phi_7638_ = _e10344[1];
+                                        phi_7644_ = _e10348[1];
                                     }
-                                    let _e10355 = phi_7638_;
-                                    if (_e10351 > _e10355) {
-                                        phi_7643_ = _e10351;
+                                    let _e10359 = phi_7644_;
+                                    if (_e10355 > _e10359) {
+                                        phi_7649_ = _e10355;
                                     } else {
-                                        phi_7643_ = _e10355;
+                                        phi_7649_ = _e10359;
                                     }
-                                    let _e10358 = phi_7643_;
-                                    if (_e10344[2] < 0.0lf) {
-                                        phi_7650_ = -(_e10344[2]);
+                                    let _e10362 = phi_7649_;
+                                    if (_e10348[2] < 0.0lf) {
+                                        phi_7656_ = -(_e10348[2]);
                                     } else {
-                                        phi_7650_ = _e10344[2];
+                                        phi_7656_ = _e10348[2];
                                     }
-                                    let _e10362 = phi_7650_;
-                                    if (_e10358 > _e10362) {
-                                        phi_7655_ = _e10358;
+                                    let _e10366 = phi_7656_;
+                                    if (_e10362 > _e10366) {
+                                        phi_7661_ = _e10362;
                                     } else {
-                                        phi_7655_ = _e10362;
+                                        phi_7661_ = _e10366;
                                     }
-                                    let _e10365 = phi_7655_;
-                                    if (_e10341 > _e10365) {
-                                        phi_7660_ = _e10341;
+                                    let _e10369 = phi_7661_;
+                                    if (_e10345 > _e10369) {
+                                        phi_7666_ = _e10345;
                                     } else {
-                                        phi_7660_ = _e10365;
+                                        phi_7666_ = _e10369;
                                     }
-                                    let _e10368 = phi_7660_;
-                                    let _e10370 = local_18.member_3;
-                                    let _e10374 = local_18.member_2[0u];
-                                    if (_e10374[0] < 0.0lf) {
-                                        phi_7677_ = -(_e10374[0]);
+                                    let _e10372 = phi_7666_;
+                                    let _e10374 = local_18.member_3;
+                                    let _e10378 = local_18.member_2[0u];
+                                    if (_e10378[0] < 0.0lf) {
+                                        phi_7683_ = -(_e10378[0]);
                                     } else {
-                                        phi_7677_ = _e10374[0];
+                                        phi_7683_ = _e10378[0];
                                     }
-                                    let _e10381 = phi_7677_;
-                                    if (_e10374[1] < 0.0lf) {
-                                        phi_7684_ = -(_e10374[1]);
+                                    let _e10385 = phi_7683_;
+                                    if (_e10378[1] < 0.0lf) {
+                                        phi_7690_ = -(_e10378[1]);
                                     } else {
-                                        phi_7684_ = _e10374[1];
+                                        phi_7690_ = _e10378[1];
                                     }
-                                    let _e10385 = phi_7684_;
-                                    if (_e10381 > _e10385) {
-                                        phi_7689_ = _e10381;
+                                    let _e10389 = phi_7690_;
+                                    if (_e10385 > _e10389) {
+                                        phi_7695_ = _e10385;
                                     } else {
-                                        phi_7689_ = _e10385;
+                                        phi_7695_ = _e10389;
                                     }
-                                    let _e10388 = phi_7689_;
-                                    if (_e10374[2] < 0.0lf) {
-                                        phi_7696_ = -(_e10374[2]);
+                                    let _e10392 = phi_7695_;
+                                    if (_e10378[2] < 0.0lf) {
+                                        phi_7702_ = -(_e10378[2]);
                                     } else {
-                                        phi_7696_ = _e10374[2];
+                                        phi_7702_ = _e10378[2];
                                     }
-                                    let _e10392 = phi_7696_;
-                                    if (_e10388 > _e10392) {
-                                        phi_7701_ = _e10388;
+                                    let _e10396 = phi_7702_;
+                                    if (_e10392 > _e10396) {
+                                        phi_7707_ = _e10392;
                                     } else {
-                                        phi_7701_ = _e10392;
+                                        phi_7707_ = _e10396;
                                     }
-                                    let _e10395 = phi_7701_;
-                                    let _e10398 = local_18.member_2[1u];
-                                    if (_e10398[0] < 0.0lf) {
-                                        phi_7715_ = -(_e10398[0]);
+                                    let _e10399 = phi_7707_;
+                                    let _e10402 = local_18.member_2[1u];
+                                    if (_e10402[0] < 0.0lf) {
+                                        phi_7721_ = -(_e10402[0]);
                                     } else {
-                                        phi_7715_ = _e10398[0];
+                                        phi_7721_ = _e10402[0];
                                     }
-                                    let _e10405 = phi_7715_;
-                                    if (_e10398[1] < 0.0lf) {
-                                        phi_7722_ = -(_e10398[1]);
+                                    let _e10409 = phi_7721_;
+                                    if (_e10402[1] < 0.0lf) {
+                                        phi_7728_ = -(_e10402[1]);
                                     } else {
-                                        phi_7722_ = _e10398[1];
+                                        phi_7728_ = _e10402[1];
                                     }
-                                    let _e10409 = phi_7722_;
-                                    if (_e10405 > _e10409) {
-                                        phi_7727_ = _e10405;
+                                    let _e10413 = phi_7728_;
+                                    if (_e10409 > _e10413) {
+                                        phi_7733_ = _e10409;
                                     } else {
-                                        phi_7727_ = _e10409;
+                                        phi_7733_ = _e10413;
                                     }
-                                    let _e10412 = phi_7727_;
-                                    if (_e10398[2] < 0.0lf) {
-                                        phi_7734_ = -(_e10398[2]);
+                                    let _e10416 = phi_7733_;
+                                    if (_e10402[2] < 0.0lf) {
+                                        phi_7740_ = -(_e10402[2]);
                                     } else {
-                                        phi_7734_ = _e10398[2];
+                                        phi_7740_ = _e10402[2];
                                     }
-                                    let _e10416 = phi_7734_;
-                                    if (_e10412 > _e10416) {
-                                        phi_7739_ = _e10412;
+                                    let _e10420 = phi_7740_;
+                                    if (_e10416 > _e10420) {
+                                        phi_7745_ = _e10416;
                                     } else {
-                                        phi_7739_ = _e10416;
+                                        phi_7745_ = _e10420;
                                     }
-                                    let _e10419 = phi_7739_;
-                                    if (_e10395 > _e10419) {
-                                        phi_7744_ = _e10395;
+                                    let _e10423 = phi_7745_;
+                                    if (_e10399 > _e10423) {
+                                        phi_7750_ = _e10399;
                                     } else {
-                                        phi_7744_ = _e10419;
+                                        phi_7750_ = _e10423;
                                     }
-                                    let _e10422 = phi_7744_;
-                                    let _e10424 = local_18.member_3;
-                                    let _e10432 = local_18.member_3;
-                                    let _e10442 = (((_e10258 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e10314 + _e10316) + (_e10368 + _e10370)) + (_e10422 + _e10424)) * (1.1102230246251565e-16lf * f64(16f))) + (_e10432 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e623.member_1);
-                                    if _e10442 {
-                                        phi_7768_ = false;
+                                    let _e10426 = phi_7750_;
+                                    let _e10428 = local_18.member_3;
+                                    let _e10436 = local_18.member_3;
+                                    let _e10446 = (((_e10262 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e10318 + _e10320) + (_e10372 + _e10374)) + (_e10426 + _e10428)) * (1.1102230246251565e-16lf * f64(16f))) + (_e10436 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e623.member_1);
+                                    if _e10446 {
+                                        phi_7774_ = false;
                                     } else {
-                                        phi_7768_ = true;
+                                        phi_7774_ = true;
                                     }
-                                    let _e10444 = phi_7768_;
-                                    phi_7769_ = _e10444;
-                                    phi_7770_ = _e10442;
+                                    let _e10448 = phi_7774_;
+                                    phi_7775_ = _e10448;
+                                    phi_7776_ = _e10446;
                                 } else {
-                                    phi_7769_ = false;
-                                    phi_7770_ = false;
+                                    phi_7775_ = false;
+                                    phi_7776_ = false;
                                 }
-                                let _e10446 = phi_7769_;
-                                let _e10448 = phi_7770_;
-                                local_63 = _e10448;
+                                let _e10450 = phi_7775_;
+                                let _e10452 = phi_7776_;
+                                local_63 = _e10452;
                                 continue;
                                 continuing {
-                                    phi_7259_ = _e10112;
-                                    break if !(_e10446);
+                                    phi_7265_ = _e10116;
+                                    break if !(_e10450);
                                 }
                             }
-                            let _e10451 = local_63;
-                            if _e10451 {
-                                if (_e10081 > _e413) {
-                                    phi_7778_ = 1u;
+                            let _e10455 = local_63;
+                            if _e10455 {
+                                if (_e10085 > _e413) {
+                                    phi_7784_ = 1u;
                                 } else {
-                                    phi_7778_ = _e10083;
+                                    phi_7784_ = _e10087;
                                 }
-                                let _e10454 = phi_7778_;
-                                phi_7782_ = type_47(type_46(1u, _e10081), _e10454);
-                                phi_7783_ = false;
+                                let _e10458 = phi_7784_;
+                                phi_7788_ = type_47(type_46(1u, _e10085), _e10458);
+                                phi_7789_ = false;
                             } else {
-                                phi_7782_ = type_47();
-                                phi_7783_ = true;
+                                phi_7788_ = type_47();
+                                phi_7789_ = true;
                             }
-                            let _e10458 = phi_7782_;
-                            let _e10460 = phi_7783_;
-                            if _e10460 {
-                                if (_e10081 > _e413) {
-                                    phi_7791_ = 0u;
+                            let _e10462 = phi_7788_;
+                            let _e10464 = phi_7789_;
+                            if _e10464 {
+                                if (_e10085 > _e413) {
+                                    phi_7797_ = 0u;
                                 } else {
-                                    phi_7791_ = _e10083;
+                                    phi_7797_ = _e10087;
                                 }
-                                let _e10463 = phi_7791_;
-                                phi_7795_ = type_47(type_46(2u, _e10081), _e10463);
+                                let _e10467 = phi_7797_;
+                                phi_7801_ = type_47(type_46(2u, _e10085), _e10467);
                             } else {
-                                phi_7795_ = _e10458;
+                                phi_7801_ = _e10462;
                             }
-                            let _e10467 = phi_7795_;
-                            phi_7796_ = _e10467;
-                            phi_7797_ = false;
-                            phi_7798_ = false;
+                            let _e10471 = phi_7801_;
+                            phi_7802_ = _e10471;
+                            phi_7803_ = false;
+                            phi_7804_ = false;
                         } else {
-                            phi_7796_ = type_47();
-                            phi_7797_ = _e10087;
-                            phi_7798_ = _e10089;
+                            phi_7802_ = type_47();
+                            phi_7803_ = _e10091;
+                            phi_7804_ = _e10093;
                         }
-                        let _e10469 = phi_7796_;
-                        let _e10471 = phi_7797_;
-                        let _e10473 = phi_7798_;
-                        if _e10471 {
-                            phi_7805_ = type_47(type_46(0u, f64()), 0u);
-                            phi_7806_ = true;
+                        let _e10473 = phi_7802_;
+                        let _e10475 = phi_7803_;
+                        let _e10477 = phi_7804_;
+                        if _e10475 {
+                            phi_7811_ = type_47(type_46(0u, f64()), 0u);
+                            phi_7812_ = true;
                         } else {
-                            phi_7805_ = _e10059;
-                            phi_7806_ = _e10473;
+                            phi_7811_ = _e10063;
+                            phi_7812_ = _e10477;
                         }
-                        let _e10477 = phi_7805_;
-                        let _e10479 = phi_7806_;
-                        phi_7810_ = _e10477;
-                        phi_7811_ = _e10469;
-                        phi_7812_ = _e10479;
-                    } else {
-                        phi_7810_ = _e6637;
-                        phi_7811_ = type_47();
-                        phi_7812_ = true;
-                    }
-                    let _e10481 = phi_7810_;
-                    let _e10483 = phi_7811_;
-                    let _e10485 = phi_7812_;
-                    if _e10485 {
+                        let _e10481 = phi_7811_;
+                        let _e10483 = phi_7812_;
                         phi_7816_ = _e10481;
+                        phi_7817_ = _e10473;
+                        phi_7818_ = _e10483;
                     } else {
-                        phi_7816_ = _e10483;
+                        phi_7816_ = _e6637;
+                        phi_7817_ = type_47();
+                        phi_7818_ = true;
                     }
-                    let _e10487 = phi_7816_;
-                    phi_15483_ = _e10487;
+                    let _e10485 = phi_7816_;
+                    let _e10487 = phi_7817_;
+                    let _e10489 = phi_7818_;
+                    if _e10489 {
+                        phi_7822_ = _e10485;
+                    } else {
+                        phi_7822_ = _e10487;
+                    }
+                    let _e10491 = phi_7822_;
+                    phi_15489_ = _e10491;
                 } else {
                     let _e666 = f64(0f);
                     let _e669 = local_18.member_1[0u];
@@ -6960,212 +6967,212 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e821 = (((_e813[0] * _e702) + (_e813[1] * _e705)) + (_e813[2] * _e708));
                     let _e824 = local_18.member[0u];
                     if (_e824[0] < 0.0lf) {
-                        phi_8059_ = -(_e824[0]);
+                        phi_8065_ = -(_e824[0]);
                     } else {
-                        phi_8059_ = _e824[0];
+                        phi_8065_ = _e824[0];
                     }
-                    let _e831 = phi_8059_;
+                    let _e831 = phi_8065_;
                     if (_e824[1] < 0.0lf) {
-                        phi_8066_ = -(_e824[1]);
+                        phi_8072_ = -(_e824[1]);
                     } else {
-                        phi_8066_ = _e824[1];
+                        phi_8072_ = _e824[1];
                     }
-                    let _e835 = phi_8066_;
+                    let _e835 = phi_8072_;
                     if (_e831 > _e835) {
-                        phi_8071_ = _e831;
+                        phi_8077_ = _e831;
                     } else {
-                        phi_8071_ = _e835;
+                        phi_8077_ = _e835;
                     }
-                    let _e838 = phi_8071_;
+                    let _e838 = phi_8077_;
                     if (_e824[2] < 0.0lf) {
-                        phi_8078_ = -(_e824[2]);
+                        phi_8084_ = -(_e824[2]);
                     } else {
-                        phi_8078_ = _e824[2];
+                        phi_8084_ = _e824[2];
                     }
-                    let _e842 = phi_8078_;
+                    let _e842 = phi_8084_;
                     if (_e838 > _e842) {
-                        phi_8083_ = _e838;
+                        phi_8089_ = _e838;
                     } else {
-                        phi_8083_ = _e842;
+                        phi_8089_ = _e842;
                     }
-                    let _e845 = phi_8083_;
+                    let _e845 = phi_8089_;
                     let _e848 = local_18.member[1u];
                     if (_e848[0] < 0.0lf) {
-                        phi_8096_ = -(_e848[0]);
+                        phi_8102_ = -(_e848[0]);
                     } else {
-                        phi_8096_ = _e848[0];
+                        phi_8102_ = _e848[0];
                     }
-                    let _e855 = phi_8096_;
+                    let _e855 = phi_8102_;
                     if (_e848[1] < 0.0lf) {
-                        phi_8103_ = -(_e848[1]);
+                        phi_8109_ = -(_e848[1]);
                     } else {
-                        phi_8103_ = _e848[1];
+                        phi_8109_ = _e848[1];
                     }
-                    let _e859 = phi_8103_;
+                    let _e859 = phi_8109_;
                     if (_e855 > _e859) {
-                        phi_8108_ = _e855;
+                        phi_8114_ = _e855;
                     } else {
-                        phi_8108_ = _e859;
+                        phi_8114_ = _e859;
                     }
-                    let _e862 = phi_8108_;
+                    let _e862 = phi_8114_;
                     if (_e848[2] < 0.0lf) {
-                        phi_8115_ = -(_e848[2]);
+                        phi_8121_ = -(_e848[2]);
                     } else {
-                        phi_8115_ = _e848[2];
+                        phi_8121_ = _e848[2];
                     }
-                    let _e866 = phi_8115_;
+                    let _e866 = phi_8121_;
                     if (_e862 > _e866) {
-                        phi_8120_ = _e862;
+                        phi_8126_ = _e862;
                     } else {
-                        phi_8120_ = _e866;
+                        phi_8126_ = _e866;
                     }
-                    let _e869 = phi_8120_;
+                    let _e869 = phi_8126_;
                     if (_e845 > _e869) {
-                        phi_8125_ = _e845;
+                        phi_8131_ = _e845;
                     } else {
-                        phi_8125_ = _e869;
+                        phi_8131_ = _e869;
                     }
-                    let _e872 = phi_8125_;
+                    let _e872 = phi_8131_;
                     let _e874 = local_18.member_3;
                     let _e875 = (_e872 + _e874);
                     let _e878 = local_18.member_1[0u];
                     if (_e878[0] < 0.0lf) {
-                        phi_8142_ = -(_e878[0]);
+                        phi_8148_ = -(_e878[0]);
                     } else {
-                        phi_8142_ = _e878[0];
+                        phi_8148_ = _e878[0];
                     }
-                    let _e885 = phi_8142_;
+                    let _e885 = phi_8148_;
                     if (_e878[1] < 0.0lf) {
-                        phi_8149_ = -(_e878[1]);
+                        phi_8155_ = -(_e878[1]);
                     } else {
-                        phi_8149_ = _e878[1];
+                        phi_8155_ = _e878[1];
                     }
-                    let _e889 = phi_8149_;
+                    let _e889 = phi_8155_;
                     if (_e885 > _e889) {
-                        phi_8154_ = _e885;
+                        phi_8160_ = _e885;
                     } else {
-                        phi_8154_ = _e889;
+                        phi_8160_ = _e889;
                     }
-                    let _e892 = phi_8154_;
+                    let _e892 = phi_8160_;
                     if (_e878[2] < 0.0lf) {
-                        phi_8161_ = -(_e878[2]);
+                        phi_8167_ = -(_e878[2]);
                     } else {
-                        phi_8161_ = _e878[2];
+                        phi_8167_ = _e878[2];
                     }
-                    let _e896 = phi_8161_;
+                    let _e896 = phi_8167_;
                     if (_e892 > _e896) {
-                        phi_8166_ = _e892;
+                        phi_8172_ = _e892;
                     } else {
-                        phi_8166_ = _e896;
+                        phi_8172_ = _e896;
                     }
-                    let _e899 = phi_8166_;
+                    let _e899 = phi_8172_;
                     let _e902 = local_18.member_1[1u];
                     if (_e902[0] < 0.0lf) {
-                        phi_8180_ = -(_e902[0]);
+                        phi_8186_ = -(_e902[0]);
                     } else {
-                        phi_8180_ = _e902[0];
+                        phi_8186_ = _e902[0];
                     }
-                    let _e909 = phi_8180_;
+                    let _e909 = phi_8186_;
                     if (_e902[1] < 0.0lf) {
-                        phi_8187_ = -(_e902[1]);
+                        phi_8193_ = -(_e902[1]);
                     } else {
-                        phi_8187_ = _e902[1];
+                        phi_8193_ = _e902[1];
                     }
-                    let _e913 = phi_8187_;
+                    let _e913 = phi_8193_;
                     if (_e909 > _e913) {
-                        phi_8192_ = _e909;
+                        phi_8198_ = _e909;
                     } else {
-                        phi_8192_ = _e913;
+                        phi_8198_ = _e913;
                     }
-                    let _e916 = phi_8192_;
+                    let _e916 = phi_8198_;
                     if (_e902[2] < 0.0lf) {
-                        phi_8199_ = -(_e902[2]);
+                        phi_8205_ = -(_e902[2]);
                     } else {
-                        phi_8199_ = _e902[2];
+                        phi_8205_ = _e902[2];
                     }
-                    let _e920 = phi_8199_;
+                    let _e920 = phi_8205_;
                     if (_e916 > _e920) {
-                        phi_8204_ = _e916;
+                        phi_8210_ = _e916;
                     } else {
-                        phi_8204_ = _e920;
+                        phi_8210_ = _e920;
                     }
-                    let _e923 = phi_8204_;
+                    let _e923 = phi_8210_;
                     if (_e899 > _e923) {
-                        phi_8209_ = _e899;
+                        phi_8215_ = _e899;
                     } else {
-                        phi_8209_ = _e923;
+                        phi_8215_ = _e923;
                     }
-                    let _e926 = phi_8209_;
+                    let _e926 = phi_8215_;
                     let _e928 = local_18.member_3;
                     let _e929 = (_e926 + _e928);
                     let _e932 = local_18.member_2[0u];
                     if (_e932[0] < 0.0lf) {
-                        phi_8226_ = -(_e932[0]);
+                        phi_8232_ = -(_e932[0]);
                     } else {
-                        phi_8226_ = _e932[0];
+                        phi_8232_ = _e932[0];
                     }
-                    let _e939 = phi_8226_;
+                    let _e939 = phi_8232_;
                     if (_e932[1] < 0.0lf) {
-                        phi_8233_ = -(_e932[1]);
+                        phi_8239_ = -(_e932[1]);
                     } else {
-                        phi_8233_ = _e932[1];
+                        phi_8239_ = _e932[1];
                     }
-                    let _e943 = phi_8233_;
+                    let _e943 = phi_8239_;
                     if (_e939 > _e943) {
-                        phi_8238_ = _e939;
+                        phi_8244_ = _e939;
                     } else {
-                        phi_8238_ = _e943;
+                        phi_8244_ = _e943;
                     }
-                    let _e946 = phi_8238_;
+                    let _e946 = phi_8244_;
                     if (_e932[2] < 0.0lf) {
-                        phi_8245_ = -(_e932[2]);
+                        phi_8251_ = -(_e932[2]);
                     } else {
-                        phi_8245_ = _e932[2];
+                        phi_8251_ = _e932[2];
                     }
-                    let _e950 = phi_8245_;
+                    let _e950 = phi_8251_;
                     if (_e946 > _e950) {
-                        phi_8250_ = _e946;
+                        phi_8256_ = _e946;
                     } else {
-                        phi_8250_ = _e950;
+                        phi_8256_ = _e950;
                     }
-                    let _e953 = phi_8250_;
+                    let _e953 = phi_8256_;
                     let _e956 = local_18.member_2[1u];
                     if (_e956[0] < 0.0lf) {
-                        phi_8264_ = -(_e956[0]);
+                        phi_8270_ = -(_e956[0]);
                     } else {
-                        phi_8264_ = _e956[0];
+                        phi_8270_ = _e956[0];
                     }
-                    let _e963 = phi_8264_;
+                    let _e963 = phi_8270_;
                     if (_e956[1] < 0.0lf) {
-                        phi_8271_ = -(_e956[1]);
+                        phi_8277_ = -(_e956[1]);
                     } else {
-                        phi_8271_ = _e956[1];
+                        phi_8277_ = _e956[1];
                     }
-                    let _e967 = phi_8271_;
+                    let _e967 = phi_8277_;
                     if (_e963 > _e967) {
-                        phi_8276_ = _e963;
+                        phi_8282_ = _e963;
                     } else {
-                        phi_8276_ = _e967;
+                        phi_8282_ = _e967;
                     }
-                    let _e970 = phi_8276_;
+                    let _e970 = phi_8282_;
                     if (_e956[2] < 0.0lf) {
-                        phi_8283_ = -(_e956[2]);
+                        phi_8289_ = -(_e956[2]);
                     } else {
-                        phi_8283_ = _e956[2];
+                        phi_8289_ = _e956[2];
                     }
-                    let _e974 = phi_8283_;
+                    let _e974 = phi_8289_;
                     if (_e970 > _e974) {
-                        phi_8288_ = _e970;
+                        phi_8294_ = _e970;
                     } else {
-                        phi_8288_ = _e974;
+                        phi_8294_ = _e974;
                     }
-                    let _e977 = phi_8288_;
+                    let _e977 = phi_8294_;
                     if (_e953 > _e977) {
-                        phi_8293_ = _e953;
+                        phi_8299_ = _e953;
                     } else {
-                        phi_8293_ = _e977;
+                        phi_8299_ = _e977;
                     }
-                    let _e980 = phi_8293_;
+                    let _e980 = phi_8299_;
                     let _e982 = local_18.member_3;
                     let _e983 = (_e980 + _e982);
                     let _e984 = f64(1f);
@@ -7173,206 +7180,206 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e987 = ((_e929 * _e985) * _e983);
                     let _e995 = local_18.member_3;
                     if (_e681 < 0.0lf) {
-                        phi_8330_ = -(_e681);
+                        phi_8336_ = -(_e681);
                     } else {
-                        phi_8330_ = _e681;
+                        phi_8336_ = _e681;
                     }
-                    let _e1015 = phi_8330_;
+                    let _e1015 = phi_8336_;
                     if (_e684 < 0.0lf) {
-                        phi_8336_ = -(_e684);
+                        phi_8342_ = -(_e684);
                     } else {
-                        phi_8336_ = _e684;
+                        phi_8342_ = _e684;
                     }
-                    let _e1019 = phi_8336_;
+                    let _e1019 = phi_8342_;
                     if (_e687 < 0.0lf) {
-                        phi_8343_ = -(_e687);
+                        phi_8349_ = -(_e687);
                     } else {
-                        phi_8343_ = _e687;
+                        phi_8349_ = _e687;
                     }
-                    let _e1024 = phi_8343_;
+                    let _e1024 = phi_8349_;
                     let _e1025 = ((_e1015 + _e1019) + _e1024);
                     if (_e702 < 0.0lf) {
-                        phi_8350_ = -(_e702);
+                        phi_8356_ = -(_e702);
                     } else {
-                        phi_8350_ = _e702;
+                        phi_8356_ = _e702;
                     }
-                    let _e1029 = phi_8350_;
+                    let _e1029 = phi_8356_;
                     if (_e705 < 0.0lf) {
-                        phi_8356_ = -(_e705);
+                        phi_8362_ = -(_e705);
                     } else {
-                        phi_8356_ = _e705;
+                        phi_8362_ = _e705;
                     }
-                    let _e1033 = phi_8356_;
+                    let _e1033 = phi_8362_;
                     if (_e708 < 0.0lf) {
-                        phi_8363_ = -(_e708);
+                        phi_8369_ = -(_e708);
                     } else {
-                        phi_8363_ = _e708;
+                        phi_8369_ = _e708;
                     }
-                    let _e1038 = phi_8363_;
+                    let _e1038 = phi_8369_;
                     let _e1039 = ((_e1029 + _e1033) + _e1038);
                     if (_e1025 > _e1039) {
-                        phi_8369_ = _e1025;
+                        phi_8375_ = _e1025;
                     } else {
-                        phi_8369_ = _e1039;
+                        phi_8375_ = _e1039;
                     }
-                    let _e1042 = phi_8369_;
+                    let _e1042 = phi_8375_;
                     if (_e751 < 0.0lf) {
-                        phi_8375_ = -(_e751);
+                        phi_8381_ = -(_e751);
                     } else {
-                        phi_8375_ = _e751;
+                        phi_8381_ = _e751;
                     }
-                    let _e1046 = phi_8375_;
+                    let _e1046 = phi_8381_;
                     if (_e752 < 0.0lf) {
-                        phi_8381_ = -(_e752);
+                        phi_8387_ = -(_e752);
                     } else {
-                        phi_8381_ = _e752;
+                        phi_8387_ = _e752;
                     }
-                    let _e1050 = phi_8381_;
+                    let _e1050 = phi_8387_;
                     if (_e753 < 0.0lf) {
-                        phi_8388_ = -(_e753);
+                        phi_8394_ = -(_e753);
                     } else {
-                        phi_8388_ = _e753;
+                        phi_8394_ = _e753;
                     }
-                    let _e1055 = phi_8388_;
+                    let _e1055 = phi_8394_;
                     let _e1057 = (((_e1046 + _e1050) + _e1055) * f64(0.5f));
                     if (_e1042 > _e1057) {
-                        phi_8395_ = _e1042;
+                        phi_8401_ = _e1042;
                     } else {
-                        phi_8395_ = _e1057;
+                        phi_8401_ = _e1057;
                     }
-                    let _e1060 = phi_8395_;
+                    let _e1060 = phi_8401_;
                     let _e1066 = local_18.member_3;
                     let _e1080 = (((((_e875 * _e985) * _e987) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e995 * f64(19f)) * ((_e875 * (_e929 + _e983)) + (_e929 * _e983)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e984 + _e875) * ((_e984 + _e929) * (_e984 + _e983)))));
                     let _e1081 = f64(3f);
                     let _e1082 = (_e764 * _e1081);
                     let _e1083 = (_e821 * _e1081);
                     if (_e1082 < _e1083) {
-                        phi_8423_ = _e1082;
+                        phi_8429_ = _e1082;
                     } else {
-                        phi_8423_ = _e1083;
+                        phi_8429_ = _e1083;
                     }
-                    let _e1086 = phi_8423_;
+                    let _e1086 = phi_8429_;
                     if (_e787 < _e810) {
-                        phi_8428_ = _e787;
+                        phi_8434_ = _e787;
                     } else {
-                        phi_8428_ = _e810;
+                        phi_8434_ = _e810;
                     }
-                    let _e1089 = phi_8428_;
+                    let _e1089 = phi_8434_;
                     if (_e1086 < _e1089) {
-                        phi_8433_ = _e1086;
+                        phi_8439_ = _e1086;
                     } else {
-                        phi_8433_ = _e1089;
+                        phi_8439_ = _e1089;
                     }
-                    let _e1092 = phi_8433_;
+                    let _e1092 = phi_8439_;
                     if (_e1082 > _e1083) {
-                        phi_8438_ = _e1082;
+                        phi_8444_ = _e1082;
                     } else {
-                        phi_8438_ = _e1083;
+                        phi_8444_ = _e1083;
                     }
-                    let _e1095 = phi_8438_;
+                    let _e1095 = phi_8444_;
                     if (_e787 > _e810) {
-                        phi_8443_ = _e787;
+                        phi_8449_ = _e787;
                     } else {
-                        phi_8443_ = _e810;
+                        phi_8449_ = _e810;
                     }
-                    let _e1098 = phi_8443_;
+                    let _e1098 = phi_8449_;
                     if (_e1095 > _e1098) {
-                        phi_8448_ = _e1095;
+                        phi_8454_ = _e1095;
                     } else {
-                        phi_8448_ = _e1098;
+                        phi_8454_ = _e1098;
                     }
-                    let _e1101 = phi_8448_;
+                    let _e1101 = phi_8454_;
                     let _e1107 = -(_e1101);
                     if (_e1092 > _e1107) {
-                        phi_8459_ = _e1092;
+                        phi_8465_ = _e1092;
                     } else {
-                        phi_8459_ = _e1107;
+                        phi_8465_ = _e1107;
                     }
-                    let _e1110 = phi_8459_;
+                    let _e1110 = phi_8465_;
                     if ((_e1110 - (_e1080 + ((_e666 * (((_e1060 + (_e987 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1066 * f64(6f)) * (_e929 + _e983))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e984 + _e929) * (_e984 + _e983))))) * f64((3f * 1.0001f))))) > _e666) {
-                        phi_15453_ = type_46(0u, type_46().member_1);
-                        phi_15454_ = type_46();
-                        phi_15455_ = true;
+                        phi_15459_ = type_46(0u, type_46().member_1);
+                        phi_15460_ = type_46();
+                        phi_15461_ = true;
                     } else {
                         if (_e764 < 0.0lf) {
-                            phi_8473_ = -(_e764);
+                            phi_8479_ = -(_e764);
                         } else {
-                            phi_8473_ = _e764;
+                            phi_8479_ = _e764;
                         }
-                        let _e1118 = phi_8473_;
+                        let _e1118 = phi_8479_;
                         if (_e787 < 0.0lf) {
-                            phi_8479_ = -(_e787);
+                            phi_8485_ = -(_e787);
                         } else {
-                            phi_8479_ = _e787;
+                            phi_8485_ = _e787;
                         }
-                        let _e1122 = phi_8479_;
+                        let _e1122 = phi_8485_;
                         if (_e1118 > _e1122) {
-                            phi_8484_ = _e1118;
+                            phi_8490_ = _e1118;
                         } else {
-                            phi_8484_ = _e1122;
+                            phi_8490_ = _e1122;
                         }
-                        let _e1125 = phi_8484_;
+                        let _e1125 = phi_8490_;
                         if (_e810 < 0.0lf) {
-                            phi_8490_ = -(_e810);
+                            phi_8496_ = -(_e810);
                         } else {
-                            phi_8490_ = _e810;
+                            phi_8496_ = _e810;
                         }
-                        let _e1129 = phi_8490_;
+                        let _e1129 = phi_8496_;
                         if (_e821 < 0.0lf) {
-                            phi_8496_ = -(_e821);
+                            phi_8502_ = -(_e821);
                         } else {
-                            phi_8496_ = _e821;
+                            phi_8502_ = _e821;
                         }
-                        let _e1133 = phi_8496_;
+                        let _e1133 = phi_8502_;
                         if (_e1129 > _e1133) {
-                            phi_8501_ = _e1129;
+                            phi_8507_ = _e1129;
                         } else {
-                            phi_8501_ = _e1133;
+                            phi_8507_ = _e1133;
                         }
-                        let _e1136 = phi_8501_;
+                        let _e1136 = phi_8507_;
                         if (_e1125 > _e1136) {
-                            phi_8506_ = _e1125;
+                            phi_8512_ = _e1125;
                         } else {
-                            phi_8506_ = _e1136;
+                            phi_8512_ = _e1136;
                         }
-                        let _e1139 = phi_8506_;
+                        let _e1139 = phi_8512_;
                         let _e1141 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e1142 = f64(1f);
                         if (_e1139 >= _e1141) {
-                            phi_8516_ = (_e1139 <= (_e1142 / _e1141));
+                            phi_8522_ = (_e1139 <= (_e1142 / _e1141));
                         } else {
-                            phi_8516_ = false;
+                            phi_8522_ = false;
                         }
-                        let _e1147 = phi_8516_;
+                        let _e1147 = phi_8522_;
                         if _e1147 {
-                            phi_8523_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_8529_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_8523_ = f64(2f);
+                            phi_8529_ = f64(2f);
                         }
-                        let _e1152 = phi_8523_;
+                        let _e1152 = phi_8529_;
                         let _e1154 = ((_e1080 * f64(0.34f)) + (_e1139 * _e1152));
                         if _e1147 {
-                            phi_8531_ = (_e1142 / _e1139);
+                            phi_8537_ = (_e1142 / _e1139);
                         } else {
-                            phi_8531_ = f64(0f);
+                            phi_8537_ = f64(0f);
                         }
-                        let _e1158 = phi_8531_;
+                        let _e1158 = phi_8537_;
                         let _e1159 = f64(0.00000000000022737368f);
                         let _e1161 = (_e404 * f64(0.0625f));
                         if (_e1159 < _e1161) {
-                            phi_8539_ = _e1159;
+                            phi_8545_ = _e1159;
                         } else {
-                            phi_8539_ = _e1161;
+                            phi_8545_ = _e1161;
                         }
-                        let _e1164 = phi_8539_;
+                        let _e1164 = phi_8545_;
                         let _e1166 = (f64(1f) - _e413);
                         let _e1177 = ((((_e764 * _e1166) + (_e787 * _e413)) * (_e1166 * _e1166)) + (((_e810 * _e1166) + (_e821 * _e413)) * (_e413 * _e413)));
                         if (_e1177 < 0.0lf) {
-                            phi_8558_ = -(_e1177);
+                            phi_8564_ = -(_e1177);
                         } else {
-                            phi_8558_ = _e1177;
+                            phi_8564_ = _e1177;
                         }
-                        let _e1181 = phi_8558_;
+                        let _e1181 = phi_8564_;
                         if !((_e1181 > _e1154)) {
                             let _e1184 = f64(0f);
                             let _e1187 = local_18.member[0u];
@@ -7401,210 +7408,210 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1238 = (_e1214[2] - _e1226[2]);
                             let _e1241 = local_18.member[0u];
                             if (_e1241[0] < 0.0lf) {
-                                phi_8707_ = -(_e1241[0]);
+                                phi_8713_ = -(_e1241[0]);
                             } else {
-                                phi_8707_ = _e1241[0];
+                                phi_8713_ = _e1241[0];
                             }
-                            let _e1248 = phi_8707_;
+                            let _e1248 = phi_8713_;
                             if (_e1241[1] < 0.0lf) {
-                                phi_8714_ = -(_e1241[1]);
+                                phi_8720_ = -(_e1241[1]);
                             } else {
-                                phi_8714_ = _e1241[1];
+                                phi_8720_ = _e1241[1];
                             }
-                            let _e1252 = phi_8714_;
+                            let _e1252 = phi_8720_;
                             if (_e1248 > _e1252) {
-                                phi_8719_ = _e1248;
+                                phi_8725_ = _e1248;
                             } else {
-                                phi_8719_ = _e1252;
+                                phi_8725_ = _e1252;
                             }
-                            let _e1255 = phi_8719_;
+                            let _e1255 = phi_8725_;
                             if (_e1241[2] < 0.0lf) {
-                                phi_8726_ = -(_e1241[2]);
+                                phi_8732_ = -(_e1241[2]);
                             } else {
-                                phi_8726_ = _e1241[2];
+                                phi_8732_ = _e1241[2];
                             }
-                            let _e1259 = phi_8726_;
+                            let _e1259 = phi_8732_;
                             if (_e1255 > _e1259) {
-                                phi_8731_ = _e1255;
+                                phi_8737_ = _e1255;
                             } else {
-                                phi_8731_ = _e1259;
+                                phi_8737_ = _e1259;
                             }
-                            let _e1262 = phi_8731_;
+                            let _e1262 = phi_8737_;
                             let _e1265 = local_18.member[1u];
                             if (_e1265[0] < 0.0lf) {
-                                phi_8744_ = -(_e1265[0]);
+                                phi_8750_ = -(_e1265[0]);
                             } else {
-                                phi_8744_ = _e1265[0];
+                                phi_8750_ = _e1265[0];
                             }
-                            let _e1272 = phi_8744_;
+                            let _e1272 = phi_8750_;
                             if (_e1265[1] < 0.0lf) {
-                                phi_8751_ = -(_e1265[1]);
+                                phi_8757_ = -(_e1265[1]);
                             } else {
-                                phi_8751_ = _e1265[1];
+                                phi_8757_ = _e1265[1];
                             }
-                            let _e1276 = phi_8751_;
+                            let _e1276 = phi_8757_;
                             if (_e1272 > _e1276) {
-                                phi_8756_ = _e1272;
+                                phi_8762_ = _e1272;
                             } else {
-                                phi_8756_ = _e1276;
+                                phi_8762_ = _e1276;
                             }
-                            let _e1279 = phi_8756_;
+                            let _e1279 = phi_8762_;
                             if (_e1265[2] < 0.0lf) {
-                                phi_8763_ = -(_e1265[2]);
+                                phi_8769_ = -(_e1265[2]);
                             } else {
-                                phi_8763_ = _e1265[2];
+                                phi_8769_ = _e1265[2];
                             }
-                            let _e1283 = phi_8763_;
+                            let _e1283 = phi_8769_;
                             if (_e1279 > _e1283) {
-                                phi_8768_ = _e1279;
+                                phi_8774_ = _e1279;
                             } else {
-                                phi_8768_ = _e1283;
+                                phi_8774_ = _e1283;
                             }
-                            let _e1286 = phi_8768_;
+                            let _e1286 = phi_8774_;
                             if (_e1262 > _e1286) {
-                                phi_8773_ = _e1262;
+                                phi_8779_ = _e1262;
                             } else {
-                                phi_8773_ = _e1286;
+                                phi_8779_ = _e1286;
                             }
-                            let _e1289 = phi_8773_;
+                            let _e1289 = phi_8779_;
                             let _e1291 = local_18.member_3;
                             let _e1295 = local_18.member_1[0u];
                             if (_e1295[0] < 0.0lf) {
-                                phi_8790_ = -(_e1295[0]);
+                                phi_8796_ = -(_e1295[0]);
                             } else {
-                                phi_8790_ = _e1295[0];
+                                phi_8796_ = _e1295[0];
                             }
-                            let _e1302 = phi_8790_;
+                            let _e1302 = phi_8796_;
                             if (_e1295[1] < 0.0lf) {
-                                phi_8797_ = -(_e1295[1]);
+                                phi_8803_ = -(_e1295[1]);
                             } else {
-                                phi_8797_ = _e1295[1];
+                                phi_8803_ = _e1295[1];
                             }
-                            let _e1306 = phi_8797_;
+                            let _e1306 = phi_8803_;
                             if (_e1302 > _e1306) {
-                                phi_8802_ = _e1302;
+                                phi_8808_ = _e1302;
                             } else {
-                                phi_8802_ = _e1306;
+                                phi_8808_ = _e1306;
                             }
-                            let _e1309 = phi_8802_;
+                            let _e1309 = phi_8808_;
                             if (_e1295[2] < 0.0lf) {
-                                phi_8809_ = -(_e1295[2]);
+                                phi_8815_ = -(_e1295[2]);
                             } else {
-                                phi_8809_ = _e1295[2];
+                                phi_8815_ = _e1295[2];
                             }
-                            let _e1313 = phi_8809_;
+                            let _e1313 = phi_8815_;
                             if (_e1309 > _e1313) {
-                                phi_8814_ = _e1309;
+                                phi_8820_ = _e1309;
                             } else {
-                                phi_8814_ = _e1313;
+                                phi_8820_ = _e1313;
                             }
-                            let _e1316 = phi_8814_;
+                            let _e1316 = phi_8820_;
                             let _e1319 = local_18.member_1[1u];
                             if (_e1319[0] < 0.0lf) {
-                                phi_8828_ = -(_e1319[0]);
+                                phi_8834_ = -(_e1319[0]);
                             } else {
-                                phi_8828_ = _e1319[0];
+                                phi_8834_ = _e1319[0];
                             }
-                            let _e1326 = phi_8828_;
+                            let _e1326 = phi_8834_;
                             if (_e1319[1] < 0.0lf) {
-                                phi_8835_ = -(_e1319[1]);
+                                phi_8841_ = -(_e1319[1]);
                             } else {
-                                phi_8835_ = _e1319[1];
+                                phi_8841_ = _e1319[1];
                             }
-                            let _e1330 = phi_8835_;
+                            let _e1330 = phi_8841_;
                             if (_e1326 > _e1330) {
-                                phi_8840_ = _e1326;
+                                phi_8846_ = _e1326;
                             } else {
-                                phi_8840_ = _e1330;
+                                phi_8846_ = _e1330;
                             }
-                            let _e1333 = phi_8840_;
+                            let _e1333 = phi_8846_;
                             if (_e1319[2] < 0.0lf) {
-                                phi_8847_ = -(_e1319[2]);
+                                phi_8853_ = -(_e1319[2]);
                             } else {
-                                phi_8847_ = _e1319[2];
+                                phi_8853_ = _e1319[2];
                             }
-                            let _e1337 = phi_8847_;
+                            let _e1337 = phi_8853_;
                             if (_e1333 > _e1337) {
-                                phi_8852_ = _e1333;
+                                phi_8858_ = _e1333;
                             } else {
-                                phi_8852_ = _e1337;
+                                phi_8858_ = _e1337;
                             }
-                            let _e1340 = phi_8852_;
+                            let _e1340 = phi_8858_;
                             if (_e1316 > _e1340) {
-                                phi_8857_ = _e1316;
+                                phi_8863_ = _e1316;
                             } else {
-                                phi_8857_ = _e1340;
+                                phi_8863_ = _e1340;
                             }
-                            let _e1343 = phi_8857_;
+                            let _e1343 = phi_8863_;
                             let _e1345 = local_18.member_3;
                             let _e1349 = local_18.member_2[0u];
                             if (_e1349[0] < 0.0lf) {
-                                phi_8874_ = -(_e1349[0]);
+                                phi_8880_ = -(_e1349[0]);
                             } else {
-                                phi_8874_ = _e1349[0];
+                                phi_8880_ = _e1349[0];
                             }
-                            let _e1356 = phi_8874_;
+                            let _e1356 = phi_8880_;
                             if (_e1349[1] < 0.0lf) {
-                                phi_8881_ = -(_e1349[1]);
+                                phi_8887_ = -(_e1349[1]);
                             } else {
-                                phi_8881_ = _e1349[1];
+                                phi_8887_ = _e1349[1];
                             }
-                            let _e1360 = phi_8881_;
+                            let _e1360 = phi_8887_;
                             if (_e1356 > _e1360) {
-                                phi_8886_ = _e1356;
+                                phi_8892_ = _e1356;
                             } else {
-                                phi_8886_ = _e1360;
+                                phi_8892_ = _e1360;
                             }
-                            let _e1363 = phi_8886_;
+                            let _e1363 = phi_8892_;
                             if (_e1349[2] < 0.0lf) {
-                                phi_8893_ = -(_e1349[2]);
+                                phi_8899_ = -(_e1349[2]);
                             } else {
-                                phi_8893_ = _e1349[2];
+                                phi_8899_ = _e1349[2];
                             }
-                            let _e1367 = phi_8893_;
+                            let _e1367 = phi_8899_;
                             if (_e1363 > _e1367) {
-                                phi_8898_ = _e1363;
+                                phi_8904_ = _e1363;
                             } else {
-                                phi_8898_ = _e1367;
+                                phi_8904_ = _e1367;
                             }
-                            let _e1370 = phi_8898_;
+                            let _e1370 = phi_8904_;
                             let _e1373 = local_18.member_2[1u];
                             if (_e1373[0] < 0.0lf) {
-                                phi_8912_ = -(_e1373[0]);
+                                phi_8918_ = -(_e1373[0]);
                             } else {
-                                phi_8912_ = _e1373[0];
+                                phi_8918_ = _e1373[0];
                             }
-                            let _e1380 = phi_8912_;
+                            let _e1380 = phi_8918_;
                             if (_e1373[1] < 0.0lf) {
-                                phi_8919_ = -(_e1373[1]);
+                                phi_8925_ = -(_e1373[1]);
                             } else {
-                                phi_8919_ = _e1373[1];
+                                phi_8925_ = _e1373[1];
                             }
-                            let _e1384 = phi_8919_;
+                            let _e1384 = phi_8925_;
                             if (_e1380 > _e1384) {
-                                phi_8924_ = _e1380;
+                                phi_8930_ = _e1380;
                             } else {
-                                phi_8924_ = _e1384;
+                                phi_8930_ = _e1384;
                             }
-                            let _e1387 = phi_8924_;
+                            let _e1387 = phi_8930_;
                             if (_e1373[2] < 0.0lf) {
-                                phi_8931_ = -(_e1373[2]);
+                                phi_8937_ = -(_e1373[2]);
                             } else {
-                                phi_8931_ = _e1373[2];
+                                phi_8937_ = _e1373[2];
                             }
-                            let _e1391 = phi_8931_;
+                            let _e1391 = phi_8937_;
                             if (_e1387 > _e1391) {
-                                phi_8936_ = _e1387;
+                                phi_8942_ = _e1387;
                             } else {
-                                phi_8936_ = _e1391;
+                                phi_8942_ = _e1391;
                             }
-                            let _e1394 = phi_8936_;
+                            let _e1394 = phi_8942_;
                             if (_e1370 > _e1394) {
-                                phi_8941_ = _e1370;
+                                phi_8947_ = _e1370;
                             } else {
-                                phi_8941_ = _e1394;
+                                phi_8947_ = _e1394;
                             }
-                            let _e1397 = phi_8941_;
+                            let _e1397 = phi_8947_;
                             let _e1399 = local_18.member_3;
                             let _e1407 = local_18.member_3;
                             let _e1413 = ((((((_e1289 + _e1291) + (_e1343 + _e1345)) + (_e1397 + _e1399)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1407 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f)));
@@ -7616,23 +7623,23 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1466 = local_18.member_2[1u];
                             let _e1480 = function_4(array<f64, 3>((_e1416[0] + ((_e1422[0] - _e1416[0]) * _e413)), (_e1416[1] + ((_e1422[1] - _e1416[1]) * _e413)), (_e1416[2] + ((_e1422[2] - _e1416[2]) * _e413))), array<f64, 3>((_e1438[0] + ((_e1444[0] - _e1438[0]) * _e413)), (_e1438[1] + ((_e1444[1] - _e1438[1]) * _e413)), (_e1438[2] + ((_e1444[2] - _e1438[2]) * _e413))), array<f64, 3>((_e1460[0] + ((_e1466[0] - _e1460[0]) * _e413)), (_e1460[1] + ((_e1466[1] - _e1460[1]) * _e413)), (_e1460[2] + ((_e1466[2] - _e1460[2]) * _e413))), 1u);
                             if (_e1480[0] < 0.0lf) {
-                                phi_9062_ = -(_e1480[0]);
+                                phi_9068_ = -(_e1480[0]);
                             } else {
-                                phi_9062_ = _e1480[0];
+                                phi_9068_ = _e1480[0];
                             }
-                            let _e1485 = phi_9062_;
+                            let _e1485 = phi_9068_;
                             if (_e1480[1] < 0.0lf) {
-                                phi_9069_ = -(_e1480[1]);
+                                phi_9075_ = -(_e1480[1]);
                             } else {
-                                phi_9069_ = _e1480[1];
+                                phi_9075_ = _e1480[1];
                             }
-                            let _e1490 = phi_9069_;
+                            let _e1490 = phi_9075_;
                             if (_e1480[2] < 0.0lf) {
-                                phi_9077_ = -(_e1480[2]);
+                                phi_9083_ = -(_e1480[2]);
                             } else {
-                                phi_9077_ = _e1480[2];
+                                phi_9083_ = _e1480[2];
                             }
-                            let _e1496 = phi_9077_;
+                            let _e1496 = phi_9083_;
                             let _e1497 = ((_e1485 + _e1490) + _e1496);
                             if (_e1497 > f64(0f)) {
                                 if ((bitcast<u64>(_e1497) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -7643,59 +7650,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1515 = (((_e1506 * _e1506) + (_e1508 * _e1508)) + (_e1510 * _e1510));
                                     if (_e1515 <= 2.2250738585072014e-308lf) {
                                         if (_e1515 > 0.0lf) {
-                                            phi_9116_ = (1.464336215552873e-154lf * 2.0lf);
+                                            phi_9122_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_9116_ = 0.0lf;
+                                            phi_9122_ = 0.0lf;
                                         }
-                                        let _e1567 = phi_9116_;
-                                        phi_9180_ = _e1567;
+                                        let _e1567 = phi_9122_;
+                                        phi_9186_ = _e1567;
                                     } else {
-                                        phi_9123_ = type_16(0i, 5i);
-                                        phi_9126_ = bitcast<f64>(((bitcast<u64>(_e1515) / 2lu) + 2303426169912950784lu));
+                                        phi_9129_ = type_16(0i, 5i);
+                                        phi_9132_ = bitcast<f64>(((bitcast<u64>(_e1515) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1522 = phi_9123_;
-                                            let _e1524 = phi_9126_;
+                                            let _e1522 = phi_9129_;
+                                            let _e1524 = phi_9132_;
                                             local_19 = _e1524;
                                             if (_e1522.member < _e1522.member_1) {
                                                 let _e1531 = (_e1522.member + 1i);
                                                 if ((false == (_e1531 > _e1522.member)) != false) {
-                                                    phi_9147_ = true;
+                                                    phi_9153_ = true;
                                                 } else {
-                                                    phi_9147_ = false;
+                                                    phi_9153_ = false;
                                                 }
-                                                let _e1536 = phi_9147_;
+                                                let _e1536 = phi_9153_;
                                                 if _e1536 {
-                                                    phi_9153_ = type_17(0u, type_17().member_1);
+                                                    phi_9159_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_9153_ = type_17(1u, _e1531);
+                                                    phi_9159_ = type_17(1u, _e1531);
                                                 }
-                                                let _e1541 = phi_9153_;
-                                                phi_9124_ = type_16(_e1541.member_1, _e1522.member_1);
-                                                phi_9167_ = type_17(1u, _e1522.member);
+                                                let _e1541 = phi_9159_;
+                                                phi_9130_ = type_16(_e1541.member_1, _e1522.member_1);
+                                                phi_9173_ = type_17(1u, _e1522.member);
                                             } else {
-                                                phi_9124_ = _e1522;
-                                                phi_9167_ = type_17(0u, type_17().member_1);
+                                                phi_9130_ = _e1522;
+                                                phi_9173_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e1547 = phi_9124_;
-                                            let _e1549 = phi_9167_;
+                                            let _e1547 = phi_9130_;
+                                            let _e1549 = phi_9173_;
                                             let _e1552 = (bitcast<i32>(_e1549.member) != 0i);
                                             if _e1552 {
-                                                phi_9127_ = (0.5lf * (_e1524 + (_e1515 / _e1524)));
+                                                phi_9133_ = (0.5lf * (_e1524 + (_e1515 / _e1524)));
                                             } else {
-                                                phi_9127_ = f64();
+                                                phi_9133_ = f64();
                                             }
-                                            let _e1557 = phi_9127_;
+                                            let _e1557 = phi_9133_;
                                             continue;
                                             continuing {
-                                                phi_9123_ = _e1547;
-                                                phi_9126_ = _e1557;
+                                                phi_9129_ = _e1547;
+                                                phi_9132_ = _e1557;
                                                 break if !(_e1552);
                                             }
                                         }
                                         let _e1562 = local_19;
-                                        phi_9180_ = (_e1562 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        phi_9186_ = (_e1562 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e1569 = phi_9180_;
+                                    let _e1569 = phi_9186_;
                                     let _e1571 = (1.1102230246251565e-16lf * f64(12f));
                                     let _e1578 = ((_e1413 * f64(1.01f)) + ((_e1184 * _e1569) * (f64(1f) + _e1571)));
                                     let _e1583 = (((_e1506 * _e1187[0]) + (_e1508 * _e1187[1])) + (_e1510 * _e1187[2]));
@@ -7707,77 +7714,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1614 = (((_e1506 * _e1236) + (_e1508 * _e1237)) + (_e1510 * _e1238));
                                     let _e1619 = (((_e1506 * _e1233) + (_e1508 * _e1234)) + (_e1510 * _e1235));
                                     if (_e1583 < 0.0lf) {
-                                        phi_9249_ = -(_e1583);
+                                        phi_9255_ = -(_e1583);
                                     } else {
-                                        phi_9249_ = _e1583;
+                                        phi_9255_ = _e1583;
                                     }
-                                    let _e1624 = phi_9249_;
+                                    let _e1624 = phi_9255_;
                                     if (_e1604 < 0.0lf) {
-                                        phi_9255_ = -(_e1604);
+                                        phi_9261_ = -(_e1604);
                                     } else {
-                                        phi_9255_ = _e1604;
+                                        phi_9261_ = _e1604;
                                     }
-                                    let _e1628 = phi_9255_;
+                                    let _e1628 = phi_9261_;
                                     if (_e1588 < 0.0lf) {
-                                        phi_9264_ = -(_e1588);
+                                        phi_9270_ = -(_e1588);
                                     } else {
-                                        phi_9264_ = _e1588;
+                                        phi_9270_ = _e1588;
                                     }
-                                    let _e1635 = phi_9264_;
+                                    let _e1635 = phi_9270_;
                                     if (_e1609 < 0.0lf) {
-                                        phi_9270_ = -(_e1609);
+                                        phi_9276_ = -(_e1609);
                                     } else {
-                                        phi_9270_ = _e1609;
+                                        phi_9276_ = _e1609;
                                     }
-                                    let _e1639 = phi_9270_;
+                                    let _e1639 = phi_9276_;
                                     if (_e1593 < 0.0lf) {
-                                        phi_9279_ = -(_e1593);
+                                        phi_9285_ = -(_e1593);
                                     } else {
-                                        phi_9279_ = _e1593;
+                                        phi_9285_ = _e1593;
                                     }
-                                    let _e1646 = phi_9279_;
+                                    let _e1646 = phi_9285_;
                                     if (_e1614 < 0.0lf) {
-                                        phi_9285_ = -(_e1614);
+                                        phi_9291_ = -(_e1614);
                                     } else {
-                                        phi_9285_ = _e1614;
+                                        phi_9291_ = _e1614;
                                     }
-                                    let _e1650 = phi_9285_;
+                                    let _e1650 = phi_9291_;
                                     if (_e1598 < 0.0lf) {
-                                        phi_9294_ = -(_e1598);
+                                        phi_9300_ = -(_e1598);
                                     } else {
-                                        phi_9294_ = _e1598;
+                                        phi_9300_ = _e1598;
                                     }
-                                    let _e1657 = phi_9294_;
+                                    let _e1657 = phi_9300_;
                                     if (_e1619 < 0.0lf) {
-                                        phi_9300_ = -(_e1619);
+                                        phi_9306_ = -(_e1619);
                                     } else {
-                                        phi_9300_ = _e1619;
+                                        phi_9306_ = _e1619;
                                     }
-                                    let _e1661 = phi_9300_;
-                                    phi_9306_ = type_38(array<f64, 4>(_e1583, _e1588, _e1593, _e1598), array<f64, 4>(_e1604, _e1609, _e1614, _e1619), array<f64, 4>((_e1578 + ((_e1624 + _e1628) * _e1571)), (_e1578 + ((_e1635 + _e1639) * _e1571)), (_e1578 + ((_e1646 + _e1650) * _e1571)), (_e1578 + ((_e1657 + _e1661) * _e1571))));
-                                    phi_9307_ = false;
+                                    let _e1661 = phi_9306_;
+                                    phi_9312_ = type_38(array<f64, 4>(_e1583, _e1588, _e1593, _e1598), array<f64, 4>(_e1604, _e1609, _e1614, _e1619), array<f64, 4>((_e1578 + ((_e1624 + _e1628) * _e1571)), (_e1578 + ((_e1635 + _e1639) * _e1571)), (_e1578 + ((_e1646 + _e1650) * _e1571)), (_e1578 + ((_e1657 + _e1661) * _e1571))));
+                                    phi_9313_ = false;
                                 } else {
-                                    phi_9306_ = type_38();
-                                    phi_9307_ = true;
+                                    phi_9312_ = type_38();
+                                    phi_9313_ = true;
                                 }
-                                let _e1668 = phi_9306_;
-                                let _e1670 = phi_9307_;
-                                phi_9308_ = _e1668;
-                                phi_9309_ = _e1670;
+                                let _e1668 = phi_9312_;
+                                let _e1670 = phi_9313_;
+                                phi_9314_ = _e1668;
+                                phi_9315_ = _e1670;
                             } else {
-                                phi_9308_ = type_38();
-                                phi_9309_ = true;
+                                phi_9314_ = type_38();
+                                phi_9315_ = true;
                             }
-                            let _e1672 = phi_9308_;
-                            let _e1674 = phi_9309_;
+                            let _e1672 = phi_9314_;
+                            let _e1674 = phi_9315_;
                             if _e1674 {
                                 let _e1675 = f64(0f);
                                 let _e1676 = f64(1f);
-                                phi_9319_ = type_38(array<f64, 4>(_e1675, _e1675, _e1675, _e1675), array<f64, 4>(_e1675, _e1675, _e1675, _e1675), array<f64, 4>(_e1676, _e1676, _e1676, _e1676));
+                                phi_9325_ = type_38(array<f64, 4>(_e1675, _e1675, _e1675, _e1675), array<f64, 4>(_e1675, _e1675, _e1675, _e1675), array<f64, 4>(_e1676, _e1676, _e1676, _e1676));
                             } else {
-                                phi_9319_ = _e1672;
+                                phi_9325_ = _e1672;
                             }
-                            let _e1682 = phi_9319_;
+                            let _e1682 = phi_9325_;
                             local_8 = type_38(array<f64, 4>(_e1682.member[0], _e1682.member[1], _e1682.member[2], _e1682.member[3]), array<f64, 4>(_e1682.member_1[0], _e1682.member_1[1], _e1682.member_1[2], _e1682.member_1[3]), array<f64, 4>(_e1682.member_2[0], _e1682.member_2[1], _e1682.member_2[2], _e1682.member_2[3]));
                             let _e1702 = f64(0f);
                             let _e1705 = local_8.member[0u];
@@ -7799,59 +7806,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1759 = local_8.member_1[3u];
                                         let _e1762 = local_8.member[3u];
                                         let _e1768 = local_8.member_2[3u];
-                                        phi_9489_ = (((_e1756 + ((_e1759 - _e1762) * _e413)) - _e1768) > _e1702);
-                                        phi_9490_ = false;
+                                        phi_9495_ = (((_e1756 + ((_e1759 - _e1762) * _e413)) - _e1768) > _e1702);
+                                        phi_9496_ = false;
                                     } else {
-                                        phi_9489_ = bool();
-                                        phi_9490_ = true;
+                                        phi_9495_ = bool();
+                                        phi_9496_ = true;
                                     }
-                                    let _e1772 = phi_9489_;
-                                    let _e1774 = phi_9490_;
-                                    phi_9491_ = _e1772;
-                                    phi_9492_ = _e1774;
+                                    let _e1772 = phi_9495_;
+                                    let _e1774 = phi_9496_;
+                                    phi_9497_ = _e1772;
+                                    phi_9498_ = _e1774;
                                 } else {
-                                    phi_9491_ = bool();
-                                    phi_9492_ = true;
+                                    phi_9497_ = bool();
+                                    phi_9498_ = true;
                                 }
-                                let _e1776 = phi_9491_;
-                                let _e1778 = phi_9492_;
-                                phi_9493_ = _e1776;
-                                phi_9494_ = _e1778;
+                                let _e1776 = phi_9497_;
+                                let _e1778 = phi_9498_;
+                                phi_9499_ = _e1776;
+                                phi_9500_ = _e1778;
                             } else {
-                                phi_9493_ = bool();
-                                phi_9494_ = true;
+                                phi_9499_ = bool();
+                                phi_9500_ = true;
                             }
-                            let _e1780 = phi_9493_;
-                            let _e1782 = phi_9494_;
+                            let _e1780 = phi_9499_;
+                            let _e1782 = phi_9500_;
                             if _e1782 {
-                                phi_9498_ = false;
+                                phi_9504_ = false;
                             } else {
-                                phi_9498_ = _e1780;
+                                phi_9504_ = _e1780;
                             }
-                            let _e1784 = phi_9498_;
+                            let _e1784 = phi_9504_;
                             if _e1784 {
-                                phi_10879_ = bool();
-                                phi_10880_ = true;
+                                phi_10885_ = bool();
+                                phi_10886_ = true;
                             } else {
                                 let _e1785 = f64(0f);
                                 if (_e1480[0] < 0.0lf) {
-                                    phi_9526_ = -(_e1480[0]);
+                                    phi_9532_ = -(_e1480[0]);
                                 } else {
-                                    phi_9526_ = _e1480[0];
+                                    phi_9532_ = _e1480[0];
                                 }
-                                let _e1790 = phi_9526_;
+                                let _e1790 = phi_9532_;
                                 if (_e1785 < 0.0lf) {
-                                    phi_9532_ = -(_e1785);
+                                    phi_9538_ = -(_e1785);
                                 } else {
-                                    phi_9532_ = _e1785;
+                                    phi_9538_ = _e1785;
                                 }
-                                let _e1794 = phi_9532_;
+                                let _e1794 = phi_9538_;
                                 if (_e1785 < 0.0lf) {
-                                    phi_9539_ = -(_e1785);
+                                    phi_9545_ = -(_e1785);
                                 } else {
-                                    phi_9539_ = _e1785;
+                                    phi_9545_ = _e1785;
                                 }
-                                let _e1799 = phi_9539_;
+                                let _e1799 = phi_9545_;
                                 let _e1800 = ((_e1790 + _e1794) + _e1799);
                                 if (_e1800 > f64(0f)) {
                                     if ((bitcast<u64>(_e1800) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -7862,59 +7869,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1815 = (((_e1808 * _e1808) + (_e1809 * _e1809)) + (_e1810 * _e1810));
                                         if (_e1815 <= 2.2250738585072014e-308lf) {
                                             if (_e1815 > 0.0lf) {
-                                                phi_9575_ = (1.464336215552873e-154lf * 2.0lf);
+                                                phi_9581_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_9575_ = 0.0lf;
+                                                phi_9581_ = 0.0lf;
                                             }
-                                            let _e1867 = phi_9575_;
-                                            phi_9639_ = _e1867;
+                                            let _e1867 = phi_9581_;
+                                            phi_9645_ = _e1867;
                                         } else {
-                                            phi_9582_ = type_16(0i, 5i);
-                                            phi_9585_ = bitcast<f64>(((bitcast<u64>(_e1815) / 2lu) + 2303426169912950784lu));
+                                            phi_9588_ = type_16(0i, 5i);
+                                            phi_9591_ = bitcast<f64>(((bitcast<u64>(_e1815) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e1822 = phi_9582_;
-                                                let _e1824 = phi_9585_;
+                                                let _e1822 = phi_9588_;
+                                                let _e1824 = phi_9591_;
                                                 local_20 = _e1824;
                                                 if (_e1822.member < _e1822.member_1) {
                                                     let _e1831 = (_e1822.member + 1i);
                                                     if ((false == (_e1831 > _e1822.member)) != false) {
-                                                        phi_9606_ = true;
+                                                        phi_9612_ = true;
                                                     } else {
-                                                        phi_9606_ = false;
+                                                        phi_9612_ = false;
                                                     }
-                                                    let _e1836 = phi_9606_;
+                                                    let _e1836 = phi_9612_;
                                                     if _e1836 {
-                                                        phi_9612_ = type_17(0u, type_17().member_1);
+                                                        phi_9618_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_9612_ = type_17(1u, _e1831);
+                                                        phi_9618_ = type_17(1u, _e1831);
                                                     }
-                                                    let _e1841 = phi_9612_;
-                                                    phi_9583_ = type_16(_e1841.member_1, _e1822.member_1);
-                                                    phi_9626_ = type_17(1u, _e1822.member);
+                                                    let _e1841 = phi_9618_;
+                                                    phi_9589_ = type_16(_e1841.member_1, _e1822.member_1);
+                                                    phi_9632_ = type_17(1u, _e1822.member);
                                                 } else {
-                                                    phi_9583_ = _e1822;
-                                                    phi_9626_ = type_17(0u, type_17().member_1);
+                                                    phi_9589_ = _e1822;
+                                                    phi_9632_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e1847 = phi_9583_;
-                                                let _e1849 = phi_9626_;
+                                                let _e1847 = phi_9589_;
+                                                let _e1849 = phi_9632_;
                                                 let _e1852 = (bitcast<i32>(_e1849.member) != 0i);
                                                 if _e1852 {
-                                                    phi_9586_ = (0.5lf * (_e1824 + (_e1815 / _e1824)));
+                                                    phi_9592_ = (0.5lf * (_e1824 + (_e1815 / _e1824)));
                                                 } else {
-                                                    phi_9586_ = f64();
+                                                    phi_9592_ = f64();
                                                 }
-                                                let _e1857 = phi_9586_;
+                                                let _e1857 = phi_9592_;
                                                 continue;
                                                 continuing {
-                                                    phi_9582_ = _e1847;
-                                                    phi_9585_ = _e1857;
+                                                    phi_9588_ = _e1847;
+                                                    phi_9591_ = _e1857;
                                                     break if !(_e1852);
                                                 }
                                             }
                                             let _e1862 = local_20;
-                                            phi_9639_ = (_e1862 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            phi_9645_ = (_e1862 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e1869 = phi_9639_;
+                                        let _e1869 = phi_9645_;
                                         let _e1871 = (1.1102230246251565e-16lf * f64(12f));
                                         let _e1878 = ((_e1413 * f64(1.01f)) + ((_e1184 * _e1869) * (f64(1f) + _e1871)));
                                         let _e1883 = (((_e1808 * _e1187[0]) + (_e1809 * _e1187[1])) + (_e1810 * _e1187[2]));
@@ -7926,77 +7933,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1914 = (((_e1808 * _e1236) + (_e1809 * _e1237)) + (_e1810 * _e1238));
                                         let _e1919 = (((_e1808 * _e1233) + (_e1809 * _e1234)) + (_e1810 * _e1235));
                                         if (_e1883 < 0.0lf) {
-                                            phi_9708_ = -(_e1883);
+                                            phi_9714_ = -(_e1883);
                                         } else {
-                                            phi_9708_ = _e1883;
+                                            phi_9714_ = _e1883;
                                         }
-                                        let _e1924 = phi_9708_;
+                                        let _e1924 = phi_9714_;
                                         if (_e1904 < 0.0lf) {
-                                            phi_9714_ = -(_e1904);
+                                            phi_9720_ = -(_e1904);
                                         } else {
-                                            phi_9714_ = _e1904;
+                                            phi_9720_ = _e1904;
                                         }
-                                        let _e1928 = phi_9714_;
+                                        let _e1928 = phi_9720_;
                                         if (_e1888 < 0.0lf) {
-                                            phi_9723_ = -(_e1888);
+                                            phi_9729_ = -(_e1888);
                                         } else {
-                                            phi_9723_ = _e1888;
+                                            phi_9729_ = _e1888;
                                         }
-                                        let _e1935 = phi_9723_;
+                                        let _e1935 = phi_9729_;
                                         if (_e1909 < 0.0lf) {
-                                            phi_9729_ = -(_e1909);
+                                            phi_9735_ = -(_e1909);
                                         } else {
-                                            phi_9729_ = _e1909;
+                                            phi_9735_ = _e1909;
                                         }
-                                        let _e1939 = phi_9729_;
+                                        let _e1939 = phi_9735_;
                                         if (_e1893 < 0.0lf) {
-                                            phi_9738_ = -(_e1893);
+                                            phi_9744_ = -(_e1893);
                                         } else {
-                                            phi_9738_ = _e1893;
+                                            phi_9744_ = _e1893;
                                         }
-                                        let _e1946 = phi_9738_;
+                                        let _e1946 = phi_9744_;
                                         if (_e1914 < 0.0lf) {
-                                            phi_9744_ = -(_e1914);
+                                            phi_9750_ = -(_e1914);
                                         } else {
-                                            phi_9744_ = _e1914;
+                                            phi_9750_ = _e1914;
                                         }
-                                        let _e1950 = phi_9744_;
+                                        let _e1950 = phi_9750_;
                                         if (_e1898 < 0.0lf) {
-                                            phi_9753_ = -(_e1898);
+                                            phi_9759_ = -(_e1898);
                                         } else {
-                                            phi_9753_ = _e1898;
+                                            phi_9759_ = _e1898;
                                         }
-                                        let _e1957 = phi_9753_;
+                                        let _e1957 = phi_9759_;
                                         if (_e1919 < 0.0lf) {
-                                            phi_9759_ = -(_e1919);
+                                            phi_9765_ = -(_e1919);
                                         } else {
-                                            phi_9759_ = _e1919;
+                                            phi_9765_ = _e1919;
                                         }
-                                        let _e1961 = phi_9759_;
-                                        phi_9765_ = type_38(array<f64, 4>(_e1883, _e1888, _e1893, _e1898), array<f64, 4>(_e1904, _e1909, _e1914, _e1919), array<f64, 4>((_e1878 + ((_e1924 + _e1928) * _e1871)), (_e1878 + ((_e1935 + _e1939) * _e1871)), (_e1878 + ((_e1946 + _e1950) * _e1871)), (_e1878 + ((_e1957 + _e1961) * _e1871))));
-                                        phi_9766_ = false;
+                                        let _e1961 = phi_9765_;
+                                        phi_9771_ = type_38(array<f64, 4>(_e1883, _e1888, _e1893, _e1898), array<f64, 4>(_e1904, _e1909, _e1914, _e1919), array<f64, 4>((_e1878 + ((_e1924 + _e1928) * _e1871)), (_e1878 + ((_e1935 + _e1939) * _e1871)), (_e1878 + ((_e1946 + _e1950) * _e1871)), (_e1878 + ((_e1957 + _e1961) * _e1871))));
+                                        phi_9772_ = false;
                                     } else {
-                                        phi_9765_ = type_38();
-                                        phi_9766_ = true;
+                                        phi_9771_ = type_38();
+                                        phi_9772_ = true;
                                     }
-                                    let _e1968 = phi_9765_;
-                                    let _e1970 = phi_9766_;
-                                    phi_9767_ = _e1968;
-                                    phi_9768_ = _e1970;
+                                    let _e1968 = phi_9771_;
+                                    let _e1970 = phi_9772_;
+                                    phi_9773_ = _e1968;
+                                    phi_9774_ = _e1970;
                                 } else {
-                                    phi_9767_ = type_38();
-                                    phi_9768_ = true;
+                                    phi_9773_ = type_38();
+                                    phi_9774_ = true;
                                 }
-                                let _e1972 = phi_9767_;
-                                let _e1974 = phi_9768_;
+                                let _e1972 = phi_9773_;
+                                let _e1974 = phi_9774_;
                                 if _e1974 {
                                     let _e1975 = f64(0f);
                                     let _e1976 = f64(1f);
-                                    phi_9778_ = type_38(array<f64, 4>(_e1975, _e1975, _e1975, _e1975), array<f64, 4>(_e1975, _e1975, _e1975, _e1975), array<f64, 4>(_e1976, _e1976, _e1976, _e1976));
+                                    phi_9784_ = type_38(array<f64, 4>(_e1975, _e1975, _e1975, _e1975), array<f64, 4>(_e1975, _e1975, _e1975, _e1975), array<f64, 4>(_e1976, _e1976, _e1976, _e1976));
                                 } else {
-                                    phi_9778_ = _e1972;
+                                    phi_9784_ = _e1972;
                                 }
-                                let _e1982 = phi_9778_;
+                                let _e1982 = phi_9784_;
                                 local_9 = type_38(array<f64, 4>(_e1982.member[0], _e1982.member[1], _e1982.member[2], _e1982.member[3]), array<f64, 4>(_e1982.member_1[0], _e1982.member_1[1], _e1982.member_1[2], _e1982.member_1[3]), array<f64, 4>(_e1982.member_2[0], _e1982.member_2[1], _e1982.member_2[2], _e1982.member_2[3]));
                                 let _e2002 = f64(0f);
                                 let _e2005 = local_9.member[0u];
@@ -8018,59 +8025,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2059 = local_9.member_1[3u];
                                             let _e2062 = local_9.member[3u];
                                             let _e2068 = local_9.member_2[3u];
-                                            phi_9948_ = (((_e2056 + ((_e2059 - _e2062) * _e413)) - _e2068) > _e2002);
-                                            phi_9949_ = false;
+                                            phi_9954_ = (((_e2056 + ((_e2059 - _e2062) * _e413)) - _e2068) > _e2002);
+                                            phi_9955_ = false;
                                         } else {
-                                            phi_9948_ = bool();
-                                            phi_9949_ = true;
+                                            phi_9954_ = bool();
+                                            phi_9955_ = true;
                                         }
-                                        let _e2072 = phi_9948_;
-                                        let _e2074 = phi_9949_;
-                                        phi_9950_ = _e2072;
-                                        phi_9951_ = _e2074;
+                                        let _e2072 = phi_9954_;
+                                        let _e2074 = phi_9955_;
+                                        phi_9956_ = _e2072;
+                                        phi_9957_ = _e2074;
                                     } else {
-                                        phi_9950_ = bool();
-                                        phi_9951_ = true;
+                                        phi_9956_ = bool();
+                                        phi_9957_ = true;
                                     }
-                                    let _e2076 = phi_9950_;
-                                    let _e2078 = phi_9951_;
-                                    phi_9952_ = _e2076;
-                                    phi_9953_ = _e2078;
+                                    let _e2076 = phi_9956_;
+                                    let _e2078 = phi_9957_;
+                                    phi_9958_ = _e2076;
+                                    phi_9959_ = _e2078;
                                 } else {
-                                    phi_9952_ = bool();
-                                    phi_9953_ = true;
+                                    phi_9958_ = bool();
+                                    phi_9959_ = true;
                                 }
-                                let _e2080 = phi_9952_;
-                                let _e2082 = phi_9953_;
+                                let _e2080 = phi_9958_;
+                                let _e2082 = phi_9959_;
                                 if _e2082 {
-                                    phi_9957_ = false;
+                                    phi_9963_ = false;
                                 } else {
-                                    phi_9957_ = _e2080;
+                                    phi_9963_ = _e2080;
                                 }
-                                let _e2084 = phi_9957_;
+                                let _e2084 = phi_9963_;
                                 if _e2084 {
-                                    phi_10877_ = bool();
-                                    phi_10878_ = true;
+                                    phi_10883_ = bool();
+                                    phi_10884_ = true;
                                 } else {
                                     let _e2085 = f64(0f);
                                     if (_e2085 < 0.0lf) {
-                                        phi_9985_ = -(_e2085);
+                                        phi_9991_ = -(_e2085);
                                     } else {
-                                        phi_9985_ = _e2085;
+                                        phi_9991_ = _e2085;
                                     }
-                                    let _e2090 = phi_9985_;
+                                    let _e2090 = phi_9991_;
                                     if (_e1480[1] < 0.0lf) {
-                                        phi_9991_ = -(_e1480[1]);
+                                        phi_9997_ = -(_e1480[1]);
                                     } else {
-                                        phi_9991_ = _e1480[1];
+                                        phi_9997_ = _e1480[1];
                                     }
-                                    let _e2094 = phi_9991_;
+                                    let _e2094 = phi_9997_;
                                     if (_e2085 < 0.0lf) {
-                                        phi_9998_ = -(_e2085);
+                                        phi_10004_ = -(_e2085);
                                     } else {
-                                        phi_9998_ = _e2085;
+                                        phi_10004_ = _e2085;
                                     }
-                                    let _e2099 = phi_9998_;
+                                    let _e2099 = phi_10004_;
                                     let _e2100 = ((_e2090 + _e2094) + _e2099);
                                     if (_e2100 > f64(0f)) {
                                         if ((bitcast<u64>(_e2100) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -8081,59 +8088,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2115 = (((_e2108 * _e2108) + (_e2109 * _e2109)) + (_e2110 * _e2110));
                                             if (_e2115 <= 2.2250738585072014e-308lf) {
                                                 if (_e2115 > 0.0lf) {
-                                                    phi_10034_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    phi_10040_ = (1.464336215552873e-154lf * 2.0lf);
                                                 } else {
-                                                    phi_10034_ = 0.0lf;
+                                                    phi_10040_ = 0.0lf;
                                                 }
-                                                let _e2167 = phi_10034_;
-                                                phi_10098_ = _e2167;
+                                                let _e2167 = phi_10040_;
+                                                phi_10104_ = _e2167;
                                             } else {
-                                                phi_10041_ = type_16(0i, 5i);
-                                                phi_10044_ = bitcast<f64>(((bitcast<u64>(_e2115) / 2lu) + 2303426169912950784lu));
+                                                phi_10047_ = type_16(0i, 5i);
+                                                phi_10050_ = bitcast<f64>(((bitcast<u64>(_e2115) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e2122 = phi_10041_;
-                                                    let _e2124 = phi_10044_;
+                                                    let _e2122 = phi_10047_;
+                                                    let _e2124 = phi_10050_;
                                                     local_21 = _e2124;
                                                     if (_e2122.member < _e2122.member_1) {
                                                         let _e2131 = (_e2122.member + 1i);
                                                         if ((false == (_e2131 > _e2122.member)) != false) {
-                                                            phi_10065_ = true;
+                                                            phi_10071_ = true;
                                                         } else {
-                                                            phi_10065_ = false;
+                                                            phi_10071_ = false;
                                                         }
-                                                        let _e2136 = phi_10065_;
+                                                        let _e2136 = phi_10071_;
                                                         if _e2136 {
-                                                            phi_10071_ = type_17(0u, type_17().member_1);
+                                                            phi_10077_ = type_17(0u, type_17().member_1);
                                                         } else {
-                                                            phi_10071_ = type_17(1u, _e2131);
+                                                            phi_10077_ = type_17(1u, _e2131);
                                                         }
-                                                        let _e2141 = phi_10071_;
-                                                        phi_10042_ = type_16(_e2141.member_1, _e2122.member_1);
-                                                        phi_10085_ = type_17(1u, _e2122.member);
+                                                        let _e2141 = phi_10077_;
+                                                        phi_10048_ = type_16(_e2141.member_1, _e2122.member_1);
+                                                        phi_10091_ = type_17(1u, _e2122.member);
                                                     } else {
-                                                        phi_10042_ = _e2122;
-                                                        phi_10085_ = type_17(0u, type_17().member_1);
+                                                        phi_10048_ = _e2122;
+                                                        phi_10091_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e2147 = phi_10042_;
-                                                    let _e2149 = phi_10085_;
+                                                    let _e2147 = phi_10048_;
+                                                    let _e2149 = phi_10091_;
                                                     let _e2152 = (bitcast<i32>(_e2149.member) != 0i);
                                                     if _e2152 {
-                                                        phi_10045_ = (0.5lf * (_e2124 + (_e2115 / _e2124)));
+                                                        phi_10051_ = (0.5lf * (_e2124 + (_e2115 / _e2124)));
                                                     } else {
-                                                        phi_10045_ = f64();
+                                                        phi_10051_ = f64();
                                                     }
-                                                    let _e2157 = phi_10045_;
+                                                    let _e2157 = phi_10051_;
                                                     continue;
                                                     continuing {
-                                                        phi_10041_ = _e2147;
-                                                        phi_10044_ = _e2157;
+                                                        phi_10047_ = _e2147;
+                                                        phi_10050_ = _e2157;
                                                         break if !(_e2152);
                                                     }
                                                 }
                                                 let _e2162 = local_21;
-                                                phi_10098_ = (_e2162 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                phi_10104_ = (_e2162 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e2169 = phi_10098_;
+                                            let _e2169 = phi_10104_;
                                             let _e2171 = (1.1102230246251565e-16lf * f64(12f));
                                             let _e2178 = ((_e1413 * f64(1.01f)) + ((_e1184 * _e2169) * (f64(1f) + _e2171)));
                                             let _e2183 = (((_e2108 * _e1187[0]) + (_e2109 * _e1187[1])) + (_e2110 * _e1187[2]));
@@ -8145,77 +8152,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2214 = (((_e2108 * _e1236) + (_e2109 * _e1237)) + (_e2110 * _e1238));
                                             let _e2219 = (((_e2108 * _e1233) + (_e2109 * _e1234)) + (_e2110 * _e1235));
                                             if (_e2183 < 0.0lf) {
-                                                phi_10167_ = -(_e2183);
+                                                phi_10173_ = -(_e2183);
                                             } else {
-                                                phi_10167_ = _e2183;
+                                                phi_10173_ = _e2183;
                                             }
-                                            let _e2224 = phi_10167_;
+                                            let _e2224 = phi_10173_;
                                             if (_e2204 < 0.0lf) {
-                                                phi_10173_ = -(_e2204);
+                                                phi_10179_ = -(_e2204);
                                             } else {
-                                                phi_10173_ = _e2204;
+                                                phi_10179_ = _e2204;
                                             }
-                                            let _e2228 = phi_10173_;
+                                            let _e2228 = phi_10179_;
                                             if (_e2188 < 0.0lf) {
-                                                phi_10182_ = -(_e2188);
+                                                phi_10188_ = -(_e2188);
                                             } else {
-                                                phi_10182_ = _e2188;
+                                                phi_10188_ = _e2188;
                                             }
-                                            let _e2235 = phi_10182_;
+                                            let _e2235 = phi_10188_;
                                             if (_e2209 < 0.0lf) {
-                                                phi_10188_ = -(_e2209);
+                                                phi_10194_ = -(_e2209);
                                             } else {
-                                                phi_10188_ = _e2209;
+                                                phi_10194_ = _e2209;
                                             }
-                                            let _e2239 = phi_10188_;
+                                            let _e2239 = phi_10194_;
                                             if (_e2193 < 0.0lf) {
-                                                phi_10197_ = -(_e2193);
+                                                phi_10203_ = -(_e2193);
                                             } else {
-                                                phi_10197_ = _e2193;
+                                                phi_10203_ = _e2193;
                                             }
-                                            let _e2246 = phi_10197_;
+                                            let _e2246 = phi_10203_;
                                             if (_e2214 < 0.0lf) {
-                                                phi_10203_ = -(_e2214);
+                                                phi_10209_ = -(_e2214);
                                             } else {
-                                                phi_10203_ = _e2214;
+                                                phi_10209_ = _e2214;
                                             }
-                                            let _e2250 = phi_10203_;
+                                            let _e2250 = phi_10209_;
                                             if (_e2198 < 0.0lf) {
-                                                phi_10212_ = -(_e2198);
+                                                phi_10218_ = -(_e2198);
                                             } else {
-                                                phi_10212_ = _e2198;
+                                                phi_10218_ = _e2198;
                                             }
-                                            let _e2257 = phi_10212_;
+                                            let _e2257 = phi_10218_;
                                             if (_e2219 < 0.0lf) {
-                                                phi_10218_ = -(_e2219);
+                                                phi_10224_ = -(_e2219);
                                             } else {
-                                                phi_10218_ = _e2219;
+                                                phi_10224_ = _e2219;
                                             }
-                                            let _e2261 = phi_10218_;
-                                            phi_10224_ = type_38(array<f64, 4>(_e2183, _e2188, _e2193, _e2198), array<f64, 4>(_e2204, _e2209, _e2214, _e2219), array<f64, 4>((_e2178 + ((_e2224 + _e2228) * _e2171)), (_e2178 + ((_e2235 + _e2239) * _e2171)), (_e2178 + ((_e2246 + _e2250) * _e2171)), (_e2178 + ((_e2257 + _e2261) * _e2171))));
-                                            phi_10225_ = false;
+                                            let _e2261 = phi_10224_;
+                                            phi_10230_ = type_38(array<f64, 4>(_e2183, _e2188, _e2193, _e2198), array<f64, 4>(_e2204, _e2209, _e2214, _e2219), array<f64, 4>((_e2178 + ((_e2224 + _e2228) * _e2171)), (_e2178 + ((_e2235 + _e2239) * _e2171)), (_e2178 + ((_e2246 + _e2250) * _e2171)), (_e2178 + ((_e2257 + _e2261) * _e2171))));
+                                            phi_10231_ = false;
                                         } else {
-                                            phi_10224_ = type_38();
-                                            phi_10225_ = true;
+                                            phi_10230_ = type_38();
+                                            phi_10231_ = true;
                                         }
-                                        let _e2268 = phi_10224_;
-                                        let _e2270 = phi_10225_;
-                                        phi_10226_ = _e2268;
-                                        phi_10227_ = _e2270;
+                                        let _e2268 = phi_10230_;
+                                        let _e2270 = phi_10231_;
+                                        phi_10232_ = _e2268;
+                                        phi_10233_ = _e2270;
                                     } else {
-                                        phi_10226_ = type_38();
-                                        phi_10227_ = true;
+                                        phi_10232_ = type_38();
+                                        phi_10233_ = true;
                                     }
-                                    let _e2272 = phi_10226_;
-                                    let _e2274 = phi_10227_;
+                                    let _e2272 = phi_10232_;
+                                    let _e2274 = phi_10233_;
                                     if _e2274 {
                                         let _e2275 = f64(0f);
                                         let _e2276 = f64(1f);
-                                        phi_10237_ = type_38(array<f64, 4>(_e2275, _e2275, _e2275, _e2275), array<f64, 4>(_e2275, _e2275, _e2275, _e2275), array<f64, 4>(_e2276, _e2276, _e2276, _e2276));
+                                        phi_10243_ = type_38(array<f64, 4>(_e2275, _e2275, _e2275, _e2275), array<f64, 4>(_e2275, _e2275, _e2275, _e2275), array<f64, 4>(_e2276, _e2276, _e2276, _e2276));
                                     } else {
-                                        phi_10237_ = _e2272;
+                                        phi_10243_ = _e2272;
                                     }
-                                    let _e2282 = phi_10237_;
+                                    let _e2282 = phi_10243_;
                                     local_10 = type_38(array<f64, 4>(_e2282.member[0], _e2282.member[1], _e2282.member[2], _e2282.member[3]), array<f64, 4>(_e2282.member_1[0], _e2282.member_1[1], _e2282.member_1[2], _e2282.member_1[3]), array<f64, 4>(_e2282.member_2[0], _e2282.member_2[1], _e2282.member_2[2], _e2282.member_2[3]));
                                     let _e2302 = f64(0f);
                                     let _e2305 = local_10.member[0u];
@@ -8237,58 +8244,58 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2359 = local_10.member_1[3u];
                                                 let _e2362 = local_10.member[3u];
                                                 let _e2368 = local_10.member_2[3u];
-                                                phi_10407_ = (((_e2356 + ((_e2359 - _e2362) * _e413)) - _e2368) > _e2302);
-                                                phi_10408_ = false;
+                                                phi_10413_ = (((_e2356 + ((_e2359 - _e2362) * _e413)) - _e2368) > _e2302);
+                                                phi_10414_ = false;
                                             } else {
-                                                phi_10407_ = bool();
-                                                phi_10408_ = true;
+                                                phi_10413_ = bool();
+                                                phi_10414_ = true;
                                             }
-                                            let _e2372 = phi_10407_;
-                                            let _e2374 = phi_10408_;
-                                            phi_10409_ = _e2372;
-                                            phi_10410_ = _e2374;
+                                            let _e2372 = phi_10413_;
+                                            let _e2374 = phi_10414_;
+                                            phi_10415_ = _e2372;
+                                            phi_10416_ = _e2374;
                                         } else {
-                                            phi_10409_ = bool();
-                                            phi_10410_ = true;
+                                            phi_10415_ = bool();
+                                            phi_10416_ = true;
                                         }
-                                        let _e2376 = phi_10409_;
-                                        let _e2378 = phi_10410_;
-                                        phi_10411_ = _e2376;
-                                        phi_10412_ = _e2378;
+                                        let _e2376 = phi_10415_;
+                                        let _e2378 = phi_10416_;
+                                        phi_10417_ = _e2376;
+                                        phi_10418_ = _e2378;
                                     } else {
-                                        phi_10411_ = bool();
-                                        phi_10412_ = true;
+                                        phi_10417_ = bool();
+                                        phi_10418_ = true;
                                     }
-                                    let _e2380 = phi_10411_;
-                                    let _e2382 = phi_10412_;
+                                    let _e2380 = phi_10417_;
+                                    let _e2382 = phi_10418_;
                                     if _e2382 {
-                                        phi_10416_ = false;
+                                        phi_10422_ = false;
                                     } else {
-                                        phi_10416_ = _e2380;
+                                        phi_10422_ = _e2380;
                                     }
-                                    let _e2384 = phi_10416_;
+                                    let _e2384 = phi_10422_;
                                     if _e2384 {
-                                        phi_10876_ = bool();
+                                        phi_10882_ = bool();
                                     } else {
                                         let _e2385 = f64(0f);
-                                        if (_e2385 < 0.0lf) {
-                                            phi_10444_ = -(_e2385);
-                                        } else {
-                                            phi_10444_ = _e2385;
-                                        }
-                                        let _e2390 = phi_10444_;
                                         if (_e2385 < 0.0lf) {
                                             phi_10450_ = -(_e2385);
                                         } else {
                                             phi_10450_ = _e2385;
                                         }
-                                        let _e2394 = phi_10450_;
-                                        if (_e1480[2] < 0.0lf) {
-                                            phi_10457_ = -(_e1480[2]);
+                                        let _e2390 = phi_10450_;
+                                        if (_e2385 < 0.0lf) {
+                                            phi_10456_ = -(_e2385);
                                         } else {
-                                            phi_10457_ = _e1480[2];
+                                            phi_10456_ = _e2385;
                                         }
-                                        let _e2399 = phi_10457_;
+                                        let _e2394 = phi_10456_;
+                                        if (_e1480[2] < 0.0lf) {
+                                            phi_10463_ = -(_e1480[2]);
+                                        } else {
+                                            phi_10463_ = _e1480[2];
+                                        }
+                                        let _e2399 = phi_10463_;
                                         let _e2400 = ((_e2390 + _e2394) + _e2399);
                                         if (_e2400 > f64(0f)) {
                                             if ((bitcast<u64>(_e2400) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -8299,59 +8306,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2415 = (((_e2408 * _e2408) + (_e2409 * _e2409)) + (_e2410 * _e2410));
                                                 if (_e2415 <= 2.2250738585072014e-308lf) {
                                                     if (_e2415 > 0.0lf) {
-                                                        phi_10493_ = (1.464336215552873e-154lf * 2.0lf);
+                                                        phi_10499_ = (1.464336215552873e-154lf * 2.0lf);
                                                     } else {
-                                                        phi_10493_ = 0.0lf;
+                                                        phi_10499_ = 0.0lf;
                                                     }
-                                                    let _e2467 = phi_10493_;
-                                                    phi_10557_ = _e2467;
+                                                    let _e2467 = phi_10499_;
+                                                    phi_10563_ = _e2467;
                                                 } else {
-                                                    phi_10500_ = type_16(0i, 5i);
-                                                    phi_10503_ = bitcast<f64>(((bitcast<u64>(_e2415) / 2lu) + 2303426169912950784lu));
+                                                    phi_10506_ = type_16(0i, 5i);
+                                                    phi_10509_ = bitcast<f64>(((bitcast<u64>(_e2415) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e2422 = phi_10500_;
-                                                        let _e2424 = phi_10503_;
+                                                        let _e2422 = phi_10506_;
+                                                        let _e2424 = phi_10509_;
                                                         local_22 = _e2424;
                                                         if (_e2422.member < _e2422.member_1) {
                                                             let _e2431 = (_e2422.member + 1i);
                                                             if ((false == (_e2431 > _e2422.member)) != false) {
-                                                                phi_10524_ = true;
+                                                                phi_10530_ = true;
                                                             } else {
-                                                                phi_10524_ = false;
+                                                                phi_10530_ = false;
                                                             }
-                                                            let _e2436 = phi_10524_;
+                                                            let _e2436 = phi_10530_;
                                                             if _e2436 {
-                                                                phi_10530_ = type_17(0u, type_17().member_1);
+                                                                phi_10536_ = type_17(0u, type_17().member_1);
                                                             } else {
-                                                                phi_10530_ = type_17(1u, _e2431);
+                                                                phi_10536_ = type_17(1u, _e2431);
                                                             }
-                                                            let _e2441 = phi_10530_;
-                                                            phi_10501_ = type_16(_e2441.member_1, _e2422.member_1);
-                                                            phi_10544_ = type_17(1u, _e2422.member);
+                                                            let _e2441 = phi_10536_;
+                                                            phi_10507_ = type_16(_e2441.member_1, _e2422.member_1);
+                                                            phi_10550_ = type_17(1u, _e2422.member);
                                                         } else {
-                                                            phi_10501_ = _e2422;
-                                                            phi_10544_ = type_17(0u, type_17().member_1);
+                                                            phi_10507_ = _e2422;
+                                                            phi_10550_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e2447 = phi_10501_;
-                                                        let _e2449 = phi_10544_;
+                                                        let _e2447 = phi_10507_;
+                                                        let _e2449 = phi_10550_;
                                                         let _e2452 = (bitcast<i32>(_e2449.member) != 0i);
                                                         if _e2452 {
-                                                            phi_10504_ = (0.5lf * (_e2424 + (_e2415 / _e2424)));
+                                                            phi_10510_ = (0.5lf * (_e2424 + (_e2415 / _e2424)));
                                                         } else {
-                                                            phi_10504_ = f64();
+                                                            phi_10510_ = f64();
                                                         }
-                                                        let _e2457 = phi_10504_;
+                                                        let _e2457 = phi_10510_;
                                                         continue;
                                                         continuing {
-                                                            phi_10500_ = _e2447;
-                                                            phi_10503_ = _e2457;
+                                                            phi_10506_ = _e2447;
+                                                            phi_10509_ = _e2457;
                                                             break if !(_e2452);
                                                         }
                                                     }
                                                     let _e2462 = local_22;
-                                                    phi_10557_ = (_e2462 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    phi_10563_ = (_e2462 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e2469 = phi_10557_;
+                                                let _e2469 = phi_10563_;
                                                 let _e2471 = (1.1102230246251565e-16lf * f64(12f));
                                                 let _e2478 = ((_e1413 * f64(1.01f)) + ((_e1184 * _e2469) * (f64(1f) + _e2471)));
                                                 let _e2483 = (((_e2408 * _e1187[0]) + (_e2409 * _e1187[1])) + (_e2410 * _e1187[2]));
@@ -8363,77 +8370,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2514 = (((_e2408 * _e1236) + (_e2409 * _e1237)) + (_e2410 * _e1238));
                                                 let _e2519 = (((_e2408 * _e1233) + (_e2409 * _e1234)) + (_e2410 * _e1235));
                                                 if (_e2483 < 0.0lf) {
-                                                    phi_10626_ = -(_e2483);
+                                                    phi_10632_ = -(_e2483);
                                                 } else {
-                                                    phi_10626_ = _e2483;
+                                                    phi_10632_ = _e2483;
                                                 }
-                                                let _e2524 = phi_10626_;
+                                                let _e2524 = phi_10632_;
                                                 if (_e2504 < 0.0lf) {
-                                                    phi_10632_ = -(_e2504);
+                                                    phi_10638_ = -(_e2504);
                                                 } else {
-                                                    phi_10632_ = _e2504;
+                                                    phi_10638_ = _e2504;
                                                 }
-                                                let _e2528 = phi_10632_;
+                                                let _e2528 = phi_10638_;
                                                 if (_e2488 < 0.0lf) {
-                                                    phi_10641_ = -(_e2488);
+                                                    phi_10647_ = -(_e2488);
                                                 } else {
-                                                    phi_10641_ = _e2488;
+                                                    phi_10647_ = _e2488;
                                                 }
-                                                let _e2535 = phi_10641_;
+                                                let _e2535 = phi_10647_;
                                                 if (_e2509 < 0.0lf) {
-                                                    phi_10647_ = -(_e2509);
+                                                    phi_10653_ = -(_e2509);
                                                 } else {
-                                                    phi_10647_ = _e2509;
+                                                    phi_10653_ = _e2509;
                                                 }
-                                                let _e2539 = phi_10647_;
+                                                let _e2539 = phi_10653_;
                                                 if (_e2493 < 0.0lf) {
-                                                    phi_10656_ = -(_e2493);
+                                                    phi_10662_ = -(_e2493);
                                                 } else {
-                                                    phi_10656_ = _e2493;
+                                                    phi_10662_ = _e2493;
                                                 }
-                                                let _e2546 = phi_10656_;
+                                                let _e2546 = phi_10662_;
                                                 if (_e2514 < 0.0lf) {
-                                                    phi_10662_ = -(_e2514);
+                                                    phi_10668_ = -(_e2514);
                                                 } else {
-                                                    phi_10662_ = _e2514;
+                                                    phi_10668_ = _e2514;
                                                 }
-                                                let _e2550 = phi_10662_;
+                                                let _e2550 = phi_10668_;
                                                 if (_e2498 < 0.0lf) {
-                                                    phi_10671_ = -(_e2498);
+                                                    phi_10677_ = -(_e2498);
                                                 } else {
-                                                    phi_10671_ = _e2498;
+                                                    phi_10677_ = _e2498;
                                                 }
-                                                let _e2557 = phi_10671_;
+                                                let _e2557 = phi_10677_;
                                                 if (_e2519 < 0.0lf) {
-                                                    phi_10677_ = -(_e2519);
+                                                    phi_10683_ = -(_e2519);
                                                 } else {
-                                                    phi_10677_ = _e2519;
+                                                    phi_10683_ = _e2519;
                                                 }
-                                                let _e2561 = phi_10677_;
-                                                phi_10683_ = type_38(array<f64, 4>(_e2483, _e2488, _e2493, _e2498), array<f64, 4>(_e2504, _e2509, _e2514, _e2519), array<f64, 4>((_e2478 + ((_e2524 + _e2528) * _e2471)), (_e2478 + ((_e2535 + _e2539) * _e2471)), (_e2478 + ((_e2546 + _e2550) * _e2471)), (_e2478 + ((_e2557 + _e2561) * _e2471))));
-                                                phi_10684_ = false;
+                                                let _e2561 = phi_10683_;
+                                                phi_10689_ = type_38(array<f64, 4>(_e2483, _e2488, _e2493, _e2498), array<f64, 4>(_e2504, _e2509, _e2514, _e2519), array<f64, 4>((_e2478 + ((_e2524 + _e2528) * _e2471)), (_e2478 + ((_e2535 + _e2539) * _e2471)), (_e2478 + ((_e2546 + _e2550) * _e2471)), (_e2478 + ((_e2557 + _e2561) * _e2471))));
+                                                phi_10690_ = false;
                                             } else {
-                                                phi_10683_ = type_38();
-                                                phi_10684_ = true;
+                                                phi_10689_ = type_38();
+                                                phi_10690_ = true;
                                             }
-                                            let _e2568 = phi_10683_;
-                                            let _e2570 = phi_10684_;
-                                            phi_10685_ = _e2568;
-                                            phi_10686_ = _e2570;
+                                            let _e2568 = phi_10689_;
+                                            let _e2570 = phi_10690_;
+                                            phi_10691_ = _e2568;
+                                            phi_10692_ = _e2570;
                                         } else {
-                                            phi_10685_ = type_38();
-                                            phi_10686_ = true;
+                                            phi_10691_ = type_38();
+                                            phi_10692_ = true;
                                         }
-                                        let _e2572 = phi_10685_;
-                                        let _e2574 = phi_10686_;
+                                        let _e2572 = phi_10691_;
+                                        let _e2574 = phi_10692_;
                                         if _e2574 {
                                             let _e2575 = f64(0f);
                                             let _e2576 = f64(1f);
-                                            phi_10696_ = type_38(array<f64, 4>(_e2575, _e2575, _e2575, _e2575), array<f64, 4>(_e2575, _e2575, _e2575, _e2575), array<f64, 4>(_e2576, _e2576, _e2576, _e2576));
+                                            phi_10702_ = type_38(array<f64, 4>(_e2575, _e2575, _e2575, _e2575), array<f64, 4>(_e2575, _e2575, _e2575, _e2575), array<f64, 4>(_e2576, _e2576, _e2576, _e2576));
                                         } else {
-                                            phi_10696_ = _e2572;
+                                            phi_10702_ = _e2572;
                                         }
-                                        let _e2582 = phi_10696_;
+                                        let _e2582 = phi_10702_;
                                         local_11 = type_38(array<f64, 4>(_e2582.member[0], _e2582.member[1], _e2582.member[2], _e2582.member[3]), array<f64, 4>(_e2582.member_1[0], _e2582.member_1[1], _e2582.member_1[2], _e2582.member_1[3]), array<f64, 4>(_e2582.member_2[0], _e2582.member_2[1], _e2582.member_2[2], _e2582.member_2[3]));
                                         let _e2602 = f64(0f);
                                         let _e2605 = local_11.member[0u];
@@ -8455,72 +8462,72 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e2659 = local_11.member_1[3u];
                                                     let _e2662 = local_11.member[3u];
                                                     let _e2668 = local_11.member_2[3u];
-                                                    phi_10866_ = (((_e2656 + ((_e2659 - _e2662) * _e413)) - _e2668) > _e2602);
-                                                    phi_10867_ = false;
+                                                    phi_10872_ = (((_e2656 + ((_e2659 - _e2662) * _e413)) - _e2668) > _e2602);
+                                                    phi_10873_ = false;
                                                 } else {
-                                                    phi_10866_ = bool();
-                                                    phi_10867_ = true;
+                                                    phi_10872_ = bool();
+                                                    phi_10873_ = true;
                                                 }
-                                                let _e2672 = phi_10866_;
-                                                let _e2674 = phi_10867_;
-                                                phi_10868_ = _e2672;
-                                                phi_10869_ = _e2674;
+                                                let _e2672 = phi_10872_;
+                                                let _e2674 = phi_10873_;
+                                                phi_10874_ = _e2672;
+                                                phi_10875_ = _e2674;
                                             } else {
-                                                phi_10868_ = bool();
-                                                phi_10869_ = true;
+                                                phi_10874_ = bool();
+                                                phi_10875_ = true;
                                             }
-                                            let _e2676 = phi_10868_;
-                                            let _e2678 = phi_10869_;
-                                            phi_10870_ = _e2676;
-                                            phi_10871_ = _e2678;
+                                            let _e2676 = phi_10874_;
+                                            let _e2678 = phi_10875_;
+                                            phi_10876_ = _e2676;
+                                            phi_10877_ = _e2678;
                                         } else {
-                                            phi_10870_ = bool();
-                                            phi_10871_ = true;
+                                            phi_10876_ = bool();
+                                            phi_10877_ = true;
                                         }
-                                        let _e2680 = phi_10870_;
-                                        let _e2682 = phi_10871_;
+                                        let _e2680 = phi_10876_;
+                                        let _e2682 = phi_10877_;
                                         if _e2682 {
-                                            phi_10875_ = false;
+                                            phi_10881_ = false;
                                         } else {
-                                            phi_10875_ = _e2680;
+                                            phi_10881_ = _e2680;
                                         }
-                                        let _e2684 = phi_10875_;
-                                        phi_10876_ = _e2684;
+                                        let _e2684 = phi_10881_;
+                                        phi_10882_ = _e2684;
                                     }
-                                    let _e2686 = phi_10876_;
-                                    phi_10877_ = _e2686;
-                                    phi_10878_ = _e2384;
+                                    let _e2686 = phi_10882_;
+                                    phi_10883_ = _e2686;
+                                    phi_10884_ = _e2384;
                                 }
-                                let _e2688 = phi_10877_;
-                                let _e2690 = phi_10878_;
-                                phi_10879_ = _e2688;
-                                phi_10880_ = _e2690;
+                                let _e2688 = phi_10883_;
+                                let _e2690 = phi_10884_;
+                                phi_10885_ = _e2688;
+                                phi_10886_ = _e2690;
                             }
-                            let _e2692 = phi_10879_;
-                            let _e2694 = phi_10880_;
+                            let _e2692 = phi_10885_;
+                            let _e2694 = phi_10886_;
                             if _e2694 {
-                                phi_10884_ = true;
+                                phi_10890_ = true;
                             } else {
-                                phi_10884_ = _e2692;
+                                phi_10890_ = _e2692;
                             }
-                            let _e2696 = phi_10884_;
+                            let _e2696 = phi_10890_;
                             if !(_e2696) {
-                                phi_10890_ = type_46(2u, _e413);
-                                phi_10891_ = false;
+                                phi_10896_ = type_46(2u, _e413);
+                                phi_10897_ = false;
                             } else {
-                                phi_10890_ = type_46();
-                                phi_10891_ = true;
+                                phi_10896_ = type_46();
+                                phi_10897_ = true;
                             }
-                            let _e2700 = phi_10890_;
-                            let _e2702 = phi_10891_;
-                            phi_10892_ = _e2700;
-                            phi_10893_ = _e2702;
+                            let _e2700 = phi_10896_;
+                            let _e2702 = phi_10897_;
+                            phi_10898_ = _e2700;
+                            phi_10899_ = _e2702;
                         } else {
-                            phi_10892_ = type_46();
-                            phi_10893_ = true;
+                            phi_10898_ = type_46();
+                            phi_10899_ = true;
                         }
-                        let _e2704 = phi_10892_;
-                        let _e2706 = phi_10893_;
+                        let _e2704 = phi_10898_;
+                        let _e2706 = phi_10899_;
                         if _e2706 {
                             let _e2707 = f64(0f);
                             let _e2708 = f64(1f);
@@ -8536,65 +8543,65 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             if (_e2724 > _e2707) {
                                 if (_e2724 <= 2.2250738585072014e-308lf) {
                                     if (_e2724 > 0.0lf) {
-                                        phi_10932_ = (1.464336215552873e-154lf * 2.0lf);
+                                        phi_10938_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_10932_ = 0.0lf;
+                                        phi_10938_ = 0.0lf;
                                     }
-                                    let _e2777 = phi_10932_;
-                                    phi_10996_ = _e2777;
+                                    let _e2777 = phi_10938_;
+                                    phi_11002_ = _e2777;
                                 } else {
-                                    phi_10939_ = type_16(0i, 5i);
-                                    phi_10942_ = bitcast<f64>(((bitcast<u64>(_e2724) / 2lu) + 2303426169912950784lu));
+                                    phi_10945_ = type_16(0i, 5i);
+                                    phi_10948_ = bitcast<f64>(((bitcast<u64>(_e2724) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2732 = phi_10939_;
-                                        let _e2734 = phi_10942_;
+                                        let _e2732 = phi_10945_;
+                                        let _e2734 = phi_10948_;
                                         local_23 = _e2734;
                                         if (_e2732.member < _e2732.member_1) {
                                             let _e2741 = (_e2732.member + 1i);
                                             if ((false == (_e2741 > _e2732.member)) != false) {
-                                                phi_10963_ = true;
+                                                phi_10969_ = true;
                                             } else {
-                                                phi_10963_ = false;
+                                                phi_10969_ = false;
                                             }
-                                            let _e2746 = phi_10963_;
+                                            let _e2746 = phi_10969_;
                                             if _e2746 {
-                                                phi_10969_ = type_17(0u, type_17().member_1);
+                                                phi_10975_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_10969_ = type_17(1u, _e2741);
+                                                phi_10975_ = type_17(1u, _e2741);
                                             }
-                                            let _e2751 = phi_10969_;
-                                            phi_10940_ = type_16(_e2751.member_1, _e2732.member_1);
-                                            phi_10983_ = type_17(1u, _e2732.member);
+                                            let _e2751 = phi_10975_;
+                                            phi_10946_ = type_16(_e2751.member_1, _e2732.member_1);
+                                            phi_10989_ = type_17(1u, _e2732.member);
                                         } else {
-                                            phi_10940_ = _e2732;
-                                            phi_10983_ = type_17(0u, type_17().member_1);
+                                            phi_10946_ = _e2732;
+                                            phi_10989_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2757 = phi_10940_;
-                                        let _e2759 = phi_10983_;
+                                        let _e2757 = phi_10946_;
+                                        let _e2759 = phi_10989_;
                                         let _e2762 = (bitcast<i32>(_e2759.member) != 0i);
                                         if _e2762 {
-                                            phi_10943_ = (0.5lf * (_e2734 + (_e2724 / _e2734)));
+                                            phi_10949_ = (0.5lf * (_e2734 + (_e2724 / _e2734)));
                                         } else {
-                                            phi_10943_ = f64();
+                                            phi_10949_ = f64();
                                         }
-                                        let _e2767 = phi_10943_;
+                                        let _e2767 = phi_10949_;
                                         continue;
                                         continuing {
-                                            phi_10939_ = _e2757;
-                                            phi_10942_ = _e2767;
+                                            phi_10945_ = _e2757;
+                                            phi_10948_ = _e2767;
                                             break if !(_e2762);
                                         }
                                     }
                                     let _e2772 = local_23;
-                                    phi_10996_ = (_e2772 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    phi_11002_ = (_e2772 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2779 = phi_10996_;
+                                let _e2779 = phi_11002_;
                                 if (_e2716 < _e2707) {
-                                    phi_11002_ = -(_e2779);
+                                    phi_11008_ = -(_e2779);
                                 } else {
-                                    phi_11002_ = _e2779;
+                                    phi_11008_ = _e2779;
                                 }
-                                let _e2783 = phi_11002_;
+                                let _e2783 = phi_11008_;
                                 let _e2785 = -((_e2716 + _e2783));
                                 local_7[0u] = (_e2785 / (_e2785 + _e2717));
                                 local_7[1u] = (_e2715 / (_e2715 + _e2785));
@@ -8606,21 +8613,21 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     local_7[0u] = _e2798;
                                     local_7[1u] = _e2800;
                                 }
-                                phi_11027_ = type_12(0u, 2u);
-                                phi_11030_ = 1u;
+                                phi_11033_ = type_12(0u, 2u);
+                                phi_11036_ = 1u;
                                 loop {
-                                    let _e2804 = phi_11027_;
-                                    let _e2806 = phi_11030_;
+                                    let _e2804 = phi_11033_;
+                                    let _e2806 = phi_11036_;
                                     local_64 = _e2806;
                                     if (_e2804.member < _e2804.member_1) {
-                                        phi_11028_ = type_12((_e2804.member + 1u), _e2804.member_1);
-                                        phi_11053_ = type_12(1u, _e2804.member);
+                                        phi_11034_ = type_12((_e2804.member + 1u), _e2804.member_1);
+                                        phi_11059_ = type_12(1u, _e2804.member);
                                     } else {
-                                        phi_11028_ = _e2804;
-                                        phi_11053_ = type_12(0u, type_12().member_1);
+                                        phi_11034_ = _e2804;
+                                        phi_11059_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e2818 = phi_11028_;
-                                    let _e2820 = phi_11053_;
+                                    let _e2818 = phi_11034_;
+                                    let _e2820 = phi_11059_;
                                     let _e2824 = (bitcast<i32>(_e2820.member) != 0i);
                                     if _e2824 {
                                         let _e2826 = local_7[_e2820.member_1];
@@ -8629,391 +8636,391 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e2829 < _e2708) {
                                                 let _e2832 = local_7[_e2820.member_1];
                                                 local_6[_e2806] = _e2832;
-                                                phi_11097_ = (_e2806 + 1u);
+                                                phi_11103_ = (_e2806 + 1u);
                                             } else {
-                                                phi_11097_ = _e2806;
+                                                phi_11103_ = _e2806;
                                             }
-                                            let _e2836 = phi_11097_;
-                                            phi_11098_ = _e2836;
+                                            let _e2836 = phi_11103_;
+                                            phi_11104_ = _e2836;
                                         } else {
-                                            phi_11098_ = _e2806;
+                                            phi_11104_ = _e2806;
                                         }
-                                        let _e2838 = phi_11098_;
-                                        phi_11031_ = _e2838;
+                                        let _e2838 = phi_11104_;
+                                        phi_11037_ = _e2838;
                                     } else {
-                                        phi_11031_ = u32();
+                                        phi_11037_ = u32();
                                     }
-                                    let _e2840 = phi_11031_;
+                                    let _e2840 = phi_11037_;
                                     continue;
                                     continuing {
-                                        phi_11027_ = _e2818;
-                                        phi_11030_ = _e2840;
+                                        phi_11033_ = _e2818;
+                                        phi_11036_ = _e2840;
                                         break if !(_e2824);
                                     }
                                 }
-                                let _e10896 = local_64;
-                                phi_11099_ = _e10896;
+                                let _e10900 = local_64;
+                                phi_11105_ = _e10900;
                             } else {
-                                phi_11099_ = 1u;
+                                phi_11105_ = 1u;
                             }
-                            let _e2843 = phi_11099_;
+                            let _e2843 = phi_11105_;
                             local_6[_e2843] = _e2708;
                             let _e2845 = local_6;
                             local_12 = _e2845;
-                            phi_11119_ = type_12(0u, _e2843);
+                            phi_11125_ = type_12(0u, _e2843);
                             loop {
-                                let _e2848 = phi_11119_;
+                                let _e2848 = phi_11125_;
                                 if (_e2848.member < _e2848.member_1) {
-                                    phi_11120_ = type_12((_e2848.member + 1u), _e2848.member_1);
-                                    phi_11143_ = type_12(1u, _e2848.member);
+                                    phi_11126_ = type_12((_e2848.member + 1u), _e2848.member_1);
+                                    phi_11149_ = type_12(1u, _e2848.member);
                                 } else {
-                                    phi_11120_ = _e2848;
-                                    phi_11143_ = type_12(0u, type_12().member_1);
+                                    phi_11126_ = _e2848;
+                                    phi_11149_ = type_12(0u, type_12().member_1);
                                 }
-                                let _e2860 = phi_11120_;
-                                let _e2862 = phi_11143_;
+                                let _e2860 = phi_11126_;
+                                let _e2862 = phi_11149_;
                                 if (bitcast<i32>(_e2862.member) != 0i) {
                                     let _e2868 = local_12[_e2862.member_1];
                                     if (_e2868 > _e413) {
-                                        phi_11162_ = _e2868;
+                                        phi_11168_ = _e2868;
                                     } else {
-                                        phi_11162_ = _e413;
+                                        phi_11168_ = _e413;
                                     }
-                                    let _e2871 = phi_11162_;
+                                    let _e2871 = phi_11168_;
                                     let _e2874 = local_12[(_e2862.member_1 + 1u)];
                                     if (_e2874 < _e422) {
-                                        phi_11175_ = _e2874;
+                                        phi_11181_ = _e2874;
                                     } else {
-                                        phi_11175_ = _e422;
+                                        phi_11181_ = _e422;
                                     }
-                                    let _e2877 = phi_11175_;
+                                    let _e2877 = phi_11181_;
                                     if (_e2871 <= _e2877) {
                                         let _e2880 = (f64(1f) - _e2871);
                                         let _e2891 = ((((_e764 * _e2880) + (_e787 * _e2871)) * (_e2880 * _e2880)) + (((_e810 * _e2880) + (_e821 * _e2871)) * (_e2871 * _e2871)));
                                         let _e2893 = (f64(1f) - _e2877);
                                         let _e2904 = ((((_e764 * _e2893) + (_e787 * _e2877)) * (_e2893 * _e2893)) + (((_e810 * _e2893) + (_e821 * _e2877)) * (_e2877 * _e2877)));
                                         if (_e2891 < 0.0lf) {
-                                            phi_11211_ = -(_e2891);
+                                            phi_11217_ = -(_e2891);
                                         } else {
-                                            phi_11211_ = _e2891;
+                                            phi_11217_ = _e2891;
                                         }
-                                        let _e2908 = phi_11211_;
+                                        let _e2908 = phi_11217_;
                                         let _e2909 = (_e2908 > _e1154);
                                         if (_e2904 < 0.0lf) {
-                                            phi_11218_ = -(_e2904);
+                                            phi_11224_ = -(_e2904);
                                         } else {
-                                            phi_11218_ = _e2904;
+                                            phi_11224_ = _e2904;
                                         }
-                                        let _e2913 = phi_11218_;
+                                        let _e2913 = phi_11224_;
                                         let _e2914 = (_e2913 > _e1154);
                                         let _e2915 = f64(0f);
                                         if _e2909 {
                                             if _e2914 {
-                                                phi_11230_ = ((_e2891 > _e2915) != (_e2904 > _e2915));
-                                                phi_11231_ = false;
+                                                phi_11236_ = ((_e2891 > _e2915) != (_e2904 > _e2915));
+                                                phi_11237_ = false;
                                             } else {
-                                                phi_11230_ = bool();
-                                                phi_11231_ = true;
+                                                phi_11236_ = bool();
+                                                phi_11237_ = true;
                                             }
-                                            let _e2920 = phi_11230_;
-                                            let _e2922 = phi_11231_;
-                                            phi_11232_ = _e2920;
-                                            phi_11233_ = _e2922;
+                                            let _e2920 = phi_11236_;
+                                            let _e2922 = phi_11237_;
+                                            phi_11238_ = _e2920;
+                                            phi_11239_ = _e2922;
                                         } else {
-                                            phi_11232_ = bool();
-                                            phi_11233_ = true;
+                                            phi_11238_ = bool();
+                                            phi_11239_ = true;
                                         }
-                                        let _e2924 = phi_11232_;
-                                        let _e2926 = phi_11233_;
+                                        let _e2924 = phi_11238_;
+                                        let _e2926 = phi_11239_;
                                         if _e2926 {
-                                            phi_11237_ = false;
+                                            phi_11243_ = false;
                                         } else {
-                                            phi_11237_ = _e2924;
+                                            phi_11243_ = _e2924;
                                         }
-                                        let _e2928 = phi_11237_;
+                                        let _e2928 = phi_11243_;
                                         if _e2909 {
                                             if _e2914 {
                                                 if _e2928 {
-                                                    phi_11249_ = type_49();
+                                                    phi_11255_ = type_49();
                                                 } else {
-                                                    phi_11249_ = type_49(f64(1f), _e2915, _e2928);
+                                                    phi_11255_ = type_49(f64(1f), _e2915, _e2928);
                                                 }
-                                                let _e2932 = phi_11249_;
-                                                phi_11250_ = _e2932;
-                                                phi_11251_ = _e2928;
+                                                let _e2932 = phi_11255_;
+                                                phi_11256_ = _e2932;
+                                                phi_11257_ = _e2928;
                                             } else {
-                                                phi_11250_ = type_49();
-                                                phi_11251_ = true;
+                                                phi_11256_ = type_49();
+                                                phi_11257_ = true;
                                             }
-                                            let _e2934 = phi_11250_;
-                                            let _e2936 = phi_11251_;
-                                            phi_11252_ = _e2934;
-                                            phi_11253_ = _e2936;
+                                            let _e2934 = phi_11256_;
+                                            let _e2936 = phi_11257_;
+                                            phi_11258_ = _e2934;
+                                            phi_11259_ = _e2936;
                                         } else {
-                                            phi_11252_ = type_49();
-                                            phi_11253_ = true;
+                                            phi_11258_ = type_49();
+                                            phi_11259_ = true;
                                         }
-                                        let _e2938 = phi_11252_;
-                                        let _e2940 = phi_11253_;
+                                        let _e2938 = phi_11258_;
+                                        let _e2940 = phi_11259_;
                                         if _e2940 {
                                             if _e2909 {
                                                 if (_e2891 < _e2915) {
-                                                    phi_11266_ = f64(-1f);
+                                                    phi_11272_ = f64(-1f);
                                                 } else {
-                                                    phi_11266_ = f64(1f);
+                                                    phi_11272_ = f64(1f);
                                                 }
-                                                let _e2945 = phi_11266_;
+                                                let _e2945 = phi_11272_;
                                                 let _e2946 = f64(0.5f);
                                                 let _e2947 = f64(3f);
                                                 let _e2950 = (_e810 - _e787);
-                                                phi_11278_ = type_12(0u, 64u);
-                                                phi_11281_ = _e2877;
-                                                phi_11283_ = _e2871;
-                                                phi_11285_ = (_e2946 * (_e2871 + _e2877));
+                                                phi_11284_ = type_12(0u, 64u);
+                                                phi_11287_ = _e2877;
+                                                phi_11289_ = _e2871;
+                                                phi_11291_ = (_e2946 * (_e2871 + _e2877));
                                                 loop {
-                                                    let _e2956 = phi_11278_;
-                                                    let _e2958 = phi_11281_;
-                                                    let _e2960 = phi_11283_;
-                                                    let _e2962 = phi_11285_;
+                                                    let _e2956 = phi_11284_;
+                                                    let _e2958 = phi_11287_;
+                                                    let _e2960 = phi_11289_;
+                                                    let _e2962 = phi_11291_;
                                                     local_66 = _e2960;
                                                     if (_e2956.member < _e2956.member_1) {
-                                                        phi_11279_ = type_12((_e2956.member + 1u), _e2956.member_1);
-                                                        phi_11308_ = type_12(1u, _e2956.member);
+                                                        phi_11285_ = type_12((_e2956.member + 1u), _e2956.member_1);
+                                                        phi_11314_ = type_12(1u, _e2956.member);
                                                     } else {
-                                                        phi_11279_ = _e2956;
-                                                        phi_11308_ = type_12(0u, type_12().member_1);
+                                                        phi_11285_ = _e2956;
+                                                        phi_11314_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e2974 = phi_11279_;
-                                                    let _e2976 = phi_11308_;
+                                                    let _e2974 = phi_11285_;
+                                                    let _e2976 = phi_11314_;
                                                     if (bitcast<i32>(_e2976.member) != 0i) {
                                                         let _e2981 = (f64(1f) - _e2962);
                                                         let _e2994 = ((_e2945 * ((((_e764 * _e2981) + (_e787 * _e2962)) * (_e2981 * _e2981)) + (((_e810 * _e2981) + (_e821 * _e2962)) * (_e2962 * _e2962)))) - _e1154);
                                                         if (_e2994 > f64(0f)) {
-                                                            phi_11335_ = _e2958;
-                                                            phi_11336_ = _e2962;
+                                                            phi_11341_ = _e2958;
+                                                            phi_11342_ = _e2962;
                                                         } else {
-                                                            phi_11335_ = _e2962;
-                                                            phi_11336_ = _e2960;
+                                                            phi_11341_ = _e2962;
+                                                            phi_11342_ = _e2960;
                                                         }
-                                                        let _e2998 = phi_11335_;
-                                                        let _e3000 = phi_11336_;
+                                                        let _e2998 = phi_11341_;
+                                                        let _e3000 = phi_11342_;
                                                         let _e3002 = ((_e2998 - _e3000) > _e1164);
                                                         if _e3002 {
                                                             let _e3004 = (f64(1f) - _e2962);
                                                             let _e3016 = (-(_e2994) / (_e2945 * (((((_e787 - (_e2947 * _e764)) * _e3004) + (_e2950 * _e2962)) * _e3004) + (((_e2950 * _e3004) + (((_e2947 * _e821) - _e810) * _e2962)) * _e2962))));
                                                             if (_e2994 > f64(0f)) {
-                                                                phi_11364_ = (_e2946 * _e1164);
+                                                                phi_11370_ = (_e2946 * _e1164);
                                                             } else {
-                                                                phi_11364_ = -((_e2946 * _e1164));
+                                                                phi_11370_ = -((_e2946 * _e1164));
                                                             }
-                                                            let _e3023 = phi_11364_;
+                                                            let _e3023 = phi_11370_;
                                                             let _e3025 = ((_e2962 + _e3016) + _e3023);
                                                             if (_e3025 > _e3000) {
                                                                 if (_e3025 < _e2998) {
                                                                     if (_e3016 < 0.0lf) {
-                                                                        phi_11380_ = -(_e3016);
+                                                                        phi_11386_ = -(_e3016);
                                                                     } else {
-                                                                        phi_11380_ = _e3016;
+                                                                        phi_11386_ = _e3016;
                                                                     }
-                                                                    let _e3031 = phi_11380_;
+                                                                    let _e3031 = phi_11386_;
                                                                     if (_e3031 < (_e2946 * (_e2998 - _e3000))) {
-                                                                        phi_11387_ = false;
+                                                                        phi_11393_ = false;
                                                                     } else {
-                                                                        phi_11387_ = true;
+                                                                        phi_11393_ = true;
                                                                     }
-                                                                    let _e3036 = phi_11387_;
-                                                                    phi_11388_ = _e3036;
+                                                                    let _e3036 = phi_11393_;
+                                                                    phi_11394_ = _e3036;
                                                                 } else {
-                                                                    phi_11388_ = true;
+                                                                    phi_11394_ = true;
                                                                 }
-                                                                let _e3038 = phi_11388_;
-                                                                phi_11389_ = _e3038;
+                                                                let _e3038 = phi_11394_;
+                                                                phi_11395_ = _e3038;
                                                             } else {
-                                                                phi_11389_ = true;
+                                                                phi_11395_ = true;
                                                             }
-                                                            let _e3040 = phi_11389_;
+                                                            let _e3040 = phi_11395_;
                                                             if _e3040 {
-                                                                phi_11395_ = (_e2946 * (_e3000 + _e2998));
+                                                                phi_11401_ = (_e2946 * (_e3000 + _e2998));
                                                             } else {
-                                                                phi_11395_ = _e3025;
+                                                                phi_11401_ = _e3025;
                                                             }
-                                                            let _e3044 = phi_11395_;
-                                                            phi_11396_ = _e3044;
-                                                            phi_11397_ = false;
+                                                            let _e3044 = phi_11401_;
+                                                            phi_11402_ = _e3044;
+                                                            phi_11403_ = false;
                                                         } else {
-                                                            phi_11396_ = f64();
-                                                            phi_11397_ = true;
+                                                            phi_11402_ = f64();
+                                                            phi_11403_ = true;
                                                         }
-                                                        let _e3046 = phi_11396_;
-                                                        let _e3048 = phi_11397_;
-                                                        phi_11282_ = _e2998;
-                                                        phi_11284_ = _e3000;
-                                                        phi_11286_ = _e3046;
-                                                        phi_11398_ = _e3000;
-                                                        phi_11399_ = _e3002;
-                                                        phi_11400_ = _e3048;
+                                                        let _e3046 = phi_11402_;
+                                                        let _e3048 = phi_11403_;
+                                                        phi_11288_ = _e2998;
+                                                        phi_11290_ = _e3000;
+                                                        phi_11292_ = _e3046;
+                                                        phi_11404_ = _e3000;
+                                                        phi_11405_ = _e3002;
+                                                        phi_11406_ = _e3048;
                                                     } else {
-                                                        phi_11282_ = f64();
-                                                        phi_11284_ = f64();
-                                                        phi_11286_ = f64();
-                                                        phi_11398_ = f64();
-                                                        phi_11399_ = false;
-                                                        phi_11400_ = false;
+                                                        phi_11288_ = f64();
+                                                        phi_11290_ = f64();
+                                                        phi_11292_ = f64();
+                                                        phi_11404_ = f64();
+                                                        phi_11405_ = false;
+                                                        phi_11406_ = false;
                                                     }
-                                                    let _e3050 = phi_11282_;
-                                                    let _e3052 = phi_11284_;
-                                                    let _e3054 = phi_11286_;
-                                                    let _e3056 = phi_11398_;
-                                                    let _e3058 = phi_11399_;
-                                                    let _e3060 = phi_11400_;
+                                                    let _e3050 = phi_11288_;
+                                                    let _e3052 = phi_11290_;
+                                                    let _e3054 = phi_11292_;
+                                                    let _e3056 = phi_11404_;
+                                                    let _e3058 = phi_11405_;
+                                                    let _e3060 = phi_11406_;
                                                     local_24 = _e3060;
                                                     local_65 = _e3056;
                                                     continue;
                                                     continuing {
-                                                        phi_11278_ = _e2974;
-                                                        phi_11281_ = _e3050;
-                                                        phi_11283_ = _e3052;
-                                                        phi_11285_ = _e3054;
+                                                        phi_11284_ = _e2974;
+                                                        phi_11287_ = _e3050;
+                                                        phi_11289_ = _e3052;
+                                                        phi_11291_ = _e3054;
                                                         break if !(_e3058);
                                                     }
                                                 }
                                                 let _e3063 = local_24;
                                                 if _e3063 {
-                                                    let _e10940 = local_65;
-                                                    phi_11404_ = _e10940;
+                                                    let _e10944 = local_65;
+                                                    phi_11410_ = _e10944;
                                                 } else {
-                                                    let _e10942 = local_66;
-                                                    phi_11404_ = _e10942;
+                                                    let _e10946 = local_66;
+                                                    phi_11410_ = _e10946;
                                                 }
-                                                let _e3065 = phi_11404_;
-                                                phi_11405_ = _e3065;
+                                                let _e3065 = phi_11410_;
+                                                phi_11411_ = _e3065;
                                             } else {
-                                                phi_11405_ = _e2871;
+                                                phi_11411_ = _e2871;
                                             }
-                                            let _e3067 = phi_11405_;
+                                            let _e3067 = phi_11411_;
                                             if _e2914 {
                                                 if (_e2904 < _e2915) {
-                                                    phi_11415_ = f64(-1f);
+                                                    phi_11421_ = f64(-1f);
                                                 } else {
-                                                    phi_11415_ = f64(1f);
+                                                    phi_11421_ = f64(1f);
                                                 }
-                                                let _e3072 = phi_11415_;
-                                                phi_11419_ = type_12(0u, 64u);
-                                                phi_11422_ = (_e1164 + _e1164);
+                                                let _e3072 = phi_11421_;
+                                                phi_11425_ = type_12(0u, 64u);
+                                                phi_11428_ = (_e1164 + _e1164);
                                                 loop {
-                                                    let _e3075 = phi_11419_;
-                                                    let _e3077 = phi_11422_;
+                                                    let _e3075 = phi_11425_;
+                                                    let _e3077 = phi_11428_;
                                                     if (_e3075.member < _e3075.member_1) {
-                                                        phi_11420_ = type_12((_e3075.member + 1u), _e3075.member_1);
-                                                        phi_11445_ = type_12(1u, _e3075.member);
+                                                        phi_11426_ = type_12((_e3075.member + 1u), _e3075.member_1);
+                                                        phi_11451_ = type_12(1u, _e3075.member);
                                                     } else {
-                                                        phi_11420_ = _e3075;
-                                                        phi_11445_ = type_12(0u, type_12().member_1);
+                                                        phi_11426_ = _e3075;
+                                                        phi_11451_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e3089 = phi_11420_;
-                                                    let _e3091 = phi_11445_;
+                                                    let _e3089 = phi_11426_;
+                                                    let _e3091 = phi_11451_;
                                                     if (bitcast<i32>(_e3091.member) != 0i) {
                                                         let _e3095 = (_e3067 + _e3077);
                                                         if (_e3095 < _e2877) {
                                                             let _e3098 = (f64(1f) - _e3095);
                                                             let _e3111 = ((_e3072 * ((((_e764 * _e3098) + (_e787 * _e3095)) * (_e3098 * _e3098)) + (((_e810 * _e3098) + (_e821 * _e3095)) * (_e3095 * _e3095)))) > _e1154);
                                                             if _e3111 {
-                                                                phi_11476_ = f64();
-                                                                phi_11477_ = false;
+                                                                phi_11482_ = f64();
+                                                                phi_11483_ = false;
                                                             } else {
-                                                                phi_11476_ = (_e3077 + _e3077);
-                                                                phi_11477_ = true;
+                                                                phi_11482_ = (_e3077 + _e3077);
+                                                                phi_11483_ = true;
                                                             }
-                                                            let _e3114 = phi_11476_;
-                                                            let _e3116 = phi_11477_;
-                                                            phi_11478_ = _e3114;
-                                                            phi_11479_ = _e3116;
-                                                            phi_11480_ = _e3111;
-                                                            phi_11481_ = false;
+                                                            let _e3114 = phi_11482_;
+                                                            let _e3116 = phi_11483_;
+                                                            phi_11484_ = _e3114;
+                                                            phi_11485_ = _e3116;
+                                                            phi_11486_ = _e3111;
+                                                            phi_11487_ = false;
                                                         } else {
-                                                            phi_11478_ = f64();
-                                                            phi_11479_ = false;
-                                                            phi_11480_ = false;
-                                                            phi_11481_ = true;
+                                                            phi_11484_ = f64();
+                                                            phi_11485_ = false;
+                                                            phi_11486_ = false;
+                                                            phi_11487_ = true;
                                                         }
-                                                        let _e3118 = phi_11478_;
-                                                        let _e3120 = phi_11479_;
-                                                        let _e3122 = phi_11480_;
-                                                        let _e3124 = phi_11481_;
-                                                        phi_11482_ = _e3095;
-                                                        phi_11423_ = _e3118;
-                                                        phi_11483_ = _e3120;
-                                                        phi_11484_ = _e3122;
-                                                        phi_11485_ = _e3124;
-                                                        phi_11486_ = false;
+                                                        let _e3118 = phi_11484_;
+                                                        let _e3120 = phi_11485_;
+                                                        let _e3122 = phi_11486_;
+                                                        let _e3124 = phi_11487_;
+                                                        phi_11488_ = _e3095;
+                                                        phi_11429_ = _e3118;
+                                                        phi_11489_ = _e3120;
+                                                        phi_11490_ = _e3122;
+                                                        phi_11491_ = _e3124;
+                                                        phi_11492_ = false;
                                                     } else {
-                                                        phi_11482_ = f64();
-                                                        phi_11423_ = f64();
-                                                        phi_11483_ = false;
-                                                        phi_11484_ = false;
-                                                        phi_11485_ = false;
-                                                        phi_11486_ = true;
+                                                        phi_11488_ = f64();
+                                                        phi_11429_ = f64();
+                                                        phi_11489_ = false;
+                                                        phi_11490_ = false;
+                                                        phi_11491_ = false;
+                                                        phi_11492_ = true;
                                                     }
-                                                    let _e3126 = phi_11482_;
-                                                    let _e3128 = phi_11423_;
-                                                    let _e3130 = phi_11483_;
-                                                    let _e3132 = phi_11484_;
-                                                    let _e3134 = phi_11485_;
-                                                    let _e3136 = phi_11486_;
+                                                    let _e3126 = phi_11488_;
+                                                    let _e3128 = phi_11429_;
+                                                    let _e3130 = phi_11489_;
+                                                    let _e3132 = phi_11490_;
+                                                    let _e3134 = phi_11491_;
+                                                    let _e3136 = phi_11492_;
                                                     local_25 = _e3132;
                                                     local_67 = _e3134;
                                                     local_68 = _e3136;
                                                     local_69 = _e3126;
                                                     continue;
                                                     continuing {
-                                                        phi_11419_ = _e3089;
-                                                        phi_11422_ = _e3128;
+                                                        phi_11425_ = _e3089;
+                                                        phi_11428_ = _e3128;
                                                         break if !(_e3130);
                                                     }
                                                 }
                                                 let _e3139 = local_25;
                                                 if _e3139 {
-                                                    phi_11490_ = false;
-                                                    phi_11491_ = false;
+                                                    phi_11496_ = false;
+                                                    phi_11497_ = false;
                                                 } else {
-                                                    let _e10964 = local_67;
-                                                    phi_11490_ = _e10964;
-                                                    let _e10967 = local_68;
-                                                    phi_11491_ = _e10967;
+                                                    let _e10968 = local_67;
+                                                    phi_11496_ = _e10968;
+                                                    let _e10971 = local_68;
+                                                    phi_11497_ = _e10971;
                                                 }
-                                                let _e3141 = phi_11490_;
-                                                let _e3143 = phi_11491_;
+                                                let _e3141 = phi_11496_;
+                                                let _e3143 = phi_11497_;
                                                 if _e3141 {
-                                                    phi_11495_ = true;
+                                                    phi_11501_ = true;
                                                 } else {
-                                                    phi_11495_ = _e3143;
+                                                    phi_11501_ = _e3143;
                                                 }
-                                                let _e3145 = phi_11495_;
+                                                let _e3145 = phi_11501_;
                                                 if _e3145 {
-                                                    phi_11499_ = _e2877;
+                                                    phi_11505_ = _e2877;
                                                 } else {
-                                                    let _e10971 = local_69;
-                                                    phi_11499_ = _e10971;
+                                                    let _e10975 = local_69;
+                                                    phi_11505_ = _e10975;
                                                 }
-                                                let _e3147 = phi_11499_;
-                                                phi_11500_ = _e3147;
+                                                let _e3147 = phi_11505_;
+                                                phi_11506_ = _e3147;
                                             } else {
-                                                phi_11500_ = _e2877;
+                                                phi_11506_ = _e2877;
                                             }
-                                            let _e3149 = phi_11500_;
-                                            phi_11502_ = type_49(_e3067, _e3149, _e2928);
+                                            let _e3149 = phi_11506_;
+                                            phi_11508_ = type_49(_e3067, _e3149, _e2928);
                                         } else {
-                                            phi_11502_ = _e2938;
+                                            phi_11508_ = _e2938;
                                         }
-                                        let _e3152 = phi_11502_;
+                                        let _e3152 = phi_11508_;
                                         if (_e3152.member > _e3152.member_1) {
-                                            phi_15369_ = bool();
-                                            phi_15370_ = f64();
-                                            phi_15371_ = f64();
-                                            phi_15372_ = true;
-                                            phi_15373_ = false;
-                                            phi_15374_ = false;
-                                            phi_15375_ = false;
+                                            phi_15375_ = bool();
+                                            phi_15376_ = f64();
+                                            phi_15377_ = f64();
+                                            phi_15378_ = true;
+                                            phi_15379_ = false;
+                                            phi_15380_ = false;
+                                            phi_15381_ = false;
                                         } else {
                                             let _e3160 = ((_e3152.member_1 - _e3152.member) * f64(0.5f));
                                             let _e3161 = (_e3152.member + _e3160);
@@ -9021,72 +9028,72 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3166 = local_18.member_3;
                                             let _e3169 = local_18.member[0u];
                                             if (_e3169[0] < 0.0lf) {
-                                                phi_11533_ = -(_e3169[0]);
+                                                phi_11539_ = -(_e3169[0]);
                                             } else {
-                                                phi_11533_ = _e3169[0];
+                                                phi_11539_ = _e3169[0];
                                             }
-                                            let _e3176 = phi_11533_;
+                                            let _e3176 = phi_11539_;
                                             if (_e3169[1] < 0.0lf) {
-                                                phi_11540_ = -(_e3169[1]);
+                                                phi_11546_ = -(_e3169[1]);
                                             } else {
-                                                phi_11540_ = _e3169[1];
+                                                phi_11546_ = _e3169[1];
                                             }
-                                            let _e3180 = phi_11540_;
+                                            let _e3180 = phi_11546_;
                                             if (_e3176 > _e3180) {
-                                                phi_11545_ = _e3176;
+                                                phi_11551_ = _e3176;
                                             } else {
-                                                phi_11545_ = _e3180;
+                                                phi_11551_ = _e3180;
                                             }
-                                            let _e3183 = phi_11545_;
+                                            let _e3183 = phi_11551_;
                                             if (_e3169[2] < 0.0lf) {
-                                                phi_11552_ = -(_e3169[2]);
+                                                phi_11558_ = -(_e3169[2]);
                                             } else {
-                                                phi_11552_ = _e3169[2];
+                                                phi_11558_ = _e3169[2];
                                             }
-                                            let _e3187 = phi_11552_;
+                                            let _e3187 = phi_11558_;
                                             if (_e3183 > _e3187) {
-                                                phi_11557_ = _e3183;
+                                                phi_11563_ = _e3183;
                                             } else {
-                                                phi_11557_ = _e3187;
+                                                phi_11563_ = _e3187;
                                             }
-                                            let _e3190 = phi_11557_;
+                                            let _e3190 = phi_11563_;
                                             let _e3192 = local_18.member[1u];
                                             if (_e3192[0] < 0.0lf) {
-                                                phi_11570_ = -(_e3192[0]);
+                                                phi_11576_ = -(_e3192[0]);
                                             } else {
-                                                phi_11570_ = _e3192[0];
+                                                phi_11576_ = _e3192[0];
                                             }
-                                            let _e3199 = phi_11570_;
+                                            let _e3199 = phi_11576_;
                                             if (_e3192[1] < 0.0lf) {
-                                                phi_11577_ = -(_e3192[1]);
+                                                phi_11583_ = -(_e3192[1]);
                                             } else {
-                                                phi_11577_ = _e3192[1];
+                                                phi_11583_ = _e3192[1];
                                             }
-                                            let _e3203 = phi_11577_;
+                                            let _e3203 = phi_11583_;
                                             if (_e3199 > _e3203) {
-                                                phi_11582_ = _e3199;
+                                                phi_11588_ = _e3199;
                                             } else {
-                                                phi_11582_ = _e3203;
+                                                phi_11588_ = _e3203;
                                             }
-                                            let _e3206 = phi_11582_;
+                                            let _e3206 = phi_11588_;
                                             if (_e3192[2] < 0.0lf) {
-                                                phi_11589_ = -(_e3192[2]);
+                                                phi_11595_ = -(_e3192[2]);
                                             } else {
-                                                phi_11589_ = _e3192[2];
+                                                phi_11595_ = _e3192[2];
                                             }
-                                            let _e3210 = phi_11589_;
+                                            let _e3210 = phi_11595_;
                                             if (_e3206 > _e3210) {
-                                                phi_11594_ = _e3206;
+                                                phi_11600_ = _e3206;
                                             } else {
-                                                phi_11594_ = _e3210;
+                                                phi_11600_ = _e3210;
                                             }
-                                            let _e3213 = phi_11594_;
+                                            let _e3213 = phi_11600_;
                                             if (_e3190 > _e3213) {
-                                                phi_11599_ = _e3190;
+                                                phi_11605_ = _e3190;
                                             } else {
-                                                phi_11599_ = _e3213;
+                                                phi_11605_ = _e3213;
                                             }
-                                            let _e3216 = phi_11599_;
+                                            let _e3216 = phi_11605_;
                                             let _e3219 = local_18.member[0u];
                                             let _e3224 = local_18.member[1u];
                                             let _e3234 = (_e3219[0] + ((_e3224[0] - _e3219[0]) * _e3161));
@@ -9098,136 +9105,136 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3248 = (_e3238[1] - _e3243[1]);
                                             let _e3249 = (_e3238[2] - _e3243[2]);
                                             if (_e3247 < 0.0lf) {
-                                                phi_11658_ = -(_e3247);
+                                                phi_11664_ = -(_e3247);
                                             } else {
-                                                phi_11658_ = _e3247;
+                                                phi_11664_ = _e3247;
                                             }
-                                            let _e3253 = phi_11658_;
+                                            let _e3253 = phi_11664_;
                                             if (_e3248 < 0.0lf) {
-                                                phi_11664_ = -(_e3248);
+                                                phi_11670_ = -(_e3248);
                                             } else {
-                                                phi_11664_ = _e3248;
+                                                phi_11670_ = _e3248;
                                             }
-                                            let _e3257 = phi_11664_;
+                                            let _e3257 = phi_11670_;
                                             if (_e3253 > _e3257) {
-                                                phi_11669_ = _e3253;
+                                                phi_11675_ = _e3253;
                                             } else {
-                                                phi_11669_ = _e3257;
+                                                phi_11675_ = _e3257;
                                             }
-                                            let _e3260 = phi_11669_;
+                                            let _e3260 = phi_11675_;
                                             if (_e3249 < 0.0lf) {
-                                                phi_11675_ = -(_e3249);
+                                                phi_11681_ = -(_e3249);
                                             } else {
-                                                phi_11675_ = _e3249;
+                                                phi_11681_ = _e3249;
                                             }
-                                            let _e3264 = phi_11675_;
+                                            let _e3264 = phi_11681_;
                                             if (_e3260 > _e3264) {
-                                                phi_11680_ = _e3260;
+                                                phi_11686_ = _e3260;
                                             } else {
-                                                phi_11680_ = _e3264;
+                                                phi_11686_ = _e3264;
                                             }
-                                            let _e3267 = phi_11680_;
+                                            let _e3267 = phi_11686_;
                                             let _e3275 = ((((_e3164 * _e3267) * f64(1.01f)) + ((_e3216 + _e3166) * (1.1102230246251565e-16lf * f64(8f)))) + _e3166);
                                             if (_e3234 < 0.0lf) {
-                                                phi_11694_ = -(_e3234);
+                                                phi_11700_ = -(_e3234);
                                             } else {
-                                                phi_11694_ = _e3234;
+                                                phi_11700_ = _e3234;
                                             }
-                                            let _e3279 = phi_11694_;
+                                            let _e3279 = phi_11700_;
                                             if (_e3235 < 0.0lf) {
-                                                phi_11700_ = -(_e3235);
+                                                phi_11706_ = -(_e3235);
                                             } else {
-                                                phi_11700_ = _e3235;
+                                                phi_11706_ = _e3235;
                                             }
-                                            let _e3283 = phi_11700_;
+                                            let _e3283 = phi_11706_;
                                             if (_e3279 > _e3283) {
-                                                phi_11705_ = _e3279;
+                                                phi_11711_ = _e3279;
                                             } else {
-                                                phi_11705_ = _e3283;
+                                                phi_11711_ = _e3283;
                                             }
-                                            let _e3286 = phi_11705_;
+                                            let _e3286 = phi_11711_;
                                             if (_e3236 < 0.0lf) {
-                                                phi_11711_ = -(_e3236);
+                                                phi_11717_ = -(_e3236);
                                             } else {
-                                                phi_11711_ = _e3236;
+                                                phi_11717_ = _e3236;
                                             }
-                                            let _e3290 = phi_11711_;
+                                            let _e3290 = phi_11717_;
                                             if (_e3286 > _e3290) {
-                                                phi_11716_ = _e3286;
+                                                phi_11722_ = _e3286;
                                             } else {
-                                                phi_11716_ = _e3290;
+                                                phi_11722_ = _e3290;
                                             }
-                                            let _e3293 = phi_11716_;
+                                            let _e3293 = phi_11722_;
                                             local_2 = type_39(array<f64, 3>(_e3234, _e3235, _e3236), _e3275, (_e3293 + _e3275));
                                             let _e3299 = local_18.member_3;
                                             let _e3301 = local_18.member_1[0u];
                                             if (_e3301[0] < 0.0lf) {
-                                                phi_11742_ = -(_e3301[0]);
+                                                phi_11748_ = -(_e3301[0]);
                                             } else {
-                                                phi_11742_ = _e3301[0];
+                                                phi_11748_ = _e3301[0];
                                             }
-                                            let _e3308 = phi_11742_;
+                                            let _e3308 = phi_11748_;
                                             if (_e3301[1] < 0.0lf) {
-                                                phi_11749_ = -(_e3301[1]);
+                                                phi_11755_ = -(_e3301[1]);
                                             } else {
-                                                phi_11749_ = _e3301[1];
+                                                phi_11755_ = _e3301[1];
                                             }
-                                            let _e3312 = phi_11749_;
+                                            let _e3312 = phi_11755_;
                                             if (_e3308 > _e3312) {
-                                                phi_11754_ = _e3308;
+                                                phi_11760_ = _e3308;
                                             } else {
-                                                phi_11754_ = _e3312;
+                                                phi_11760_ = _e3312;
                                             }
-                                            let _e3315 = phi_11754_;
+                                            let _e3315 = phi_11760_;
                                             if (_e3301[2] < 0.0lf) {
-                                                phi_11761_ = -(_e3301[2]);
+                                                phi_11767_ = -(_e3301[2]);
                                             } else {
-                                                phi_11761_ = _e3301[2];
+                                                phi_11767_ = _e3301[2];
                                             }
-                                            let _e3319 = phi_11761_;
+                                            let _e3319 = phi_11767_;
                                             if (_e3315 > _e3319) {
-                                                phi_11766_ = _e3315;
+                                                phi_11772_ = _e3315;
                                             } else {
-                                                phi_11766_ = _e3319;
+                                                phi_11772_ = _e3319;
                                             }
-                                            let _e3322 = phi_11766_;
+                                            let _e3322 = phi_11772_;
                                             let _e3324 = local_18.member_1[1u];
                                             if (_e3324[0] < 0.0lf) {
-                                                phi_11779_ = -(_e3324[0]);
+                                                phi_11785_ = -(_e3324[0]);
                                             } else {
-                                                phi_11779_ = _e3324[0];
+                                                phi_11785_ = _e3324[0];
                                             }
-                                            let _e3331 = phi_11779_;
+                                            let _e3331 = phi_11785_;
                                             if (_e3324[1] < 0.0lf) {
-                                                phi_11786_ = -(_e3324[1]);
+                                                phi_11792_ = -(_e3324[1]);
                                             } else {
-                                                phi_11786_ = _e3324[1];
+                                                phi_11792_ = _e3324[1];
                                             }
-                                            let _e3335 = phi_11786_;
+                                            let _e3335 = phi_11792_;
                                             if (_e3331 > _e3335) {
-                                                phi_11791_ = _e3331;
+                                                phi_11797_ = _e3331;
                                             } else {
-                                                phi_11791_ = _e3335;
+                                                phi_11797_ = _e3335;
                                             }
-                                            let _e3338 = phi_11791_;
+                                            let _e3338 = phi_11797_;
                                             if (_e3324[2] < 0.0lf) {
-                                                phi_11798_ = -(_e3324[2]);
+                                                phi_11804_ = -(_e3324[2]);
                                             } else {
-                                                phi_11798_ = _e3324[2];
+                                                phi_11804_ = _e3324[2];
                                             }
-                                            let _e3342 = phi_11798_;
+                                            let _e3342 = phi_11804_;
                                             if (_e3338 > _e3342) {
-                                                phi_11803_ = _e3338;
+                                                phi_11809_ = _e3338;
                                             } else {
-                                                phi_11803_ = _e3342;
+                                                phi_11809_ = _e3342;
                                             }
-                                            let _e3345 = phi_11803_;
+                                            let _e3345 = phi_11809_;
                                             if (_e3322 > _e3345) {
-                                                phi_11808_ = _e3322;
+                                                phi_11814_ = _e3322;
                                             } else {
-                                                phi_11808_ = _e3345;
+                                                phi_11814_ = _e3345;
                                             }
-                                            let _e3348 = phi_11808_;
+                                            let _e3348 = phi_11814_;
                                             let _e3351 = local_18.member_1[0u];
                                             let _e3356 = local_18.member_1[1u];
                                             let _e3366 = (_e3351[0] + ((_e3356[0] - _e3351[0]) * _e3161));
@@ -9239,136 +9246,136 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3380 = (_e3370[1] - _e3375[1]);
                                             let _e3381 = (_e3370[2] - _e3375[2]);
                                             if (_e3379 < 0.0lf) {
-                                                phi_11867_ = -(_e3379);
+                                                phi_11873_ = -(_e3379);
                                             } else {
-                                                phi_11867_ = _e3379;
+                                                phi_11873_ = _e3379;
                                             }
-                                            let _e3385 = phi_11867_;
+                                            let _e3385 = phi_11873_;
                                             if (_e3380 < 0.0lf) {
-                                                phi_11873_ = -(_e3380);
+                                                phi_11879_ = -(_e3380);
                                             } else {
-                                                phi_11873_ = _e3380;
+                                                phi_11879_ = _e3380;
                                             }
-                                            let _e3389 = phi_11873_;
+                                            let _e3389 = phi_11879_;
                                             if (_e3385 > _e3389) {
-                                                phi_11878_ = _e3385;
+                                                phi_11884_ = _e3385;
                                             } else {
-                                                phi_11878_ = _e3389;
+                                                phi_11884_ = _e3389;
                                             }
-                                            let _e3392 = phi_11878_;
+                                            let _e3392 = phi_11884_;
                                             if (_e3381 < 0.0lf) {
-                                                phi_11884_ = -(_e3381);
+                                                phi_11890_ = -(_e3381);
                                             } else {
-                                                phi_11884_ = _e3381;
+                                                phi_11890_ = _e3381;
                                             }
-                                            let _e3396 = phi_11884_;
+                                            let _e3396 = phi_11890_;
                                             if (_e3392 > _e3396) {
-                                                phi_11889_ = _e3392;
+                                                phi_11895_ = _e3392;
                                             } else {
-                                                phi_11889_ = _e3396;
+                                                phi_11895_ = _e3396;
                                             }
-                                            let _e3399 = phi_11889_;
+                                            let _e3399 = phi_11895_;
                                             let _e3407 = ((((_e3164 * _e3399) * f64(1.01f)) + ((_e3348 + _e3299) * (1.1102230246251565e-16lf * f64(8f)))) + _e3299);
                                             if (_e3366 < 0.0lf) {
-                                                phi_11903_ = -(_e3366);
+                                                phi_11909_ = -(_e3366);
                                             } else {
-                                                phi_11903_ = _e3366;
+                                                phi_11909_ = _e3366;
                                             }
-                                            let _e3411 = phi_11903_;
+                                            let _e3411 = phi_11909_;
                                             if (_e3367 < 0.0lf) {
-                                                phi_11909_ = -(_e3367);
+                                                phi_11915_ = -(_e3367);
                                             } else {
-                                                phi_11909_ = _e3367;
+                                                phi_11915_ = _e3367;
                                             }
-                                            let _e3415 = phi_11909_;
+                                            let _e3415 = phi_11915_;
                                             if (_e3411 > _e3415) {
-                                                phi_11914_ = _e3411;
+                                                phi_11920_ = _e3411;
                                             } else {
-                                                phi_11914_ = _e3415;
+                                                phi_11920_ = _e3415;
                                             }
-                                            let _e3418 = phi_11914_;
+                                            let _e3418 = phi_11920_;
                                             if (_e3368 < 0.0lf) {
-                                                phi_11920_ = -(_e3368);
+                                                phi_11926_ = -(_e3368);
                                             } else {
-                                                phi_11920_ = _e3368;
+                                                phi_11926_ = _e3368;
                                             }
-                                            let _e3422 = phi_11920_;
+                                            let _e3422 = phi_11926_;
                                             if (_e3418 > _e3422) {
-                                                phi_11925_ = _e3418;
+                                                phi_11931_ = _e3418;
                                             } else {
-                                                phi_11925_ = _e3422;
+                                                phi_11931_ = _e3422;
                                             }
-                                            let _e3425 = phi_11925_;
+                                            let _e3425 = phi_11931_;
                                             local_3 = type_39(array<f64, 3>(_e3366, _e3367, _e3368), _e3407, (_e3425 + _e3407));
                                             let _e3431 = local_18.member_3;
                                             let _e3433 = local_18.member_2[0u];
                                             if (_e3433[0] < 0.0lf) {
-                                                phi_11951_ = -(_e3433[0]);
+                                                phi_11957_ = -(_e3433[0]);
                                             } else {
-                                                phi_11951_ = _e3433[0];
+                                                phi_11957_ = _e3433[0];
                                             }
-                                            let _e3440 = phi_11951_;
+                                            let _e3440 = phi_11957_;
                                             if (_e3433[1] < 0.0lf) {
-                                                phi_11958_ = -(_e3433[1]);
+                                                phi_11964_ = -(_e3433[1]);
                                             } else {
-                                                phi_11958_ = _e3433[1];
+                                                phi_11964_ = _e3433[1];
                                             }
-                                            let _e3444 = phi_11958_;
+                                            let _e3444 = phi_11964_;
                                             if (_e3440 > _e3444) {
-                                                phi_11963_ = _e3440;
+                                                phi_11969_ = _e3440;
                                             } else {
-                                                phi_11963_ = _e3444;
+                                                phi_11969_ = _e3444;
                                             }
-                                            let _e3447 = phi_11963_;
+                                            let _e3447 = phi_11969_;
                                             if (_e3433[2] < 0.0lf) {
-                                                phi_11970_ = -(_e3433[2]);
+                                                phi_11976_ = -(_e3433[2]);
                                             } else {
-                                                phi_11970_ = _e3433[2];
+                                                phi_11976_ = _e3433[2];
                                             }
-                                            let _e3451 = phi_11970_;
+                                            let _e3451 = phi_11976_;
                                             if (_e3447 > _e3451) {
-                                                phi_11975_ = _e3447;
+                                                phi_11981_ = _e3447;
                                             } else {
-                                                phi_11975_ = _e3451;
+                                                phi_11981_ = _e3451;
                                             }
-                                            let _e3454 = phi_11975_;
+                                            let _e3454 = phi_11981_;
                                             let _e3456 = local_18.member_2[1u];
                                             if (_e3456[0] < 0.0lf) {
-                                                phi_11988_ = -(_e3456[0]);
+                                                phi_11994_ = -(_e3456[0]);
                                             } else {
-                                                phi_11988_ = _e3456[0];
+                                                phi_11994_ = _e3456[0];
                                             }
-                                            let _e3463 = phi_11988_;
+                                            let _e3463 = phi_11994_;
                                             if (_e3456[1] < 0.0lf) {
-                                                phi_11995_ = -(_e3456[1]);
+                                                phi_12001_ = -(_e3456[1]);
                                             } else {
-                                                phi_11995_ = _e3456[1];
+                                                phi_12001_ = _e3456[1];
                                             }
-                                            let _e3467 = phi_11995_;
+                                            let _e3467 = phi_12001_;
                                             if (_e3463 > _e3467) {
-                                                phi_12000_ = _e3463;
+                                                phi_12006_ = _e3463;
                                             } else {
-                                                phi_12000_ = _e3467;
+                                                phi_12006_ = _e3467;
                                             }
-                                            let _e3470 = phi_12000_;
+                                            let _e3470 = phi_12006_;
                                             if (_e3456[2] < 0.0lf) {
-                                                phi_12007_ = -(_e3456[2]);
+                                                phi_12013_ = -(_e3456[2]);
                                             } else {
-                                                phi_12007_ = _e3456[2];
+                                                phi_12013_ = _e3456[2];
                                             }
-                                            let _e3474 = phi_12007_;
+                                            let _e3474 = phi_12013_;
                                             if (_e3470 > _e3474) {
-                                                phi_12012_ = _e3470;
+                                                phi_12018_ = _e3470;
                                             } else {
-                                                phi_12012_ = _e3474;
+                                                phi_12018_ = _e3474;
                                             }
-                                            let _e3477 = phi_12012_;
+                                            let _e3477 = phi_12018_;
                                             if (_e3454 > _e3477) {
-                                                phi_12017_ = _e3454;
+                                                phi_12023_ = _e3454;
                                             } else {
-                                                phi_12017_ = _e3477;
+                                                phi_12023_ = _e3477;
                                             }
-                                            let _e3480 = phi_12017_;
+                                            let _e3480 = phi_12023_;
                                             let _e3483 = local_18.member_2[0u];
                                             let _e3488 = local_18.member_2[1u];
                                             let _e3498 = (_e3483[0] + ((_e3488[0] - _e3483[0]) * _e3161));
@@ -9380,66 +9387,66 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3512 = (_e3502[1] - _e3507[1]);
                                             let _e3513 = (_e3502[2] - _e3507[2]);
                                             if (_e3511 < 0.0lf) {
-                                                phi_12076_ = -(_e3511);
+                                                phi_12082_ = -(_e3511);
                                             } else {
-                                                phi_12076_ = _e3511;
+                                                phi_12082_ = _e3511;
                                             }
-                                            let _e3517 = phi_12076_;
+                                            let _e3517 = phi_12082_;
                                             if (_e3512 < 0.0lf) {
-                                                phi_12082_ = -(_e3512);
+                                                phi_12088_ = -(_e3512);
                                             } else {
-                                                phi_12082_ = _e3512;
+                                                phi_12088_ = _e3512;
                                             }
-                                            let _e3521 = phi_12082_;
+                                            let _e3521 = phi_12088_;
                                             if (_e3517 > _e3521) {
-                                                phi_12087_ = _e3517;
+                                                phi_12093_ = _e3517;
                                             } else {
-                                                phi_12087_ = _e3521;
+                                                phi_12093_ = _e3521;
                                             }
-                                            let _e3524 = phi_12087_;
+                                            let _e3524 = phi_12093_;
                                             if (_e3513 < 0.0lf) {
-                                                phi_12093_ = -(_e3513);
+                                                phi_12099_ = -(_e3513);
                                             } else {
-                                                phi_12093_ = _e3513;
+                                                phi_12099_ = _e3513;
                                             }
-                                            let _e3528 = phi_12093_;
+                                            let _e3528 = phi_12099_;
                                             if (_e3524 > _e3528) {
-                                                phi_12098_ = _e3524;
+                                                phi_12104_ = _e3524;
                                             } else {
-                                                phi_12098_ = _e3528;
+                                                phi_12104_ = _e3528;
                                             }
-                                            let _e3531 = phi_12098_;
+                                            let _e3531 = phi_12104_;
                                             let _e3539 = ((((_e3164 * _e3531) * f64(1.01f)) + ((_e3480 + _e3431) * (1.1102230246251565e-16lf * f64(8f)))) + _e3431);
                                             if (_e3498 < 0.0lf) {
-                                                phi_12112_ = -(_e3498);
+                                                phi_12118_ = -(_e3498);
                                             } else {
-                                                phi_12112_ = _e3498;
+                                                phi_12118_ = _e3498;
                                             }
-                                            let _e3543 = phi_12112_;
+                                            let _e3543 = phi_12118_;
                                             if (_e3499 < 0.0lf) {
-                                                phi_12118_ = -(_e3499);
+                                                phi_12124_ = -(_e3499);
                                             } else {
-                                                phi_12118_ = _e3499;
+                                                phi_12124_ = _e3499;
                                             }
-                                            let _e3547 = phi_12118_;
+                                            let _e3547 = phi_12124_;
                                             if (_e3543 > _e3547) {
-                                                phi_12123_ = _e3543;
+                                                phi_12129_ = _e3543;
                                             } else {
-                                                phi_12123_ = _e3547;
+                                                phi_12129_ = _e3547;
                                             }
-                                            let _e3550 = phi_12123_;
+                                            let _e3550 = phi_12129_;
                                             if (_e3500 < 0.0lf) {
-                                                phi_12129_ = -(_e3500);
+                                                phi_12135_ = -(_e3500);
                                             } else {
-                                                phi_12129_ = _e3500;
+                                                phi_12135_ = _e3500;
                                             }
-                                            let _e3554 = phi_12129_;
+                                            let _e3554 = phi_12135_;
                                             if (_e3550 > _e3554) {
-                                                phi_12134_ = _e3550;
+                                                phi_12140_ = _e3550;
                                             } else {
-                                                phi_12134_ = _e3554;
+                                                phi_12140_ = _e3554;
                                             }
-                                            let _e3557 = phi_12134_;
+                                            let _e3557 = phi_12140_;
                                             local_4 = type_39(array<f64, 3>(_e3498, _e3499, _e3500), _e3539, (_e3557 + _e3539));
                                             let _e3562 = local_3.member;
                                             let _e3567 = local_4.member;
@@ -9447,68 +9454,68 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3576 = ((_e3562[2] * _e3567[0]) - (_e3562[0] * _e3567[2]));
                                             let _e3579 = ((_e3562[0] * _e3567[1]) - (_e3562[1] * _e3567[0]));
                                             if (_e3573 < 0.0lf) {
-                                                phi_12183_ = -(_e3573);
+                                                phi_12189_ = -(_e3573);
                                             } else {
-                                                phi_12183_ = _e3573;
+                                                phi_12189_ = _e3573;
                                             }
-                                            let _e3583 = phi_12183_;
+                                            let _e3583 = phi_12189_;
                                             if (_e3576 < 0.0lf) {
-                                                phi_12189_ = -(_e3576);
+                                                phi_12195_ = -(_e3576);
                                             } else {
-                                                phi_12189_ = _e3576;
+                                                phi_12195_ = _e3576;
                                             }
-                                            let _e3587 = phi_12189_;
+                                            let _e3587 = phi_12195_;
                                             if (_e3583 > _e3587) {
                                                 if (_e3573 < 0.0lf) {
-                                                    phi_12199_ = -(_e3573);
+                                                    phi_12205_ = -(_e3573);
                                                 } else {
-                                                    phi_12199_ = _e3573;
+                                                    phi_12205_ = _e3573;
                                                 }
-                                                let _e3605 = phi_12199_;
+                                                let _e3605 = phi_12205_;
                                                 if (_e3579 < 0.0lf) {
-                                                    phi_12205_ = -(_e3579);
+                                                    phi_12211_ = -(_e3579);
                                                 } else {
-                                                    phi_12205_ = _e3579;
+                                                    phi_12211_ = _e3579;
                                                 }
-                                                let _e3609 = phi_12205_;
+                                                let _e3609 = phi_12211_;
                                                 if (_e3605 > _e3609) {
-                                                    phi_12210_ = 2u;
-                                                    phi_12211_ = 1u;
+                                                    phi_12216_ = 2u;
+                                                    phi_12217_ = 1u;
                                                 } else {
-                                                    phi_12210_ = 1u;
-                                                    phi_12211_ = 0u;
+                                                    phi_12216_ = 1u;
+                                                    phi_12217_ = 0u;
                                                 }
-                                                let _e3612 = phi_12210_;
-                                                let _e3614 = phi_12211_;
-                                                phi_12230_ = _e3612;
-                                                phi_12231_ = _e3614;
+                                                let _e3612 = phi_12216_;
+                                                let _e3614 = phi_12217_;
+                                                phi_12236_ = _e3612;
+                                                phi_12237_ = _e3614;
                                             } else {
                                                 if (_e3576 < 0.0lf) {
-                                                    phi_12217_ = -(_e3576);
+                                                    phi_12223_ = -(_e3576);
                                                 } else {
-                                                    phi_12217_ = _e3576;
+                                                    phi_12223_ = _e3576;
                                                 }
-                                                let _e3592 = phi_12217_;
+                                                let _e3592 = phi_12223_;
                                                 if (_e3579 < 0.0lf) {
-                                                    phi_12223_ = -(_e3579);
+                                                    phi_12229_ = -(_e3579);
                                                 } else {
-                                                    phi_12223_ = _e3579;
+                                                    phi_12229_ = _e3579;
                                                 }
-                                                let _e3596 = phi_12223_;
+                                                let _e3596 = phi_12229_;
                                                 if (_e3592 > _e3596) {
-                                                    phi_12228_ = 0u;
-                                                    phi_12229_ = 2u;
+                                                    phi_12234_ = 0u;
+                                                    phi_12235_ = 2u;
                                                 } else {
-                                                    phi_12228_ = 1u;
-                                                    phi_12229_ = 0u;
+                                                    phi_12234_ = 1u;
+                                                    phi_12235_ = 0u;
                                                 }
-                                                let _e3599 = phi_12228_;
-                                                let _e3601 = phi_12229_;
-                                                phi_12230_ = _e3599;
-                                                phi_12231_ = _e3601;
+                                                let _e3599 = phi_12234_;
+                                                let _e3601 = phi_12235_;
+                                                phi_12236_ = _e3599;
+                                                phi_12237_ = _e3601;
                                             }
-                                            let _e3616 = phi_12230_;
-                                            let _e3618 = phi_12231_;
+                                            let _e3616 = phi_12236_;
+                                            let _e3618 = phi_12237_;
                                             let _e3621 = local_3.member[_e3618];
                                             let _e3624 = local_4.member[_e3616];
                                             let _e3628 = local_3.member[_e3616];
@@ -9526,18 +9533,18 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3665 = local_4.member_2;
                                             let _e3669 = (((((_e3637 * _e3639) + (_e3642 * _e3644)) * f64(2.01f)) + (((_e3650 * _e3635) * (_e3653 * _e3635)) * (1.1102230246251565e-16lf * _e3635))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e3634 + _e3662) * (_e3634 + _e3665))));
                                             if (_e3633 < 0.0lf) {
-                                                phi_12304_ = -(_e3633);
+                                                phi_12310_ = -(_e3633);
                                             } else {
-                                                phi_12304_ = _e3633;
+                                                phi_12310_ = _e3633;
                                             }
-                                            let _e3673 = phi_12304_;
+                                            let _e3673 = phi_12310_;
                                             if (_e3673 > _e3669) {
                                                 if (_e3633 < f64(0f)) {
-                                                    phi_12316_ = f64(-1f);
+                                                    phi_12322_ = f64(-1f);
                                                 } else {
-                                                    phi_12316_ = f64(1f);
+                                                    phi_12322_ = f64(1f);
                                                 }
-                                                let _e3680 = phi_12316_;
+                                                let _e3680 = phi_12322_;
                                                 let _e3683 = local_2.member[_e3618];
                                                 let _e3686 = local_4.member[_e3616];
                                                 let _e3690 = local_2.member[_e3616];
@@ -9572,140 +9579,140 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e3784 = (((_e3683 * _e3686) - (_e3690 * _e3693)) * _e3680);
                                                 let _e3785 = (((_e3734 * _e3737) - (_e3741 * _e3744)) * _e3680);
                                                 if (_e3783 < 0.0lf) {
-                                                    phi_12459_ = -(_e3783);
+                                                    phi_12465_ = -(_e3783);
                                                 } else {
-                                                    phi_12459_ = _e3783;
+                                                    phi_12465_ = _e3783;
                                                 }
-                                                let _e3789 = phi_12459_;
+                                                let _e3789 = phi_12465_;
                                                 if (_e3784 < 0.0lf) {
-                                                    phi_12465_ = -(_e3784);
+                                                    phi_12471_ = -(_e3784);
                                                 } else {
-                                                    phi_12465_ = _e3784;
+                                                    phi_12471_ = _e3784;
                                                 }
-                                                let _e3793 = phi_12465_;
+                                                let _e3793 = phi_12471_;
                                                 if (_e3785 < 0.0lf) {
-                                                    phi_12472_ = -(_e3785);
+                                                    phi_12478_ = -(_e3785);
                                                 } else {
-                                                    phi_12472_ = _e3785;
+                                                    phi_12478_ = _e3785;
                                                 }
-                                                let _e3798 = phi_12472_;
+                                                let _e3798 = phi_12478_;
                                                 let _e3802 = (((_e3789 + _e3793) + _e3798) * (1.1102230246251565e-16lf * f64(4f)));
                                                 local_5 = array<type_40, 4>(type_40(_e3784, _e3731), type_40(_e3785, _e3782), type_40((_e3783 - _e3784), ((_e3669 + _e3731) + _e3802)), type_40((_e3783 - _e3785), ((_e3669 + _e3782) + _e3802)));
-                                                phi_12528_ = type_12(0u, 4u);
-                                                phi_12531_ = true;
+                                                phi_12534_ = type_12(0u, 4u);
+                                                phi_12537_ = true;
                                                 loop {
-                                                    let _e3815 = phi_12528_;
-                                                    let _e3817 = phi_12531_;
+                                                    let _e3815 = phi_12534_;
+                                                    let _e3817 = phi_12537_;
                                                     local_27 = _e3817;
                                                     if (_e3815.member < _e3815.member_1) {
-                                                        phi_12529_ = type_12((_e3815.member + 1u), _e3815.member_1);
-                                                        phi_12554_ = type_12(1u, _e3815.member);
+                                                        phi_12535_ = type_12((_e3815.member + 1u), _e3815.member_1);
+                                                        phi_12560_ = type_12(1u, _e3815.member);
                                                     } else {
-                                                        phi_12529_ = _e3815;
-                                                        phi_12554_ = type_12(0u, type_12().member_1);
+                                                        phi_12535_ = _e3815;
+                                                        phi_12560_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e3829 = phi_12529_;
-                                                    let _e3831 = phi_12554_;
+                                                    let _e3829 = phi_12535_;
+                                                    let _e3831 = phi_12560_;
                                                     if (bitcast<i32>(_e3831.member) != 0i) {
                                                         let _e3838 = local_5[_e3831.member_1].member;
                                                         let _e3841 = local_5[_e3831.member_1].member_1;
                                                         let _e3843 = (_e3838 < -(_e3841));
                                                         if _e3843 {
-                                                            phi_12581_ = bool();
-                                                            phi_12582_ = false;
+                                                            phi_12587_ = bool();
+                                                            phi_12588_ = false;
                                                         } else {
-                                                            phi_12581_ = (_e3817 && (_e3838 > _e3841));
-                                                            phi_12582_ = true;
+                                                            phi_12587_ = (_e3817 && (_e3838 > _e3841));
+                                                            phi_12588_ = true;
                                                         }
-                                                        let _e3847 = phi_12581_;
-                                                        let _e3849 = phi_12582_;
-                                                        phi_12532_ = _e3847;
-                                                        phi_12583_ = _e3849;
-                                                        phi_12584_ = _e3843;
+                                                        let _e3847 = phi_12587_;
+                                                        let _e3849 = phi_12588_;
+                                                        phi_12538_ = _e3847;
+                                                        phi_12589_ = _e3849;
+                                                        phi_12590_ = _e3843;
                                                     } else {
-                                                        phi_12532_ = bool();
-                                                        phi_12583_ = false;
-                                                        phi_12584_ = false;
+                                                        phi_12538_ = bool();
+                                                        phi_12589_ = false;
+                                                        phi_12590_ = false;
                                                     }
-                                                    let _e3851 = phi_12532_;
-                                                    let _e3853 = phi_12583_;
-                                                    let _e3855 = phi_12584_;
+                                                    let _e3851 = phi_12538_;
+                                                    let _e3853 = phi_12589_;
+                                                    let _e3855 = phi_12590_;
                                                     local_26 = _e3855;
                                                     continue;
                                                     continuing {
-                                                        phi_12528_ = _e3829;
-                                                        phi_12531_ = _e3851;
+                                                        phi_12534_ = _e3829;
+                                                        phi_12537_ = _e3851;
                                                         break if !(_e3853);
                                                     }
                                                 }
                                                 let _e3858 = local_26;
                                                 if _e3858 {
-                                                    phi_12588_ = false;
+                                                    phi_12594_ = false;
                                                 } else {
-                                                    phi_12588_ = true;
+                                                    phi_12594_ = true;
                                                 }
-                                                let _e3860 = phi_12588_;
+                                                let _e3860 = phi_12594_;
                                                 if _e3860 {
                                                     let _e3862 = local_27;
                                                     if _e3862 {
-                                                        phi_12595_ = 1u;
+                                                        phi_12601_ = 1u;
                                                     } else {
-                                                        phi_12595_ = 2u;
+                                                        phi_12601_ = 2u;
                                                     }
-                                                    let _e3864 = phi_12595_;
-                                                    phi_12596_ = _e3864;
-                                                    phi_12597_ = false;
+                                                    let _e3864 = phi_12601_;
+                                                    phi_12602_ = _e3864;
+                                                    phi_12603_ = false;
                                                 } else {
-                                                    phi_12596_ = u32();
-                                                    phi_12597_ = true;
+                                                    phi_12602_ = u32();
+                                                    phi_12603_ = true;
                                                 }
-                                                let _e3866 = phi_12596_;
-                                                let _e3868 = phi_12597_;
-                                                phi_12598_ = _e3866;
-                                                phi_12599_ = 0u;
-                                                phi_12600_ = _e3868;
+                                                let _e3866 = phi_12602_;
+                                                let _e3868 = phi_12603_;
+                                                phi_12604_ = _e3866;
+                                                phi_12605_ = 0u;
+                                                phi_12606_ = _e3868;
                                             } else {
-                                                phi_12598_ = u32();
-                                                phi_12599_ = 2u;
-                                                phi_12600_ = true;
+                                                phi_12604_ = u32();
+                                                phi_12605_ = 2u;
+                                                phi_12606_ = true;
                                             }
-                                            let _e3870 = phi_12598_;
-                                            let _e3872 = phi_12599_;
-                                            let _e3874 = phi_12600_;
+                                            let _e3870 = phi_12604_;
+                                            let _e3872 = phi_12605_;
+                                            let _e3874 = phi_12606_;
                                             if _e3874 {
-                                                phi_12604_ = _e3872;
+                                                phi_12610_ = _e3872;
                                             } else {
-                                                phi_12604_ = _e3870;
+                                                phi_12610_ = _e3870;
                                             }
-                                            let _e3876 = phi_12604_;
+                                            let _e3876 = phi_12610_;
                                             let _e3877 = (_e3876 == 0u);
                                             if _e3877 {
-                                                phi_15363_ = bool();
-                                                phi_15364_ = f64();
-                                                phi_15365_ = f64();
-                                                phi_15366_ = false;
-                                                phi_15367_ = false;
-                                                phi_15368_ = false;
+                                                phi_15369_ = bool();
+                                                phi_15370_ = f64();
+                                                phi_15371_ = f64();
+                                                phi_15372_ = false;
+                                                phi_15373_ = false;
+                                                phi_15374_ = false;
                                             } else {
                                                 if (_e3876 == 1u) {
-                                                    phi_12614_ = _e3152.member_2;
+                                                    phi_12620_ = _e3152.member_2;
                                                 } else {
-                                                    phi_12614_ = false;
+                                                    phi_12620_ = false;
                                                 }
-                                                let _e3881 = phi_12614_;
+                                                let _e3881 = phi_12620_;
                                                 let _e3883 = (_e404 * f64(0.99f));
                                                 if _e3881 {
                                                     if ((_e3152.member_1 - _e3152.member) <= _e3883) {
-                                                        phi_12627_ = false;
+                                                        phi_12633_ = false;
                                                     } else {
-                                                        phi_12627_ = true;
+                                                        phi_12633_ = true;
                                                     }
-                                                    let _e3889 = phi_12627_;
-                                                    phi_12628_ = _e3889;
+                                                    let _e3889 = phi_12633_;
+                                                    phi_12634_ = _e3889;
                                                 } else {
-                                                    phi_12628_ = true;
+                                                    phi_12634_ = true;
                                                 }
-                                                let _e3891 = phi_12628_;
+                                                let _e3891 = phi_12634_;
                                                 if _e3891 {
                                                     let _e3896 = local_18.member[0u];
                                                     let _e3902 = local_18.member_1[0u];
@@ -9721,242 +9728,242 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e3941 = (_e3923[2] - _e3929[2]);
                                                     let _e3950 = local_18.member[0u];
                                                     if (_e3950[0] < 0.0lf) {
-                                                        phi_12776_ = -(_e3950[0]);
+                                                        phi_12782_ = -(_e3950[0]);
                                                     } else {
-                                                        phi_12776_ = _e3950[0];
+                                                        phi_12782_ = _e3950[0];
                                                     }
-                                                    let _e3957 = phi_12776_;
+                                                    let _e3957 = phi_12782_;
                                                     if (_e3950[1] < 0.0lf) {
-                                                        phi_12783_ = -(_e3950[1]);
+                                                        phi_12789_ = -(_e3950[1]);
                                                     } else {
-                                                        phi_12783_ = _e3950[1];
+                                                        phi_12789_ = _e3950[1];
                                                     }
-                                                    let _e3961 = phi_12783_;
+                                                    let _e3961 = phi_12789_;
                                                     if (_e3957 > _e3961) {
-                                                        phi_12788_ = _e3957;
+                                                        phi_12794_ = _e3957;
                                                     } else {
-                                                        phi_12788_ = _e3961;
+                                                        phi_12794_ = _e3961;
                                                     }
-                                                    let _e3964 = phi_12788_;
+                                                    let _e3964 = phi_12794_;
                                                     if (_e3950[2] < 0.0lf) {
-                                                        phi_12795_ = -(_e3950[2]);
+                                                        phi_12801_ = -(_e3950[2]);
                                                     } else {
-                                                        phi_12795_ = _e3950[2];
+                                                        phi_12801_ = _e3950[2];
                                                     }
-                                                    let _e3968 = phi_12795_;
+                                                    let _e3968 = phi_12801_;
                                                     if (_e3964 > _e3968) {
-                                                        phi_12800_ = _e3964;
+                                                        phi_12806_ = _e3964;
                                                     } else {
-                                                        phi_12800_ = _e3968;
+                                                        phi_12806_ = _e3968;
                                                     }
-                                                    let _e3971 = phi_12800_;
+                                                    let _e3971 = phi_12806_;
                                                     let _e3974 = local_18.member[1u];
                                                     if (_e3974[0] < 0.0lf) {
-                                                        phi_12813_ = -(_e3974[0]);
+                                                        phi_12819_ = -(_e3974[0]);
                                                     } else {
-                                                        phi_12813_ = _e3974[0];
+                                                        phi_12819_ = _e3974[0];
                                                     }
-                                                    let _e3981 = phi_12813_;
+                                                    let _e3981 = phi_12819_;
                                                     if (_e3974[1] < 0.0lf) {
-                                                        phi_12820_ = -(_e3974[1]);
+                                                        phi_12826_ = -(_e3974[1]);
                                                     } else {
-                                                        phi_12820_ = _e3974[1];
+                                                        phi_12826_ = _e3974[1];
                                                     }
-                                                    let _e3985 = phi_12820_;
+                                                    let _e3985 = phi_12826_;
                                                     if (_e3981 > _e3985) {
-                                                        phi_12825_ = _e3981;
+                                                        phi_12831_ = _e3981;
                                                     } else {
-                                                        phi_12825_ = _e3985;
+                                                        phi_12831_ = _e3985;
                                                     }
-                                                    let _e3988 = phi_12825_;
+                                                    let _e3988 = phi_12831_;
                                                     if (_e3974[2] < 0.0lf) {
-                                                        phi_12832_ = -(_e3974[2]);
+                                                        phi_12838_ = -(_e3974[2]);
                                                     } else {
-                                                        phi_12832_ = _e3974[2];
+                                                        phi_12838_ = _e3974[2];
                                                     }
-                                                    let _e3992 = phi_12832_;
+                                                    let _e3992 = phi_12838_;
                                                     if (_e3988 > _e3992) {
-                                                        phi_12837_ = _e3988;
+                                                        phi_12843_ = _e3988;
                                                     } else {
-                                                        phi_12837_ = _e3992;
+                                                        phi_12843_ = _e3992;
                                                     }
-                                                    let _e3995 = phi_12837_;
+                                                    let _e3995 = phi_12843_;
                                                     if (_e3971 > _e3995) {
-                                                        phi_12842_ = _e3971;
+                                                        phi_12848_ = _e3971;
                                                     } else {
-                                                        phi_12842_ = _e3995;
+                                                        phi_12848_ = _e3995;
                                                     }
-                                                    let _e3998 = phi_12842_;
+                                                    let _e3998 = phi_12848_;
                                                     let _e4000 = local_18.member_3;
                                                     let _e4004 = local_18.member_1[0u];
                                                     if (_e4004[0] < 0.0lf) {
-                                                        phi_12859_ = -(_e4004[0]);
+                                                        phi_12865_ = -(_e4004[0]);
                                                     } else {
-                                                        phi_12859_ = _e4004[0];
+                                                        phi_12865_ = _e4004[0];
                                                     }
-                                                    let _e4011 = phi_12859_;
+                                                    let _e4011 = phi_12865_;
                                                     if (_e4004[1] < 0.0lf) {
-                                                        phi_12866_ = -(_e4004[1]);
+                                                        phi_12872_ = -(_e4004[1]);
                                                     } else {
-                                                        phi_12866_ = _e4004[1];
+                                                        phi_12872_ = _e4004[1];
                                                     }
-                                                    let _e4015 = phi_12866_;
+                                                    let _e4015 = phi_12872_;
                                                     if (_e4011 > _e4015) {
-                                                        phi_12871_ = _e4011;
+                                                        phi_12877_ = _e4011;
                                                     } else {
-                                                        phi_12871_ = _e4015;
+                                                        phi_12877_ = _e4015;
                                                     }
-                                                    let _e4018 = phi_12871_;
+                                                    let _e4018 = phi_12877_;
                                                     if (_e4004[2] < 0.0lf) {
-                                                        phi_12878_ = -(_e4004[2]);
+                                                        phi_12884_ = -(_e4004[2]);
                                                     } else {
-                                                        phi_12878_ = _e4004[2];
+                                                        phi_12884_ = _e4004[2];
                                                     }
-                                                    let _e4022 = phi_12878_;
+                                                    let _e4022 = phi_12884_;
                                                     if (_e4018 > _e4022) {
-                                                        phi_12883_ = _e4018;
+                                                        phi_12889_ = _e4018;
                                                     } else {
-                                                        phi_12883_ = _e4022;
+                                                        phi_12889_ = _e4022;
                                                     }
-                                                    let _e4025 = phi_12883_;
+                                                    let _e4025 = phi_12889_;
                                                     let _e4028 = local_18.member_1[1u];
                                                     if (_e4028[0] < 0.0lf) {
-                                                        phi_12897_ = -(_e4028[0]);
+                                                        phi_12903_ = -(_e4028[0]);
                                                     } else {
-                                                        phi_12897_ = _e4028[0];
+                                                        phi_12903_ = _e4028[0];
                                                     }
-                                                    let _e4035 = phi_12897_;
+                                                    let _e4035 = phi_12903_;
                                                     if (_e4028[1] < 0.0lf) {
-                                                        phi_12904_ = -(_e4028[1]);
+                                                        phi_12910_ = -(_e4028[1]);
                                                     } else {
-                                                        phi_12904_ = _e4028[1];
+                                                        phi_12910_ = _e4028[1];
                                                     }
-                                                    let _e4039 = phi_12904_;
+                                                    let _e4039 = phi_12910_;
                                                     if (_e4035 > _e4039) {
-                                                        phi_12909_ = _e4035;
+                                                        phi_12915_ = _e4035;
                                                     } else {
-                                                        phi_12909_ = _e4039;
+                                                        phi_12915_ = _e4039;
                                                     }
-                                                    let _e4042 = phi_12909_;
+                                                    let _e4042 = phi_12915_;
                                                     if (_e4028[2] < 0.0lf) {
-                                                        phi_12916_ = -(_e4028[2]);
+                                                        phi_12922_ = -(_e4028[2]);
                                                     } else {
-                                                        phi_12916_ = _e4028[2];
+                                                        phi_12922_ = _e4028[2];
                                                     }
-                                                    let _e4046 = phi_12916_;
+                                                    let _e4046 = phi_12922_;
                                                     if (_e4042 > _e4046) {
-                                                        phi_12921_ = _e4042;
+                                                        phi_12927_ = _e4042;
                                                     } else {
-                                                        phi_12921_ = _e4046;
+                                                        phi_12927_ = _e4046;
                                                     }
-                                                    let _e4049 = phi_12921_;
+                                                    let _e4049 = phi_12927_;
                                                     if (_e4025 > _e4049) {
-                                                        phi_12926_ = _e4025;
+                                                        phi_12932_ = _e4025;
                                                     } else {
-                                                        phi_12926_ = _e4049;
+                                                        phi_12932_ = _e4049;
                                                     }
-                                                    let _e4052 = phi_12926_;
+                                                    let _e4052 = phi_12932_;
                                                     let _e4054 = local_18.member_3;
                                                     let _e4058 = local_18.member_2[0u];
                                                     if (_e4058[0] < 0.0lf) {
-                                                        phi_12943_ = -(_e4058[0]);
+                                                        phi_12949_ = -(_e4058[0]);
                                                     } else {
-                                                        phi_12943_ = _e4058[0];
+                                                        phi_12949_ = _e4058[0];
                                                     }
-                                                    let _e4065 = phi_12943_;
+                                                    let _e4065 = phi_12949_;
                                                     if (_e4058[1] < 0.0lf) {
-                                                        phi_12950_ = -(_e4058[1]);
+                                                        phi_12956_ = -(_e4058[1]);
                                                     } else {
-                                                        phi_12950_ = _e4058[1];
+                                                        phi_12956_ = _e4058[1];
                                                     }
-                                                    let _e4069 = phi_12950_;
+                                                    let _e4069 = phi_12956_;
                                                     if (_e4065 > _e4069) {
-                                                        phi_12955_ = _e4065;
+                                                        phi_12961_ = _e4065;
                                                     } else {
-                                                        phi_12955_ = _e4069;
+                                                        phi_12961_ = _e4069;
                                                     }
-                                                    let _e4072 = phi_12955_;
+                                                    let _e4072 = phi_12961_;
                                                     if (_e4058[2] < 0.0lf) {
-                                                        phi_12962_ = -(_e4058[2]);
+                                                        phi_12968_ = -(_e4058[2]);
                                                     } else {
-                                                        phi_12962_ = _e4058[2];
+                                                        phi_12968_ = _e4058[2];
                                                     }
-                                                    let _e4076 = phi_12962_;
+                                                    let _e4076 = phi_12968_;
                                                     if (_e4072 > _e4076) {
-                                                        phi_12967_ = _e4072;
+                                                        phi_12973_ = _e4072;
                                                     } else {
-                                                        phi_12967_ = _e4076;
+                                                        phi_12973_ = _e4076;
                                                     }
-                                                    let _e4079 = phi_12967_;
+                                                    let _e4079 = phi_12973_;
                                                     let _e4082 = local_18.member_2[1u];
                                                     if (_e4082[0] < 0.0lf) {
-                                                        phi_12981_ = -(_e4082[0]);
+                                                        phi_12987_ = -(_e4082[0]);
                                                     } else {
-                                                        phi_12981_ = _e4082[0];
+                                                        phi_12987_ = _e4082[0];
                                                     }
-                                                    let _e4089 = phi_12981_;
+                                                    let _e4089 = phi_12987_;
                                                     if (_e4082[1] < 0.0lf) {
-                                                        phi_12988_ = -(_e4082[1]);
+                                                        phi_12994_ = -(_e4082[1]);
                                                     } else {
-                                                        phi_12988_ = _e4082[1];
+                                                        phi_12994_ = _e4082[1];
                                                     }
-                                                    let _e4093 = phi_12988_;
+                                                    let _e4093 = phi_12994_;
                                                     if (_e4089 > _e4093) {
-                                                        phi_12993_ = _e4089;
+                                                        phi_12999_ = _e4089;
                                                     } else {
-                                                        phi_12993_ = _e4093;
+                                                        phi_12999_ = _e4093;
                                                     }
-                                                    let _e4096 = phi_12993_;
+                                                    let _e4096 = phi_12999_;
                                                     if (_e4082[2] < 0.0lf) {
-                                                        phi_13000_ = -(_e4082[2]);
+                                                        phi_13006_ = -(_e4082[2]);
                                                     } else {
-                                                        phi_13000_ = _e4082[2];
+                                                        phi_13006_ = _e4082[2];
                                                     }
-                                                    let _e4100 = phi_13000_;
+                                                    let _e4100 = phi_13006_;
                                                     if (_e4096 > _e4100) {
-                                                        phi_13005_ = _e4096;
+                                                        phi_13011_ = _e4096;
                                                     } else {
-                                                        phi_13005_ = _e4100;
+                                                        phi_13011_ = _e4100;
                                                     }
-                                                    let _e4103 = phi_13005_;
+                                                    let _e4103 = phi_13011_;
                                                     if (_e4079 > _e4103) {
-                                                        phi_13010_ = _e4079;
+                                                        phi_13016_ = _e4079;
                                                     } else {
-                                                        phi_13010_ = _e4103;
+                                                        phi_13016_ = _e4103;
                                                     }
-                                                    let _e4106 = phi_13010_;
+                                                    let _e4106 = phi_13016_;
                                                     let _e4108 = local_18.member_3;
                                                     let _e4116 = local_18.member_3;
                                                     let _e4124 = (_e404 * f64(0.00390625f));
                                                     let _e4125 = f64(0f);
                                                     let _e4126 = f64(1f);
                                                     local = type_38(array<f64, 4>(_e4125, _e4125, _e4125, _e4125), array<f64, 4>(_e4125, _e4125, _e4125, _e4125), array<f64, 4>(_e4126, _e4126, _e4126, _e4126));
-                                                    phi_13057_ = type_12(0u, 96u);
-                                                    phi_13060_ = _e3152.member;
-                                                    phi_13062_ = _e3152.member;
-                                                    phi_13064_ = (_e3152.member_1 - _e3152.member);
+                                                    phi_13063_ = type_12(0u, 96u);
                                                     phi_13066_ = _e3152.member;
-                                                    phi_13068_ = false;
-                                                    phi_13070_ = 0u;
+                                                    phi_13068_ = _e3152.member;
+                                                    phi_13070_ = (_e3152.member_1 - _e3152.member);
+                                                    phi_13072_ = _e3152.member;
+                                                    phi_13074_ = false;
+                                                    phi_13076_ = 0u;
                                                     loop {
-                                                        let _e4133 = phi_13057_;
-                                                        let _e4135 = phi_13060_;
-                                                        let _e4137 = phi_13062_;
-                                                        let _e4139 = phi_13064_;
-                                                        let _e4141 = phi_13066_;
-                                                        let _e4143 = phi_13068_;
-                                                        let _e4145 = phi_13070_;
+                                                        let _e4133 = phi_13063_;
+                                                        let _e4135 = phi_13066_;
+                                                        let _e4137 = phi_13068_;
+                                                        let _e4139 = phi_13070_;
+                                                        let _e4141 = phi_13072_;
+                                                        let _e4143 = phi_13074_;
+                                                        let _e4145 = phi_13076_;
                                                         local_31 = _e4135;
                                                         local_78 = _e4137;
                                                         if (_e4133.member < _e4133.member_1) {
-                                                            phi_13058_ = type_12((_e4133.member + 1u), _e4133.member_1);
-                                                            phi_13093_ = type_12(1u, _e4133.member);
+                                                            phi_13064_ = type_12((_e4133.member + 1u), _e4133.member_1);
+                                                            phi_13099_ = type_12(1u, _e4133.member);
                                                         } else {
-                                                            phi_13058_ = _e4133;
-                                                            phi_13093_ = type_12(0u, type_12().member_1);
+                                                            phi_13064_ = _e4133;
+                                                            phi_13099_ = type_12(0u, type_12().member_1);
                                                         }
-                                                        let _e4157 = phi_13058_;
-                                                        let _e4159 = phi_13093_;
+                                                        let _e4157 = phi_13064_;
+                                                        let _e4159 = phi_13099_;
                                                         if (bitcast<i32>(_e4159.member) != 0i) {
                                                             let _e4165 = local_18.member[0u];
                                                             let _e4171 = local_18.member[1u];
@@ -9966,48 +9973,48 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             let _e4215 = local_18.member_2[1u];
                                                             let _e4229 = function_4(array<f64, 3>((_e4165[0] + ((_e4171[0] - _e4165[0]) * _e4135)), (_e4165[1] + ((_e4171[1] - _e4165[1]) * _e4135)), (_e4165[2] + ((_e4171[2] - _e4165[2]) * _e4135))), array<f64, 3>((_e4187[0] + ((_e4193[0] - _e4187[0]) * _e4135)), (_e4187[1] + ((_e4193[1] - _e4187[1]) * _e4135)), (_e4187[2] + ((_e4193[2] - _e4187[2]) * _e4135))), array<f64, 3>((_e4209[0] + ((_e4215[0] - _e4209[0]) * _e4135)), (_e4209[1] + ((_e4215[1] - _e4209[1]) * _e4135)), (_e4209[2] + ((_e4215[2] - _e4209[2]) * _e4135))), 1u);
                                                             if (_e4145 == 0u) {
-                                                                phi_13222_ = _e4229;
+                                                                phi_13228_ = _e4229;
                                                             } else {
                                                                 let _e4231 = f64(0f);
                                                                 if (_e4145 == 1u) {
-                                                                    phi_13208_ = _e4229[0];
-                                                                } else {
-                                                                    phi_13208_ = _e4231;
-                                                                }
-                                                                let _e4235 = phi_13208_;
-                                                                if (_e4145 == 2u) {
-                                                                    phi_13214_ = _e4229[1];
+                                                                    phi_13214_ = _e4229[0];
                                                                 } else {
                                                                     phi_13214_ = _e4231;
                                                                 }
-                                                                let _e4239 = phi_13214_;
-                                                                if (_e4145 == 3u) {
-                                                                    phi_13220_ = _e4229[2];
+                                                                let _e4235 = phi_13214_;
+                                                                if (_e4145 == 2u) {
+                                                                    phi_13220_ = _e4229[1];
                                                                 } else {
                                                                     phi_13220_ = _e4231;
                                                                 }
-                                                                let _e4243 = phi_13220_;
-                                                                phi_13222_ = array<f64, 3>(_e4235, _e4239, _e4243);
+                                                                let _e4239 = phi_13220_;
+                                                                if (_e4145 == 3u) {
+                                                                    phi_13226_ = _e4229[2];
+                                                                } else {
+                                                                    phi_13226_ = _e4231;
+                                                                }
+                                                                let _e4243 = phi_13226_;
+                                                                phi_13228_ = array<f64, 3>(_e4235, _e4239, _e4243);
                                                             }
-                                                            let _e4246 = phi_13222_;
+                                                            let _e4246 = phi_13228_;
                                                             if (_e4246[0] < 0.0lf) {
-                                                                phi_13229_ = -(_e4246[0]);
+                                                                phi_13235_ = -(_e4246[0]);
                                                             } else {
-                                                                phi_13229_ = _e4246[0];
+                                                                phi_13235_ = _e4246[0];
                                                             }
-                                                            let _e4251 = phi_13229_;
+                                                            let _e4251 = phi_13235_;
                                                             if (_e4246[1] < 0.0lf) {
-                                                                phi_13236_ = -(_e4246[1]);
+                                                                phi_13242_ = -(_e4246[1]);
                                                             } else {
-                                                                phi_13236_ = _e4246[1];
+                                                                phi_13242_ = _e4246[1];
                                                             }
-                                                            let _e4256 = phi_13236_;
+                                                            let _e4256 = phi_13242_;
                                                             if (_e4246[2] < 0.0lf) {
-                                                                phi_13244_ = -(_e4246[2]);
+                                                                phi_13250_ = -(_e4246[2]);
                                                             } else {
-                                                                phi_13244_ = _e4246[2];
+                                                                phi_13250_ = _e4246[2];
                                                             }
-                                                            let _e4262 = phi_13244_;
+                                                            let _e4262 = phi_13250_;
                                                             let _e4263 = ((_e4251 + _e4256) + _e4262);
                                                             if (_e4263 > f64(0f)) {
                                                                 if ((bitcast<u64>(_e4263) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -10018,59 +10025,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e4281 = (((_e4272 * _e4272) + (_e4274 * _e4274)) + (_e4276 * _e4276));
                                                                     if (_e4281 <= 2.2250738585072014e-308lf) {
                                                                         if (_e4281 > 0.0lf) {
-                                                                            phi_13283_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                            phi_13289_ = (1.464336215552873e-154lf * 2.0lf);
                                                                         } else {
-                                                                            phi_13283_ = 0.0lf;
+                                                                            phi_13289_ = 0.0lf;
                                                                         }
-                                                                        let _e4333 = phi_13283_;
-                                                                        phi_13347_ = _e4333;
+                                                                        let _e4333 = phi_13289_;
+                                                                        phi_13353_ = _e4333;
                                                                     } else {
-                                                                        phi_13290_ = type_16(0i, 5i);
-                                                                        phi_13293_ = bitcast<f64>(((bitcast<u64>(_e4281) / 2lu) + 2303426169912950784lu));
+                                                                        phi_13296_ = type_16(0i, 5i);
+                                                                        phi_13299_ = bitcast<f64>(((bitcast<u64>(_e4281) / 2lu) + 2303426169912950784lu));
                                                                         loop {
-                                                                            let _e4288 = phi_13290_;
-                                                                            let _e4290 = phi_13293_;
+                                                                            let _e4288 = phi_13296_;
+                                                                            let _e4290 = phi_13299_;
                                                                             local_28 = _e4290;
                                                                             if (_e4288.member < _e4288.member_1) {
                                                                                 let _e4297 = (_e4288.member + 1i);
                                                                                 if ((false == (_e4297 > _e4288.member)) != false) {
-                                                                                    phi_13314_ = true;
+                                                                                    phi_13320_ = true;
                                                                                 } else {
-                                                                                    phi_13314_ = false;
+                                                                                    phi_13320_ = false;
                                                                                 }
-                                                                                let _e4302 = phi_13314_;
+                                                                                let _e4302 = phi_13320_;
                                                                                 if _e4302 {
-                                                                                    phi_13320_ = type_17(0u, type_17().member_1);
+                                                                                    phi_13326_ = type_17(0u, type_17().member_1);
                                                                                 } else {
-                                                                                    phi_13320_ = type_17(1u, _e4297);
+                                                                                    phi_13326_ = type_17(1u, _e4297);
                                                                                 }
-                                                                                let _e4307 = phi_13320_;
-                                                                                phi_13291_ = type_16(_e4307.member_1, _e4288.member_1);
-                                                                                phi_13334_ = type_17(1u, _e4288.member);
+                                                                                let _e4307 = phi_13326_;
+                                                                                phi_13297_ = type_16(_e4307.member_1, _e4288.member_1);
+                                                                                phi_13340_ = type_17(1u, _e4288.member);
                                                                             } else {
-                                                                                phi_13291_ = _e4288;
-                                                                                phi_13334_ = type_17(0u, type_17().member_1);
+                                                                                phi_13297_ = _e4288;
+                                                                                phi_13340_ = type_17(0u, type_17().member_1);
                                                                             }
-                                                                            let _e4313 = phi_13291_;
-                                                                            let _e4315 = phi_13334_;
+                                                                            let _e4313 = phi_13297_;
+                                                                            let _e4315 = phi_13340_;
                                                                             let _e4318 = (bitcast<i32>(_e4315.member) != 0i);
                                                                             if _e4318 {
-                                                                                phi_13294_ = (0.5lf * (_e4290 + (_e4281 / _e4290)));
+                                                                                phi_13300_ = (0.5lf * (_e4290 + (_e4281 / _e4290)));
                                                                             } else {
-                                                                                phi_13294_ = f64();
+                                                                                phi_13300_ = f64();
                                                                             }
-                                                                            let _e4323 = phi_13294_;
+                                                                            let _e4323 = phi_13300_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_13290_ = _e4313;
-                                                                                phi_13293_ = _e4323;
+                                                                                phi_13296_ = _e4313;
+                                                                                phi_13299_ = _e4323;
                                                                                 break if !(_e4318);
                                                                             }
                                                                         }
                                                                         let _e4328 = local_28;
-                                                                        phi_13347_ = (_e4328 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                        phi_13353_ = (_e4328 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                     }
-                                                                    let _e4335 = phi_13347_;
+                                                                    let _e4335 = phi_13353_;
                                                                     let _e4337 = (1.1102230246251565e-16lf * f64(12f));
                                                                     let _e4344 = ((((((((_e3998 + _e4000) + (_e4052 + _e4054)) + (_e4106 + _e4108)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4116 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e666 * _e4335) * (f64(1f) + _e4337)));
                                                                     let _e4349 = (((_e4272 * _e3896[0]) + (_e4274 * _e3896[1])) + (_e4276 * _e3896[2]));
@@ -10082,77 +10089,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e4380 = (((_e4272 * (_e3923[0] - _e3935[0])) + (_e4274 * (_e3923[1] - _e3935[1]))) + (_e4276 * (_e3923[2] - _e3935[2])));
                                                                     let _e4385 = (((_e4272 * (_e3939 - _e3935[0])) + (_e4274 * (_e3940 - _e3935[1]))) + (_e4276 * (_e3941 - _e3935[2])));
                                                                     if (_e4349 < 0.0lf) {
-                                                                        phi_13416_ = -(_e4349);
+                                                                        phi_13422_ = -(_e4349);
                                                                     } else {
-                                                                        phi_13416_ = _e4349;
+                                                                        phi_13422_ = _e4349;
                                                                     }
-                                                                    let _e4390 = phi_13416_;
+                                                                    let _e4390 = phi_13422_;
                                                                     if (_e4370 < 0.0lf) {
-                                                                        phi_13422_ = -(_e4370);
+                                                                        phi_13428_ = -(_e4370);
                                                                     } else {
-                                                                        phi_13422_ = _e4370;
+                                                                        phi_13428_ = _e4370;
                                                                     }
-                                                                    let _e4394 = phi_13422_;
+                                                                    let _e4394 = phi_13428_;
                                                                     if (_e4354 < 0.0lf) {
-                                                                        phi_13431_ = -(_e4354);
+                                                                        phi_13437_ = -(_e4354);
                                                                     } else {
-                                                                        phi_13431_ = _e4354;
+                                                                        phi_13437_ = _e4354;
                                                                     }
-                                                                    let _e4401 = phi_13431_;
+                                                                    let _e4401 = phi_13437_;
                                                                     if (_e4375 < 0.0lf) {
-                                                                        phi_13437_ = -(_e4375);
+                                                                        phi_13443_ = -(_e4375);
                                                                     } else {
-                                                                        phi_13437_ = _e4375;
+                                                                        phi_13443_ = _e4375;
                                                                     }
-                                                                    let _e4405 = phi_13437_;
+                                                                    let _e4405 = phi_13443_;
                                                                     if (_e4359 < 0.0lf) {
-                                                                        phi_13446_ = -(_e4359);
+                                                                        phi_13452_ = -(_e4359);
                                                                     } else {
-                                                                        phi_13446_ = _e4359;
+                                                                        phi_13452_ = _e4359;
                                                                     }
-                                                                    let _e4412 = phi_13446_;
+                                                                    let _e4412 = phi_13452_;
                                                                     if (_e4380 < 0.0lf) {
-                                                                        phi_13452_ = -(_e4380);
+                                                                        phi_13458_ = -(_e4380);
                                                                     } else {
-                                                                        phi_13452_ = _e4380;
+                                                                        phi_13458_ = _e4380;
                                                                     }
-                                                                    let _e4416 = phi_13452_;
+                                                                    let _e4416 = phi_13458_;
                                                                     if (_e4364 < 0.0lf) {
-                                                                        phi_13461_ = -(_e4364);
+                                                                        phi_13467_ = -(_e4364);
                                                                     } else {
-                                                                        phi_13461_ = _e4364;
+                                                                        phi_13467_ = _e4364;
                                                                     }
-                                                                    let _e4423 = phi_13461_;
+                                                                    let _e4423 = phi_13467_;
                                                                     if (_e4385 < 0.0lf) {
-                                                                        phi_13467_ = -(_e4385);
+                                                                        phi_13473_ = -(_e4385);
                                                                     } else {
-                                                                        phi_13467_ = _e4385;
+                                                                        phi_13473_ = _e4385;
                                                                     }
-                                                                    let _e4427 = phi_13467_;
-                                                                    phi_13473_ = type_38(array<f64, 4>(_e4349, _e4354, _e4359, _e4364), array<f64, 4>(_e4370, _e4375, _e4380, _e4385), array<f64, 4>((_e4344 + ((_e4390 + _e4394) * _e4337)), (_e4344 + ((_e4401 + _e4405) * _e4337)), (_e4344 + ((_e4412 + _e4416) * _e4337)), (_e4344 + ((_e4423 + _e4427) * _e4337))));
-                                                                    phi_13474_ = false;
+                                                                    let _e4427 = phi_13473_;
+                                                                    phi_13479_ = type_38(array<f64, 4>(_e4349, _e4354, _e4359, _e4364), array<f64, 4>(_e4370, _e4375, _e4380, _e4385), array<f64, 4>((_e4344 + ((_e4390 + _e4394) * _e4337)), (_e4344 + ((_e4401 + _e4405) * _e4337)), (_e4344 + ((_e4412 + _e4416) * _e4337)), (_e4344 + ((_e4423 + _e4427) * _e4337))));
+                                                                    phi_13480_ = false;
                                                                 } else {
-                                                                    phi_13473_ = type_38();
-                                                                    phi_13474_ = true;
+                                                                    phi_13479_ = type_38();
+                                                                    phi_13480_ = true;
                                                                 }
-                                                                let _e4434 = phi_13473_;
-                                                                let _e4436 = phi_13474_;
-                                                                phi_13475_ = _e4434;
-                                                                phi_13476_ = _e4436;
+                                                                let _e4434 = phi_13479_;
+                                                                let _e4436 = phi_13480_;
+                                                                phi_13481_ = _e4434;
+                                                                phi_13482_ = _e4436;
                                                             } else {
-                                                                phi_13475_ = type_38();
-                                                                phi_13476_ = true;
+                                                                phi_13481_ = type_38();
+                                                                phi_13482_ = true;
                                                             }
-                                                            let _e4438 = phi_13475_;
-                                                            let _e4440 = phi_13476_;
+                                                            let _e4438 = phi_13481_;
+                                                            let _e4440 = phi_13482_;
                                                             if _e4440 {
                                                                 let _e4441 = f64(0f);
                                                                 let _e4442 = f64(1f);
-                                                                phi_13486_ = type_38(array<f64, 4>(_e4441, _e4441, _e4441, _e4441), array<f64, 4>(_e4441, _e4441, _e4441, _e4441), array<f64, 4>(_e4442, _e4442, _e4442, _e4442));
+                                                                phi_13492_ = type_38(array<f64, 4>(_e4441, _e4441, _e4441, _e4441), array<f64, 4>(_e4441, _e4441, _e4441, _e4441), array<f64, 4>(_e4442, _e4442, _e4442, _e4442));
                                                             } else {
-                                                                phi_13486_ = _e4438;
+                                                                phi_13492_ = _e4438;
                                                             }
-                                                            let _e4448 = phi_13486_;
+                                                            let _e4448 = phi_13492_;
                                                             local_1 = type_38(array<f64, 4>(_e4448.member[0], _e4448.member[1], _e4448.member[2], _e4448.member[3]), array<f64, 4>(_e4448.member_1[0], _e4448.member_1[1], _e4448.member_1[2], _e4448.member_1[3]), array<f64, 4>(_e4448.member_2[0], _e4448.member_2[1], _e4448.member_2[2], _e4448.member_2[3]));
                                                             let _e4468 = (_e4135 - _e4141);
                                                             let _e4470 = f64(0f);
@@ -10175,39 +10182,39 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                         let _e4527 = local_1.member_1[3u];
                                                                         let _e4530 = local_1.member[3u];
                                                                         let _e4536 = local_1.member_2[3u];
-                                                                        phi_13658_ = (((_e4524 + ((_e4527 - _e4530) * _e4135)) - _e4536) > _e4470);
-                                                                        phi_13659_ = false;
+                                                                        phi_13664_ = (((_e4524 + ((_e4527 - _e4530) * _e4135)) - _e4536) > _e4470);
+                                                                        phi_13665_ = false;
                                                                     } else {
-                                                                        phi_13658_ = bool();
-                                                                        phi_13659_ = true;
+                                                                        phi_13664_ = bool();
+                                                                        phi_13665_ = true;
                                                                     }
-                                                                    let _e4540 = phi_13658_;
-                                                                    let _e4542 = phi_13659_;
-                                                                    phi_13660_ = _e4540;
-                                                                    phi_13661_ = _e4542;
+                                                                    let _e4540 = phi_13664_;
+                                                                    let _e4542 = phi_13665_;
+                                                                    phi_13666_ = _e4540;
+                                                                    phi_13667_ = _e4542;
                                                                 } else {
-                                                                    phi_13660_ = bool();
-                                                                    phi_13661_ = true;
+                                                                    phi_13666_ = bool();
+                                                                    phi_13667_ = true;
                                                                 }
-                                                                let _e4544 = phi_13660_;
-                                                                let _e4546 = phi_13661_;
-                                                                phi_13662_ = _e4544;
-                                                                phi_13663_ = _e4546;
+                                                                let _e4544 = phi_13666_;
+                                                                let _e4546 = phi_13667_;
+                                                                phi_13668_ = _e4544;
+                                                                phi_13669_ = _e4546;
                                                             } else {
-                                                                phi_13662_ = bool();
-                                                                phi_13663_ = true;
+                                                                phi_13668_ = bool();
+                                                                phi_13669_ = true;
                                                             }
-                                                            let _e4548 = phi_13662_;
-                                                            let _e4550 = phi_13663_;
+                                                            let _e4548 = phi_13668_;
+                                                            let _e4550 = phi_13669_;
                                                             if _e4550 {
-                                                                phi_13667_ = false;
+                                                                phi_13673_ = false;
                                                             } else {
-                                                                phi_13667_ = _e4548;
+                                                                phi_13673_ = _e4548;
                                                             }
-                                                            let _e4552 = phi_13667_;
+                                                            let _e4552 = phi_13673_;
                                                             if _e4552 {
                                                                 if (_e4135 <= _e4137) {
-                                                                    phi_13978_ = true;
+                                                                    phi_13984_ = true;
                                                                 } else {
                                                                     let _e4554 = f64(0f);
                                                                     let _e4557 = local.member[0u];
@@ -10245,52 +10252,52 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                                 let _e4678 = local_1.member_1[3u];
                                                                                 let _e4681 = local_1.member[3u];
                                                                                 let _e4687 = local_1.member_2[3u];
-                                                                                phi_13965_ = ((((_e4659 + ((_e4662 - _e4665) * _e4135)) - _e4671) + ((_e4675 + ((_e4678 - _e4681) * _e4141)) - _e4687)) > _e4554);
-                                                                                phi_13966_ = false;
+                                                                                phi_13971_ = ((((_e4659 + ((_e4662 - _e4665) * _e4135)) - _e4671) + ((_e4675 + ((_e4678 - _e4681) * _e4141)) - _e4687)) > _e4554);
+                                                                                phi_13972_ = false;
                                                                             } else {
-                                                                                phi_13965_ = bool();
-                                                                                phi_13966_ = true;
+                                                                                phi_13971_ = bool();
+                                                                                phi_13972_ = true;
                                                                             }
-                                                                            let _e4692 = phi_13965_;
-                                                                            let _e4694 = phi_13966_;
-                                                                            phi_13967_ = _e4692;
-                                                                            phi_13968_ = _e4694;
+                                                                            let _e4692 = phi_13971_;
+                                                                            let _e4694 = phi_13972_;
+                                                                            phi_13973_ = _e4692;
+                                                                            phi_13974_ = _e4694;
                                                                         } else {
-                                                                            phi_13967_ = bool();
-                                                                            phi_13968_ = true;
+                                                                            phi_13973_ = bool();
+                                                                            phi_13974_ = true;
                                                                         }
-                                                                        let _e4696 = phi_13967_;
-                                                                        let _e4698 = phi_13968_;
-                                                                        phi_13969_ = _e4696;
-                                                                        phi_13970_ = _e4698;
+                                                                        let _e4696 = phi_13973_;
+                                                                        let _e4698 = phi_13974_;
+                                                                        phi_13975_ = _e4696;
+                                                                        phi_13976_ = _e4698;
                                                                     } else {
-                                                                        phi_13969_ = bool();
-                                                                        phi_13970_ = true;
+                                                                        phi_13975_ = bool();
+                                                                        phi_13976_ = true;
                                                                     }
-                                                                    let _e4700 = phi_13969_;
-                                                                    let _e4702 = phi_13970_;
+                                                                    let _e4700 = phi_13975_;
+                                                                    let _e4702 = phi_13976_;
                                                                     if _e4702 {
-                                                                        phi_13974_ = false;
+                                                                        phi_13980_ = false;
                                                                     } else {
-                                                                        phi_13974_ = _e4700;
+                                                                        phi_13980_ = _e4700;
                                                                     }
-                                                                    let _e4704 = phi_13974_;
-                                                                    phi_13978_ = _e4704;
+                                                                    let _e4704 = phi_13980_;
+                                                                    phi_13984_ = _e4704;
                                                                 }
-                                                                let _e4706 = phi_13978_;
+                                                                let _e4706 = phi_13984_;
                                                                 if _e4706 {
                                                                     if _e4143 {
                                                                         if (_e4135 >= _e3152.member_1) {
-                                                                            phi_13989_ = false;
+                                                                            phi_13995_ = false;
                                                                         } else {
-                                                                            phi_13989_ = true;
+                                                                            phi_13995_ = true;
                                                                         }
-                                                                        let _e4709 = phi_13989_;
-                                                                        phi_13990_ = _e4709;
+                                                                        let _e4709 = phi_13995_;
+                                                                        phi_13996_ = _e4709;
                                                                     } else {
-                                                                        phi_13990_ = true;
+                                                                        phi_13996_ = true;
                                                                     }
-                                                                    let _e4711 = phi_13990_;
+                                                                    let _e4711 = phi_13996_;
                                                                     if _e4711 {
                                                                         local = type_38(array<f64, 4>(_e4448.member[0], _e4448.member[1], _e4448.member[2], _e4448.member[3]), array<f64, 4>(_e4448.member_1[0], _e4448.member_1[1], _e4448.member_1[2], _e4448.member_1[3]), array<f64, 4>(_e4448.member_2[0], _e4448.member_2[1], _e4448.member_2[2], _e4448.member_2[3]));
                                                                         let _e4733 = local.member[0u];
@@ -10298,285 +10305,285 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                         let _e4739 = local.member_2[0u];
                                                                         if (_e4733 > _e4739) {
                                                                             if (_e4736 > _e4739) {
-                                                                                phi_14064_ = false;
+                                                                                phi_14070_ = false;
                                                                             } else {
-                                                                                phi_14064_ = true;
+                                                                                phi_14070_ = true;
                                                                             }
-                                                                            let _e4743 = phi_14064_;
-                                                                            phi_14065_ = _e4743;
+                                                                            let _e4743 = phi_14070_;
+                                                                            phi_14071_ = _e4743;
                                                                         } else {
-                                                                            phi_14065_ = true;
+                                                                            phi_14071_ = true;
                                                                         }
-                                                                        let _e4745 = phi_14065_;
+                                                                        let _e4745 = phi_14071_;
                                                                         if _e4745 {
                                                                             let _e4746 = (_e4736 >= _e4733);
                                                                             if _e4746 {
-                                                                                phi_14090_ = f64();
-                                                                                phi_14091_ = false;
+                                                                                phi_14096_ = f64();
+                                                                                phi_14097_ = false;
                                                                             } else {
                                                                                 if ((_e4733 - _e4736) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14088_ = (((_e4733 - _e4739) / (_e4733 - _e4736)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14089_ = false;
+                                                                                    phi_14094_ = (((_e4733 - _e4739) / (_e4733 - _e4736)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14095_ = false;
                                                                                 } else {
-                                                                                    phi_14088_ = f64();
-                                                                                    phi_14089_ = true;
+                                                                                    phi_14094_ = f64();
+                                                                                    phi_14095_ = true;
                                                                                 }
-                                                                                let _e4760 = phi_14088_;
-                                                                                let _e4762 = phi_14089_;
-                                                                                phi_14090_ = _e4760;
-                                                                                phi_14091_ = _e4762;
+                                                                                let _e4760 = phi_14094_;
+                                                                                let _e4762 = phi_14095_;
+                                                                                phi_14096_ = _e4760;
+                                                                                phi_14097_ = _e4762;
                                                                             }
-                                                                            let _e4764 = phi_14090_;
-                                                                            let _e4766 = phi_14091_;
-                                                                            phi_14092_ = _e4764;
-                                                                            phi_14093_ = _e4746;
-                                                                            phi_14094_ = _e4766;
+                                                                            let _e4764 = phi_14096_;
+                                                                            let _e4766 = phi_14097_;
+                                                                            phi_14098_ = _e4764;
+                                                                            phi_14099_ = _e4746;
+                                                                            phi_14100_ = _e4766;
                                                                         } else {
-                                                                            phi_14092_ = f64();
-                                                                            phi_14093_ = true;
-                                                                            phi_14094_ = false;
+                                                                            phi_14098_ = f64();
+                                                                            phi_14099_ = true;
+                                                                            phi_14100_ = false;
                                                                         }
-                                                                        let _e4768 = phi_14092_;
-                                                                        let _e4770 = phi_14093_;
-                                                                        let _e4772 = phi_14094_;
+                                                                        let _e4768 = phi_14098_;
+                                                                        let _e4770 = phi_14099_;
+                                                                        let _e4772 = phi_14100_;
                                                                         if _e4770 {
-                                                                            phi_14099_ = f64(2f);
-                                                                            phi_14100_ = true;
+                                                                            phi_14105_ = f64(2f);
+                                                                            phi_14106_ = true;
                                                                         } else {
-                                                                            phi_14099_ = _e4135;
-                                                                            phi_14100_ = _e4772;
+                                                                            phi_14105_ = _e4135;
+                                                                            phi_14106_ = _e4772;
                                                                         }
-                                                                        let _e4775 = phi_14099_;
-                                                                        let _e4777 = phi_14100_;
+                                                                        let _e4775 = phi_14105_;
+                                                                        let _e4777 = phi_14106_;
                                                                         if _e4777 {
-                                                                            phi_14104_ = _e4775;
+                                                                            phi_14110_ = _e4775;
                                                                         } else {
-                                                                            phi_14104_ = _e4768;
+                                                                            phi_14110_ = _e4768;
                                                                         }
-                                                                        let _e4779 = phi_14104_;
+                                                                        let _e4779 = phi_14110_;
                                                                         let _e4782 = local.member[1u];
                                                                         let _e4785 = local.member_1[1u];
                                                                         let _e4788 = local.member_2[1u];
                                                                         if (_e4782 > _e4788) {
                                                                             if (_e4785 > _e4788) {
-                                                                                phi_14136_ = false;
+                                                                                phi_14142_ = false;
                                                                             } else {
-                                                                                phi_14136_ = true;
+                                                                                phi_14142_ = true;
                                                                             }
-                                                                            let _e4792 = phi_14136_;
-                                                                            phi_14137_ = _e4792;
+                                                                            let _e4792 = phi_14142_;
+                                                                            phi_14143_ = _e4792;
                                                                         } else {
-                                                                            phi_14137_ = true;
+                                                                            phi_14143_ = true;
                                                                         }
-                                                                        let _e4794 = phi_14137_;
+                                                                        let _e4794 = phi_14143_;
                                                                         if _e4794 {
                                                                             let _e4795 = (_e4785 >= _e4782);
                                                                             if _e4795 {
-                                                                                phi_14162_ = f64();
-                                                                                phi_14163_ = false;
+                                                                                phi_14168_ = f64();
+                                                                                phi_14169_ = false;
                                                                             } else {
                                                                                 if ((_e4782 - _e4785) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14160_ = (((_e4782 - _e4788) / (_e4782 - _e4785)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14161_ = false;
+                                                                                    phi_14166_ = (((_e4782 - _e4788) / (_e4782 - _e4785)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14167_ = false;
                                                                                 } else {
-                                                                                    phi_14160_ = f64();
-                                                                                    phi_14161_ = true;
+                                                                                    phi_14166_ = f64();
+                                                                                    phi_14167_ = true;
                                                                                 }
-                                                                                let _e4809 = phi_14160_;
-                                                                                let _e4811 = phi_14161_;
-                                                                                phi_14162_ = _e4809;
-                                                                                phi_14163_ = _e4811;
+                                                                                let _e4809 = phi_14166_;
+                                                                                let _e4811 = phi_14167_;
+                                                                                phi_14168_ = _e4809;
+                                                                                phi_14169_ = _e4811;
                                                                             }
-                                                                            let _e4813 = phi_14162_;
-                                                                            let _e4815 = phi_14163_;
-                                                                            phi_14164_ = _e4813;
-                                                                            phi_14165_ = _e4795;
-                                                                            phi_14166_ = _e4815;
+                                                                            let _e4813 = phi_14168_;
+                                                                            let _e4815 = phi_14169_;
+                                                                            phi_14170_ = _e4813;
+                                                                            phi_14171_ = _e4795;
+                                                                            phi_14172_ = _e4815;
                                                                         } else {
-                                                                            phi_14164_ = f64();
-                                                                            phi_14165_ = true;
-                                                                            phi_14166_ = false;
+                                                                            phi_14170_ = f64();
+                                                                            phi_14171_ = true;
+                                                                            phi_14172_ = false;
                                                                         }
-                                                                        let _e4817 = phi_14164_;
-                                                                        let _e4819 = phi_14165_;
-                                                                        let _e4821 = phi_14166_;
+                                                                        let _e4817 = phi_14170_;
+                                                                        let _e4819 = phi_14171_;
+                                                                        let _e4821 = phi_14172_;
                                                                         if _e4819 {
-                                                                            phi_14171_ = f64(2f);
-                                                                            phi_14172_ = true;
+                                                                            phi_14177_ = f64(2f);
+                                                                            phi_14178_ = true;
                                                                         } else {
-                                                                            phi_14171_ = _e4135;
-                                                                            phi_14172_ = _e4821;
+                                                                            phi_14177_ = _e4135;
+                                                                            phi_14178_ = _e4821;
                                                                         }
-                                                                        let _e4824 = phi_14171_;
-                                                                        let _e4826 = phi_14172_;
+                                                                        let _e4824 = phi_14177_;
+                                                                        let _e4826 = phi_14178_;
                                                                         if _e4826 {
-                                                                            phi_14176_ = _e4824;
+                                                                            phi_14182_ = _e4824;
                                                                         } else {
-                                                                            phi_14176_ = _e4817;
+                                                                            phi_14182_ = _e4817;
                                                                         }
-                                                                        let _e4828 = phi_14176_;
+                                                                        let _e4828 = phi_14182_;
                                                                         if (_e4779 < _e4828) {
-                                                                            phi_14181_ = _e4779;
+                                                                            phi_14187_ = _e4779;
                                                                         } else {
-                                                                            phi_14181_ = _e4828;
+                                                                            phi_14187_ = _e4828;
                                                                         }
-                                                                        let _e4831 = phi_14181_;
+                                                                        let _e4831 = phi_14187_;
                                                                         let _e4834 = local.member[2u];
                                                                         let _e4837 = local.member_1[2u];
                                                                         let _e4840 = local.member_2[2u];
                                                                         if (_e4834 > _e4840) {
                                                                             if (_e4837 > _e4840) {
-                                                                                phi_14213_ = false;
+                                                                                phi_14219_ = false;
                                                                             } else {
-                                                                                phi_14213_ = true;
+                                                                                phi_14219_ = true;
                                                                             }
-                                                                            let _e4844 = phi_14213_;
-                                                                            phi_14214_ = _e4844;
+                                                                            let _e4844 = phi_14219_;
+                                                                            phi_14220_ = _e4844;
                                                                         } else {
-                                                                            phi_14214_ = true;
+                                                                            phi_14220_ = true;
                                                                         }
-                                                                        let _e4846 = phi_14214_;
+                                                                        let _e4846 = phi_14220_;
                                                                         if _e4846 {
                                                                             let _e4847 = (_e4837 >= _e4834);
                                                                             if _e4847 {
-                                                                                phi_14239_ = f64();
-                                                                                phi_14240_ = false;
+                                                                                phi_14245_ = f64();
+                                                                                phi_14246_ = false;
                                                                             } else {
                                                                                 if ((_e4834 - _e4837) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14237_ = (((_e4834 - _e4840) / (_e4834 - _e4837)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14238_ = false;
+                                                                                    phi_14243_ = (((_e4834 - _e4840) / (_e4834 - _e4837)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14244_ = false;
                                                                                 } else {
-                                                                                    phi_14237_ = f64();
-                                                                                    phi_14238_ = true;
+                                                                                    phi_14243_ = f64();
+                                                                                    phi_14244_ = true;
                                                                                 }
-                                                                                let _e4861 = phi_14237_;
-                                                                                let _e4863 = phi_14238_;
-                                                                                phi_14239_ = _e4861;
-                                                                                phi_14240_ = _e4863;
+                                                                                let _e4861 = phi_14243_;
+                                                                                let _e4863 = phi_14244_;
+                                                                                phi_14245_ = _e4861;
+                                                                                phi_14246_ = _e4863;
                                                                             }
-                                                                            let _e4865 = phi_14239_;
-                                                                            let _e4867 = phi_14240_;
-                                                                            phi_14241_ = _e4865;
-                                                                            phi_14242_ = _e4847;
-                                                                            phi_14243_ = _e4867;
+                                                                            let _e4865 = phi_14245_;
+                                                                            let _e4867 = phi_14246_;
+                                                                            phi_14247_ = _e4865;
+                                                                            phi_14248_ = _e4847;
+                                                                            phi_14249_ = _e4867;
                                                                         } else {
-                                                                            phi_14241_ = f64();
-                                                                            phi_14242_ = true;
-                                                                            phi_14243_ = false;
+                                                                            phi_14247_ = f64();
+                                                                            phi_14248_ = true;
+                                                                            phi_14249_ = false;
                                                                         }
-                                                                        let _e4869 = phi_14241_;
-                                                                        let _e4871 = phi_14242_;
-                                                                        let _e4873 = phi_14243_;
+                                                                        let _e4869 = phi_14247_;
+                                                                        let _e4871 = phi_14248_;
+                                                                        let _e4873 = phi_14249_;
                                                                         if _e4871 {
-                                                                            phi_14248_ = f64(2f);
-                                                                            phi_14249_ = true;
+                                                                            phi_14254_ = f64(2f);
+                                                                            phi_14255_ = true;
                                                                         } else {
-                                                                            phi_14248_ = _e4135;
-                                                                            phi_14249_ = _e4873;
+                                                                            phi_14254_ = _e4135;
+                                                                            phi_14255_ = _e4873;
                                                                         }
-                                                                        let _e4876 = phi_14248_;
-                                                                        let _e4878 = phi_14249_;
+                                                                        let _e4876 = phi_14254_;
+                                                                        let _e4878 = phi_14255_;
                                                                         if _e4878 {
-                                                                            phi_14253_ = _e4876;
+                                                                            phi_14259_ = _e4876;
                                                                         } else {
-                                                                            phi_14253_ = _e4869;
+                                                                            phi_14259_ = _e4869;
                                                                         }
-                                                                        let _e4880 = phi_14253_;
+                                                                        let _e4880 = phi_14259_;
                                                                         let _e4883 = local.member[3u];
                                                                         let _e4886 = local.member_1[3u];
                                                                         let _e4889 = local.member_2[3u];
                                                                         if (_e4883 > _e4889) {
                                                                             if (_e4886 > _e4889) {
-                                                                                phi_14285_ = false;
+                                                                                phi_14291_ = false;
                                                                             } else {
-                                                                                phi_14285_ = true;
+                                                                                phi_14291_ = true;
                                                                             }
-                                                                            let _e4893 = phi_14285_;
-                                                                            phi_14286_ = _e4893;
+                                                                            let _e4893 = phi_14291_;
+                                                                            phi_14292_ = _e4893;
                                                                         } else {
-                                                                            phi_14286_ = true;
+                                                                            phi_14292_ = true;
                                                                         }
-                                                                        let _e4895 = phi_14286_;
+                                                                        let _e4895 = phi_14292_;
                                                                         if _e4895 {
                                                                             let _e4896 = (_e4886 >= _e4883);
                                                                             if _e4896 {
-                                                                                phi_14311_ = f64();
-                                                                                phi_14312_ = false;
+                                                                                phi_14317_ = f64();
+                                                                                phi_14318_ = false;
                                                                             } else {
                                                                                 if ((_e4883 - _e4886) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14309_ = (((_e4883 - _e4889) / (_e4883 - _e4886)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14310_ = false;
+                                                                                    phi_14315_ = (((_e4883 - _e4889) / (_e4883 - _e4886)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14316_ = false;
                                                                                 } else {
-                                                                                    phi_14309_ = f64();
-                                                                                    phi_14310_ = true;
+                                                                                    phi_14315_ = f64();
+                                                                                    phi_14316_ = true;
                                                                                 }
-                                                                                let _e4910 = phi_14309_;
-                                                                                let _e4912 = phi_14310_;
-                                                                                phi_14311_ = _e4910;
-                                                                                phi_14312_ = _e4912;
+                                                                                let _e4910 = phi_14315_;
+                                                                                let _e4912 = phi_14316_;
+                                                                                phi_14317_ = _e4910;
+                                                                                phi_14318_ = _e4912;
                                                                             }
-                                                                            let _e4914 = phi_14311_;
-                                                                            let _e4916 = phi_14312_;
-                                                                            phi_14313_ = _e4914;
-                                                                            phi_14314_ = _e4896;
-                                                                            phi_14315_ = _e4916;
+                                                                            let _e4914 = phi_14317_;
+                                                                            let _e4916 = phi_14318_;
+                                                                            phi_14319_ = _e4914;
+                                                                            phi_14320_ = _e4896;
+                                                                            phi_14321_ = _e4916;
                                                                         } else {
-                                                                            phi_14313_ = f64();
-                                                                            phi_14314_ = true;
-                                                                            phi_14315_ = false;
+                                                                            phi_14319_ = f64();
+                                                                            phi_14320_ = true;
+                                                                            phi_14321_ = false;
                                                                         }
-                                                                        let _e4918 = phi_14313_;
-                                                                        let _e4920 = phi_14314_;
-                                                                        let _e4922 = phi_14315_;
+                                                                        let _e4918 = phi_14319_;
+                                                                        let _e4920 = phi_14320_;
+                                                                        let _e4922 = phi_14321_;
                                                                         if _e4920 {
-                                                                            phi_14320_ = f64(2f);
-                                                                            phi_14321_ = true;
+                                                                            phi_14326_ = f64(2f);
+                                                                            phi_14327_ = true;
                                                                         } else {
-                                                                            phi_14320_ = _e4135;
-                                                                            phi_14321_ = _e4922;
+                                                                            phi_14326_ = _e4135;
+                                                                            phi_14327_ = _e4922;
                                                                         }
-                                                                        let _e4925 = phi_14320_;
-                                                                        let _e4927 = phi_14321_;
+                                                                        let _e4925 = phi_14326_;
+                                                                        let _e4927 = phi_14327_;
                                                                         if _e4927 {
-                                                                            phi_14325_ = _e4925;
+                                                                            phi_14331_ = _e4925;
                                                                         } else {
-                                                                            phi_14325_ = _e4918;
+                                                                            phi_14331_ = _e4918;
                                                                         }
-                                                                        let _e4929 = phi_14325_;
+                                                                        let _e4929 = phi_14331_;
                                                                         if (_e4880 < _e4929) {
-                                                                            phi_14330_ = _e4880;
+                                                                            phi_14336_ = _e4880;
                                                                         } else {
-                                                                            phi_14330_ = _e4929;
+                                                                            phi_14336_ = _e4929;
                                                                         }
-                                                                        let _e4932 = phi_14330_;
+                                                                        let _e4932 = phi_14336_;
                                                                         if (_e4831 < _e4932) {
-                                                                            phi_14335_ = _e4831;
+                                                                            phi_14341_ = _e4831;
                                                                         } else {
-                                                                            phi_14335_ = _e4932;
+                                                                            phi_14341_ = _e4932;
                                                                         }
-                                                                        let _e4935 = phi_14335_;
+                                                                        let _e4935 = phi_14341_;
                                                                         if (_e4935 > _e4135) {
-                                                                            phi_14340_ = _e4935;
+                                                                            phi_14346_ = _e4935;
                                                                         } else {
-                                                                            phi_14340_ = _e4135;
+                                                                            phi_14346_ = _e4135;
                                                                         }
-                                                                        let _e4938 = phi_14340_;
+                                                                        let _e4938 = phi_14346_;
                                                                         let _e4939 = (_e4938 > _e3152.member_1);
                                                                         if _e4939 {
-                                                                            phi_14857_ = f64();
-                                                                            phi_14858_ = f64();
-                                                                            phi_14859_ = false;
-                                                                            phi_14860_ = false;
+                                                                            phi_14863_ = f64();
+                                                                            phi_14864_ = f64();
+                                                                            phi_14865_ = false;
+                                                                            phi_14866_ = false;
                                                                         } else {
                                                                             let _e4940 = (_e4938 - _e4135);
                                                                             let _e4941 = (_e4940 <= _e4124);
                                                                             let _e4944 = (_e4938 + (_e404 * f64(0.01f)));
                                                                             if (_e4944 < _e3152.member_1) {
-                                                                                phi_14354_ = _e4944;
+                                                                                phi_14360_ = _e4944;
                                                                             } else {
-                                                                                phi_14354_ = _e3152.member_1;
+                                                                                phi_14360_ = _e3152.member_1;
                                                                             }
-                                                                            let _e4947 = phi_14354_;
+                                                                            let _e4947 = phi_14360_;
                                                                             if _e4941 {
                                                                                 if (_e666 > f64(0f)) {
                                                                                     let _e4952 = local_18.member[0u];
@@ -10589,430 +10596,430 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                                     let _e5027 = (((_e5016[0] * _e5016[0]) + (_e5016[1] * _e5016[1])) + (_e5016[2] * _e5016[2]));
                                                                                     if (_e5027 <= 2.2250738585072014e-308lf) {
                                                                                         if (_e5027 > 0.0lf) {
-                                                                                            phi_14485_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                                            phi_14491_ = (1.464336215552873e-154lf * 2.0lf);
                                                                                         } else {
-                                                                                            phi_14485_ = 0.0lf;
+                                                                                            phi_14491_ = 0.0lf;
                                                                                         }
-                                                                                        let _e5079 = phi_14485_;
-                                                                                        phi_14549_ = _e5079;
+                                                                                        let _e5079 = phi_14491_;
+                                                                                        phi_14555_ = _e5079;
                                                                                     } else {
-                                                                                        phi_14492_ = type_16(0i, 5i);
-                                                                                        phi_14495_ = bitcast<f64>(((bitcast<u64>(_e5027) / 2lu) + 2303426169912950784lu));
+                                                                                        phi_14498_ = type_16(0i, 5i);
+                                                                                        phi_14501_ = bitcast<f64>(((bitcast<u64>(_e5027) / 2lu) + 2303426169912950784lu));
                                                                                         loop {
-                                                                                            let _e5034 = phi_14492_;
-                                                                                            let _e5036 = phi_14495_;
+                                                                                            let _e5034 = phi_14498_;
+                                                                                            let _e5036 = phi_14501_;
                                                                                             local_29 = _e5036;
                                                                                             if (_e5034.member < _e5034.member_1) {
                                                                                                 let _e5043 = (_e5034.member + 1i);
                                                                                                 if ((false == (_e5043 > _e5034.member)) != false) {
-                                                                                                    phi_14516_ = true;
+                                                                                                    phi_14522_ = true;
                                                                                                 } else {
-                                                                                                    phi_14516_ = false;
+                                                                                                    phi_14522_ = false;
                                                                                                 }
-                                                                                                let _e5048 = phi_14516_;
+                                                                                                let _e5048 = phi_14522_;
                                                                                                 if _e5048 {
-                                                                                                    phi_14522_ = type_17(0u, type_17().member_1);
+                                                                                                    phi_14528_ = type_17(0u, type_17().member_1);
                                                                                                 } else {
-                                                                                                    phi_14522_ = type_17(1u, _e5043);
+                                                                                                    phi_14528_ = type_17(1u, _e5043);
                                                                                                 }
-                                                                                                let _e5053 = phi_14522_;
-                                                                                                phi_14493_ = type_16(_e5053.member_1, _e5034.member_1);
-                                                                                                phi_14536_ = type_17(1u, _e5034.member);
+                                                                                                let _e5053 = phi_14528_;
+                                                                                                phi_14499_ = type_16(_e5053.member_1, _e5034.member_1);
+                                                                                                phi_14542_ = type_17(1u, _e5034.member);
                                                                                             } else {
-                                                                                                phi_14493_ = _e5034;
-                                                                                                phi_14536_ = type_17(0u, type_17().member_1);
+                                                                                                phi_14499_ = _e5034;
+                                                                                                phi_14542_ = type_17(0u, type_17().member_1);
                                                                                             }
-                                                                                            let _e5059 = phi_14493_;
-                                                                                            let _e5061 = phi_14536_;
+                                                                                            let _e5059 = phi_14499_;
+                                                                                            let _e5061 = phi_14542_;
                                                                                             let _e5064 = (bitcast<i32>(_e5061.member) != 0i);
                                                                                             if _e5064 {
-                                                                                                phi_14496_ = (0.5lf * (_e5036 + (_e5027 / _e5036)));
+                                                                                                phi_14502_ = (0.5lf * (_e5036 + (_e5027 / _e5036)));
                                                                                             } else {
-                                                                                                phi_14496_ = f64();
+                                                                                                phi_14502_ = f64();
                                                                                             }
-                                                                                            let _e5069 = phi_14496_;
+                                                                                            let _e5069 = phi_14502_;
                                                                                             continue;
                                                                                             continuing {
-                                                                                                phi_14492_ = _e5059;
-                                                                                                phi_14495_ = _e5069;
+                                                                                                phi_14498_ = _e5059;
+                                                                                                phi_14501_ = _e5069;
                                                                                                 break if !(_e5064);
                                                                                             }
                                                                                         }
                                                                                         let _e5074 = local_29;
-                                                                                        phi_14549_ = (_e5074 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                                        phi_14555_ = (_e5074 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                                     }
-                                                                                    let _e5081 = phi_14549_;
+                                                                                    let _e5081 = phi_14555_;
                                                                                     let _e5089 = local_18.member[0u];
                                                                                     if (_e5089[0] < 0.0lf) {
-                                                                                        phi_14567_ = -(_e5089[0]);
+                                                                                        phi_14573_ = -(_e5089[0]);
                                                                                     } else {
-                                                                                        phi_14567_ = _e5089[0];
+                                                                                        phi_14573_ = _e5089[0];
                                                                                     }
-                                                                                    let _e5096 = phi_14567_;
+                                                                                    let _e5096 = phi_14573_;
                                                                                     if (_e5089[1] < 0.0lf) {
-                                                                                        phi_14574_ = -(_e5089[1]);
+                                                                                        phi_14580_ = -(_e5089[1]);
                                                                                     } else {
-                                                                                        phi_14574_ = _e5089[1];
+                                                                                        phi_14580_ = _e5089[1];
                                                                                     }
-                                                                                    let _e5100 = phi_14574_;
+                                                                                    let _e5100 = phi_14580_;
                                                                                     if (_e5096 > _e5100) {
-                                                                                        phi_14579_ = _e5096;
+                                                                                        phi_14585_ = _e5096;
                                                                                     } else {
-                                                                                        phi_14579_ = _e5100;
+                                                                                        phi_14585_ = _e5100;
                                                                                     }
-                                                                                    let _e5103 = phi_14579_;
+                                                                                    let _e5103 = phi_14585_;
                                                                                     if (_e5089[2] < 0.0lf) {
-                                                                                        phi_14586_ = -(_e5089[2]);
+                                                                                        phi_14592_ = -(_e5089[2]);
                                                                                     } else {
-                                                                                        phi_14586_ = _e5089[2];
+                                                                                        phi_14592_ = _e5089[2];
                                                                                     }
-                                                                                    let _e5107 = phi_14586_;
+                                                                                    let _e5107 = phi_14592_;
                                                                                     if (_e5103 > _e5107) {
-                                                                                        phi_14591_ = _e5103;
+                                                                                        phi_14597_ = _e5103;
                                                                                     } else {
-                                                                                        phi_14591_ = _e5107;
+                                                                                        phi_14597_ = _e5107;
                                                                                     }
-                                                                                    let _e5110 = phi_14591_;
+                                                                                    let _e5110 = phi_14597_;
                                                                                     let _e5113 = local_18.member[1u];
                                                                                     if (_e5113[0] < 0.0lf) {
-                                                                                        phi_14604_ = -(_e5113[0]);
+                                                                                        phi_14610_ = -(_e5113[0]);
                                                                                     } else {
-                                                                                        phi_14604_ = _e5113[0];
+                                                                                        phi_14610_ = _e5113[0];
                                                                                     }
-                                                                                    let _e5120 = phi_14604_;
+                                                                                    let _e5120 = phi_14610_;
                                                                                     if (_e5113[1] < 0.0lf) {
-                                                                                        phi_14611_ = -(_e5113[1]);
+                                                                                        phi_14617_ = -(_e5113[1]);
                                                                                     } else {
-                                                                                        phi_14611_ = _e5113[1];
+                                                                                        phi_14617_ = _e5113[1];
                                                                                     }
-                                                                                    let _e5124 = phi_14611_;
+                                                                                    let _e5124 = phi_14617_;
                                                                                     if (_e5120 > _e5124) {
-                                                                                        phi_14616_ = _e5120;
+                                                                                        phi_14622_ = _e5120;
                                                                                     } else {
-                                                                                        phi_14616_ = _e5124;
+                                                                                        phi_14622_ = _e5124;
                                                                                     }
-                                                                                    let _e5127 = phi_14616_;
+                                                                                    let _e5127 = phi_14622_;
                                                                                     if (_e5113[2] < 0.0lf) {
-                                                                                        phi_14623_ = -(_e5113[2]);
+                                                                                        phi_14629_ = -(_e5113[2]);
                                                                                     } else {
-                                                                                        phi_14623_ = _e5113[2];
+                                                                                        phi_14629_ = _e5113[2];
                                                                                     }
-                                                                                    let _e5131 = phi_14623_;
+                                                                                    let _e5131 = phi_14629_;
                                                                                     if (_e5127 > _e5131) {
-                                                                                        phi_14628_ = _e5127;
+                                                                                        phi_14634_ = _e5127;
                                                                                     } else {
-                                                                                        phi_14628_ = _e5131;
+                                                                                        phi_14634_ = _e5131;
                                                                                     }
-                                                                                    let _e5134 = phi_14628_;
+                                                                                    let _e5134 = phi_14634_;
                                                                                     if (_e5110 > _e5134) {
-                                                                                        phi_14633_ = _e5110;
+                                                                                        phi_14639_ = _e5110;
                                                                                     } else {
-                                                                                        phi_14633_ = _e5134;
+                                                                                        phi_14639_ = _e5134;
                                                                                     }
-                                                                                    let _e5137 = phi_14633_;
+                                                                                    let _e5137 = phi_14639_;
                                                                                     let _e5139 = local_18.member_3;
                                                                                     let _e5143 = local_18.member_1[0u];
                                                                                     if (_e5143[0] < 0.0lf) {
-                                                                                        phi_14650_ = -(_e5143[0]);
+                                                                                        phi_14656_ = -(_e5143[0]);
                                                                                     } else {
-                                                                                        phi_14650_ = _e5143[0];
+                                                                                        phi_14656_ = _e5143[0];
                                                                                     }
-                                                                                    let _e5150 = phi_14650_;
+                                                                                    let _e5150 = phi_14656_;
                                                                                     if (_e5143[1] < 0.0lf) {
-                                                                                        phi_14657_ = -(_e5143[1]);
+                                                                                        phi_14663_ = -(_e5143[1]);
                                                                                     } else {
-                                                                                        phi_14657_ = _e5143[1];
+                                                                                        phi_14663_ = _e5143[1];
                                                                                     }
-                                                                                    let _e5154 = phi_14657_;
+                                                                                    let _e5154 = phi_14663_;
                                                                                     if (_e5150 > _e5154) {
-                                                                                        phi_14662_ = _e5150;
+                                                                                        phi_14668_ = _e5150;
                                                                                     } else {
-                                                                                        phi_14662_ = _e5154;
+                                                                                        phi_14668_ = _e5154;
                                                                                     }
-                                                                                    let _e5157 = phi_14662_;
+                                                                                    let _e5157 = phi_14668_;
                                                                                     if (_e5143[2] < 0.0lf) {
-                                                                                        phi_14669_ = -(_e5143[2]);
+                                                                                        phi_14675_ = -(_e5143[2]);
                                                                                     } else {
-                                                                                        phi_14669_ = _e5143[2];
+                                                                                        phi_14675_ = _e5143[2];
                                                                                     }
-                                                                                    let _e5161 = phi_14669_;
+                                                                                    let _e5161 = phi_14675_;
                                                                                     if (_e5157 > _e5161) {
-                                                                                        phi_14674_ = _e5157;
+                                                                                        phi_14680_ = _e5157;
                                                                                     } else {
-                                                                                        phi_14674_ = _e5161;
+                                                                                        phi_14680_ = _e5161;
                                                                                     }
-                                                                                    let _e5164 = phi_14674_;
+                                                                                    let _e5164 = phi_14680_;
                                                                                     let _e5167 = local_18.member_1[1u];
                                                                                     if (_e5167[0] < 0.0lf) {
-                                                                                        phi_14688_ = -(_e5167[0]);
+                                                                                        phi_14694_ = -(_e5167[0]);
                                                                                     } else {
-                                                                                        phi_14688_ = _e5167[0];
+                                                                                        phi_14694_ = _e5167[0];
                                                                                     }
-                                                                                    let _e5174 = phi_14688_;
+                                                                                    let _e5174 = phi_14694_;
                                                                                     if (_e5167[1] < 0.0lf) {
-                                                                                        phi_14695_ = -(_e5167[1]);
+                                                                                        phi_14701_ = -(_e5167[1]);
                                                                                     } else {
-                                                                                        phi_14695_ = _e5167[1];
+                                                                                        phi_14701_ = _e5167[1];
                                                                                     }
-                                                                                    let _e5178 = phi_14695_;
+                                                                                    let _e5178 = phi_14701_;
                                                                                     if (_e5174 > _e5178) {
-                                                                                        phi_14700_ = _e5174;
+                                                                                        phi_14706_ = _e5174;
                                                                                     } else {
-                                                                                        phi_14700_ = _e5178;
+                                                                                        phi_14706_ = _e5178;
                                                                                     }
-                                                                                    let _e5181 = phi_14700_;
+                                                                                    let _e5181 = phi_14706_;
                                                                                     if (_e5167[2] < 0.0lf) {
-                                                                                        phi_14707_ = -(_e5167[2]);
+                                                                                        phi_14713_ = -(_e5167[2]);
                                                                                     } else {
-                                                                                        phi_14707_ = _e5167[2];
+                                                                                        phi_14713_ = _e5167[2];
                                                                                     }
-                                                                                    let _e5185 = phi_14707_;
+                                                                                    let _e5185 = phi_14713_;
                                                                                     if (_e5181 > _e5185) {
-                                                                                        phi_14712_ = _e5181;
+                                                                                        phi_14718_ = _e5181;
                                                                                     } else {
-                                                                                        phi_14712_ = _e5185;
+                                                                                        phi_14718_ = _e5185;
                                                                                     }
-                                                                                    let _e5188 = phi_14712_;
+                                                                                    let _e5188 = phi_14718_;
                                                                                     if (_e5164 > _e5188) {
-                                                                                        phi_14717_ = _e5164;
+                                                                                        phi_14723_ = _e5164;
                                                                                     } else {
-                                                                                        phi_14717_ = _e5188;
+                                                                                        phi_14723_ = _e5188;
                                                                                     }
-                                                                                    let _e5191 = phi_14717_;
+                                                                                    let _e5191 = phi_14723_;
                                                                                     let _e5193 = local_18.member_3;
                                                                                     let _e5197 = local_18.member_2[0u];
                                                                                     if (_e5197[0] < 0.0lf) {
-                                                                                        phi_14734_ = -(_e5197[0]);
+                                                                                        phi_14740_ = -(_e5197[0]);
                                                                                     } else {
-                                                                                        phi_14734_ = _e5197[0];
+                                                                                        phi_14740_ = _e5197[0];
                                                                                     }
-                                                                                    let _e5204 = phi_14734_;
+                                                                                    let _e5204 = phi_14740_;
                                                                                     if (_e5197[1] < 0.0lf) {
-                                                                                        phi_14741_ = -(_e5197[1]);
+                                                                                        phi_14747_ = -(_e5197[1]);
                                                                                     } else {
-                                                                                        phi_14741_ = _e5197[1];
+                                                                                        phi_14747_ = _e5197[1];
                                                                                     }
-                                                                                    let _e5208 = phi_14741_;
+                                                                                    let _e5208 = phi_14747_;
                                                                                     if (_e5204 > _e5208) {
-                                                                                        phi_14746_ = _e5204;
+                                                                                        phi_14752_ = _e5204;
                                                                                     } else {
-                                                                                        phi_14746_ = _e5208;
+                                                                                        phi_14752_ = _e5208;
                                                                                     }
-                                                                                    let _e5211 = phi_14746_;
+                                                                                    let _e5211 = phi_14752_;
                                                                                     if (_e5197[2] < 0.0lf) {
-                                                                                        phi_14753_ = -(_e5197[2]);
+                                                                                        phi_14759_ = -(_e5197[2]);
                                                                                     } else {
-                                                                                        phi_14753_ = _e5197[2];
+                                                                                        phi_14759_ = _e5197[2];
                                                                                     }
-                                                                                    let _e5215 = phi_14753_;
+                                                                                    let _e5215 = phi_14759_;
                                                                                     if (_e5211 > _e5215) {
-                                                                                        phi_14758_ = _e5211;
+                                                                                        phi_14764_ = _e5211;
                                                                                     } else {
-                                                                                        phi_14758_ = _e5215;
+                                                                                        phi_14764_ = _e5215;
                                                                                     }
-                                                                                    let _e5218 = phi_14758_;
+                                                                                    let _e5218 = phi_14764_;
                                                                                     let _e5221 = local_18.member_2[1u];
                                                                                     if (_e5221[0] < 0.0lf) {
-                                                                                        phi_14772_ = -(_e5221[0]);
+                                                                                        phi_14778_ = -(_e5221[0]);
                                                                                     } else {
-                                                                                        phi_14772_ = _e5221[0];
+                                                                                        phi_14778_ = _e5221[0];
                                                                                     }
-                                                                                    let _e5228 = phi_14772_;
+                                                                                    let _e5228 = phi_14778_;
                                                                                     if (_e5221[1] < 0.0lf) {
-                                                                                        phi_14779_ = -(_e5221[1]);
+                                                                                        phi_14785_ = -(_e5221[1]);
                                                                                     } else {
-                                                                                        phi_14779_ = _e5221[1];
+                                                                                        phi_14785_ = _e5221[1];
                                                                                     }
-                                                                                    let _e5232 = phi_14779_;
+                                                                                    let _e5232 = phi_14785_;
                                                                                     if (_e5228 > _e5232) {
-                                                                                        phi_14784_ = _e5228;
+                                                                                        phi_14790_ = _e5228;
                                                                                     } else {
-                                                                                        phi_14784_ = _e5232;
+                                                                                        phi_14790_ = _e5232;
                                                                                     }
-                                                                                    let _e5235 = phi_14784_;
+                                                                                    let _e5235 = phi_14790_;
                                                                                     if (_e5221[2] < 0.0lf) {
-                                                                                        phi_14791_ = -(_e5221[2]);
+                                                                                        phi_14797_ = -(_e5221[2]);
                                                                                     } else {
-                                                                                        phi_14791_ = _e5221[2];
+                                                                                        phi_14797_ = _e5221[2];
                                                                                     }
-                                                                                    let _e5239 = phi_14791_;
+                                                                                    let _e5239 = phi_14797_;
                                                                                     if (_e5235 > _e5239) {
-                                                                                        phi_14796_ = _e5235;
+                                                                                        phi_14802_ = _e5235;
                                                                                     } else {
-                                                                                        phi_14796_ = _e5239;
+                                                                                        phi_14802_ = _e5239;
                                                                                     }
-                                                                                    let _e5242 = phi_14796_;
+                                                                                    let _e5242 = phi_14802_;
                                                                                     if (_e5218 > _e5242) {
-                                                                                        phi_14801_ = _e5218;
+                                                                                        phi_14807_ = _e5218;
                                                                                     } else {
-                                                                                        phi_14801_ = _e5242;
+                                                                                        phi_14807_ = _e5242;
                                                                                     }
-                                                                                    let _e5245 = phi_14801_;
+                                                                                    let _e5245 = phi_14807_;
                                                                                     let _e5247 = local_18.member_3;
                                                                                     let _e5255 = local_18.member_3;
                                                                                     if (((_e5081 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5137 + _e5139) + (_e5191 + _e5193)) + (_e5245 + _e5247)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5255 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e666) {
-                                                                                        phi_14825_ = false;
+                                                                                        phi_14831_ = false;
                                                                                     } else {
-                                                                                        phi_14825_ = true;
+                                                                                        phi_14831_ = true;
                                                                                     }
-                                                                                    let _e5267 = phi_14825_;
-                                                                                    phi_14826_ = _e5267;
+                                                                                    let _e5267 = phi_14831_;
+                                                                                    phi_14832_ = _e5267;
                                                                                 } else {
-                                                                                    phi_14826_ = true;
+                                                                                    phi_14832_ = true;
                                                                                 }
-                                                                                let _e5269 = phi_14826_;
-                                                                                phi_14827_ = _e5269;
+                                                                                let _e5269 = phi_14832_;
+                                                                                phi_14833_ = _e5269;
                                                                             } else {
-                                                                                phi_14827_ = true;
+                                                                                phi_14833_ = true;
                                                                             }
-                                                                            let _e5271 = phi_14827_;
+                                                                            let _e5271 = phi_14833_;
                                                                             if _e5271 {
                                                                                 if _e4143 {
                                                                                     if _e4941 {
-                                                                                        phi_14846_ = f64();
-                                                                                        phi_14847_ = true;
+                                                                                        phi_14852_ = f64();
+                                                                                        phi_14853_ = true;
                                                                                     } else {
                                                                                         if (_e4940 <= (_e4139 * f64(0.25f))) {
-                                                                                            phi_14844_ = f64(0f);
-                                                                                            phi_14845_ = false;
+                                                                                            phi_14850_ = f64(0f);
+                                                                                            phi_14851_ = false;
                                                                                         } else {
-                                                                                            phi_14844_ = f64();
-                                                                                            phi_14845_ = true;
+                                                                                            phi_14850_ = f64();
+                                                                                            phi_14851_ = true;
                                                                                         }
-                                                                                        let _e5278 = phi_14844_;
-                                                                                        let _e5280 = phi_14845_;
-                                                                                        phi_14846_ = _e5278;
-                                                                                        phi_14847_ = _e5280;
+                                                                                        let _e5278 = phi_14850_;
+                                                                                        let _e5280 = phi_14851_;
+                                                                                        phi_14852_ = _e5278;
+                                                                                        phi_14853_ = _e5280;
                                                                                     }
-                                                                                    let _e5282 = phi_14846_;
-                                                                                    let _e5284 = phi_14847_;
+                                                                                    let _e5282 = phi_14852_;
+                                                                                    let _e5284 = phi_14853_;
                                                                                     if _e5284 {
-                                                                                        phi_14852_ = (_e4468 + _e4468);
+                                                                                        phi_14858_ = (_e4468 + _e4468);
                                                                                     } else {
-                                                                                        phi_14852_ = _e5282;
+                                                                                        phi_14858_ = _e5282;
                                                                                     }
-                                                                                    let _e5287 = phi_14852_;
-                                                                                    phi_14854_ = _e5287;
+                                                                                    let _e5287 = phi_14858_;
+                                                                                    phi_14860_ = _e5287;
                                                                                 } else {
-                                                                                    phi_14854_ = (_e3152.member_1 - _e4135);
+                                                                                    phi_14860_ = (_e3152.member_1 - _e4135);
                                                                                 }
-                                                                                let _e5289 = phi_14854_;
-                                                                                phi_14855_ = _e5289;
-                                                                                phi_14856_ = false;
+                                                                                let _e5289 = phi_14860_;
+                                                                                phi_14861_ = _e5289;
+                                                                                phi_14862_ = false;
                                                                             } else {
-                                                                                phi_14855_ = f64();
-                                                                                phi_14856_ = true;
+                                                                                phi_14861_ = f64();
+                                                                                phi_14862_ = true;
                                                                             }
-                                                                            let _e5291 = phi_14855_;
-                                                                            let _e5293 = phi_14856_;
-                                                                            phi_14857_ = _e5291;
-                                                                            phi_14858_ = _e4940;
-                                                                            phi_14859_ = _e5271;
-                                                                            phi_14860_ = _e5293;
+                                                                            let _e5291 = phi_14861_;
+                                                                            let _e5293 = phi_14862_;
+                                                                            phi_14863_ = _e5291;
+                                                                            phi_14864_ = _e4940;
+                                                                            phi_14865_ = _e5271;
+                                                                            phi_14866_ = _e5293;
                                                                         }
-                                                                        let _e5295 = phi_14857_;
-                                                                        let _e5297 = phi_14858_;
-                                                                        let _e5299 = phi_14859_;
-                                                                        let _e5301 = phi_14860_;
-                                                                        phi_14861_ = _e4938;
-                                                                        phi_14862_ = _e5295;
-                                                                        phi_14863_ = _e5297;
-                                                                        phi_14864_ = _e4938;
-                                                                        phi_14865_ = _e5299;
-                                                                        phi_14866_ = _e4939;
-                                                                        phi_14867_ = _e5301;
-                                                                        phi_14868_ = false;
+                                                                        let _e5295 = phi_14863_;
+                                                                        let _e5297 = phi_14864_;
+                                                                        let _e5299 = phi_14865_;
+                                                                        let _e5301 = phi_14866_;
+                                                                        phi_14867_ = _e4938;
+                                                                        phi_14868_ = _e5295;
+                                                                        phi_14869_ = _e5297;
+                                                                        phi_14870_ = _e4938;
+                                                                        phi_14871_ = _e5299;
+                                                                        phi_14872_ = _e4939;
+                                                                        phi_14873_ = _e5301;
+                                                                        phi_14874_ = false;
                                                                     } else {
-                                                                        phi_14861_ = f64();
-                                                                        phi_14862_ = f64();
-                                                                        phi_14863_ = f64();
-                                                                        phi_14864_ = f64();
-                                                                        phi_14865_ = false;
-                                                                        phi_14866_ = false;
-                                                                        phi_14867_ = false;
-                                                                        phi_14868_ = true;
+                                                                        phi_14867_ = f64();
+                                                                        phi_14868_ = f64();
+                                                                        phi_14869_ = f64();
+                                                                        phi_14870_ = f64();
+                                                                        phi_14871_ = false;
+                                                                        phi_14872_ = false;
+                                                                        phi_14873_ = false;
+                                                                        phi_14874_ = true;
                                                                     }
-                                                                    let _e5303 = phi_14861_;
-                                                                    let _e5305 = phi_14862_;
-                                                                    let _e5307 = phi_14863_;
-                                                                    let _e5309 = phi_14864_;
-                                                                    let _e5311 = phi_14865_;
-                                                                    let _e5313 = phi_14866_;
-                                                                    let _e5315 = phi_14867_;
-                                                                    let _e5317 = phi_14868_;
-                                                                    phi_14869_ = _e5303;
-                                                                    phi_14870_ = _e5305;
-                                                                    phi_14871_ = _e5307;
-                                                                    phi_14872_ = _e5309;
-                                                                    phi_14873_ = false;
-                                                                    phi_14874_ = _e5311;
-                                                                    phi_14875_ = _e5313;
-                                                                    phi_14876_ = _e5315;
-                                                                    phi_14877_ = _e5317;
+                                                                    let _e5303 = phi_14867_;
+                                                                    let _e5305 = phi_14868_;
+                                                                    let _e5307 = phi_14869_;
+                                                                    let _e5309 = phi_14870_;
+                                                                    let _e5311 = phi_14871_;
+                                                                    let _e5313 = phi_14872_;
+                                                                    let _e5315 = phi_14873_;
+                                                                    let _e5317 = phi_14874_;
+                                                                    phi_14875_ = _e5303;
+                                                                    phi_14876_ = _e5305;
+                                                                    phi_14877_ = _e5307;
+                                                                    phi_14878_ = _e5309;
+                                                                    phi_14879_ = false;
+                                                                    phi_14880_ = _e5311;
+                                                                    phi_14881_ = _e5313;
+                                                                    phi_14882_ = _e5315;
+                                                                    phi_14883_ = _e5317;
                                                                 } else {
-                                                                    phi_14869_ = f64();
-                                                                    phi_14870_ = f64();
-                                                                    phi_14871_ = f64();
-                                                                    phi_14872_ = f64();
-                                                                    phi_14873_ = true;
-                                                                    phi_14874_ = false;
-                                                                    phi_14875_ = false;
-                                                                    phi_14876_ = false;
-                                                                    phi_14877_ = false;
+                                                                    phi_14875_ = f64();
+                                                                    phi_14876_ = f64();
+                                                                    phi_14877_ = f64();
+                                                                    phi_14878_ = f64();
+                                                                    phi_14879_ = true;
+                                                                    phi_14880_ = false;
+                                                                    phi_14881_ = false;
+                                                                    phi_14882_ = false;
+                                                                    phi_14883_ = false;
                                                                 }
-                                                                let _e5319 = phi_14869_;
-                                                                let _e5321 = phi_14870_;
-                                                                let _e5323 = phi_14871_;
-                                                                let _e5325 = phi_14872_;
-                                                                let _e5327 = phi_14873_;
-                                                                let _e5329 = phi_14874_;
-                                                                let _e5331 = phi_14875_;
-                                                                let _e5333 = phi_14876_;
-                                                                let _e5335 = phi_14877_;
-                                                                phi_14878_ = _e5319;
-                                                                phi_14879_ = _e5321;
-                                                                phi_14880_ = _e5323;
-                                                                phi_14881_ = _e5325;
-                                                                phi_14882_ = _e5327;
-                                                                phi_14883_ = _e5329;
-                                                                phi_14884_ = _e5331;
-                                                                phi_14885_ = _e5333;
-                                                                phi_14886_ = _e5335;
+                                                                let _e5319 = phi_14875_;
+                                                                let _e5321 = phi_14876_;
+                                                                let _e5323 = phi_14877_;
+                                                                let _e5325 = phi_14878_;
+                                                                let _e5327 = phi_14879_;
+                                                                let _e5329 = phi_14880_;
+                                                                let _e5331 = phi_14881_;
+                                                                let _e5333 = phi_14882_;
+                                                                let _e5335 = phi_14883_;
+                                                                phi_14884_ = _e5319;
+                                                                phi_14885_ = _e5321;
+                                                                phi_14886_ = _e5323;
+                                                                phi_14887_ = _e5325;
+                                                                phi_14888_ = _e5327;
+                                                                phi_14889_ = _e5329;
+                                                                phi_14890_ = _e5331;
+                                                                phi_14891_ = _e5333;
+                                                                phi_14892_ = _e5335;
                                                             } else {
-                                                                phi_14878_ = f64();
-                                                                phi_14879_ = f64();
-                                                                phi_14880_ = f64();
-                                                                phi_14881_ = f64();
-                                                                phi_14882_ = true;
-                                                                phi_14883_ = false;
-                                                                phi_14884_ = false;
-                                                                phi_14885_ = false;
-                                                                phi_14886_ = false;
+                                                                phi_14884_ = f64();
+                                                                phi_14885_ = f64();
+                                                                phi_14886_ = f64();
+                                                                phi_14887_ = f64();
+                                                                phi_14888_ = true;
+                                                                phi_14889_ = false;
+                                                                phi_14890_ = false;
+                                                                phi_14891_ = false;
+                                                                phi_14892_ = false;
                                                             }
-                                                            let _e5337 = phi_14878_;
-                                                            let _e5339 = phi_14879_;
-                                                            let _e5341 = phi_14880_;
-                                                            let _e5343 = phi_14881_;
-                                                            let _e5345 = phi_14882_;
-                                                            let _e5347 = phi_14883_;
-                                                            let _e5349 = phi_14884_;
-                                                            let _e5351 = phi_14885_;
-                                                            let _e5353 = phi_14886_;
+                                                            let _e5337 = phi_14884_;
+                                                            let _e5339 = phi_14885_;
+                                                            let _e5341 = phi_14886_;
+                                                            let _e5343 = phi_14887_;
+                                                            let _e5345 = phi_14888_;
+                                                            let _e5347 = phi_14889_;
+                                                            let _e5349 = phi_14890_;
+                                                            let _e5351 = phi_14891_;
+                                                            let _e5353 = phi_14892_;
                                                             if _e5345 {
                                                                 if (_e4135 <= _e4137) {
                                                                     let _e5519 = (_e4145 + 1u);
                                                                     let _e5520 = (_e5519 > 3u);
                                                                     if _e5520 {
-                                                                        phi_14899_ = false;
+                                                                        phi_14905_ = false;
                                                                     } else {
-                                                                        phi_14899_ = true;
+                                                                        phi_14905_ = true;
                                                                     }
-                                                                    let _e5522 = phi_14899_;
-                                                                    phi_15226_ = _e5519;
-                                                                    phi_15227_ = f64();
-                                                                    phi_15228_ = false;
-                                                                    phi_15229_ = _e5522;
-                                                                    phi_15230_ = _e5520;
+                                                                    let _e5522 = phi_14905_;
+                                                                    phi_15232_ = _e5519;
+                                                                    phi_15233_ = f64();
+                                                                    phi_15234_ = false;
+                                                                    phi_15235_ = _e5522;
+                                                                    phi_15236_ = _e5520;
                                                                 } else {
                                                                     let _e5357 = local.member[0u];
                                                                     let _e5360 = local.member_1[0u];
@@ -11025,11 +11032,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5385 = local.member_2[1u];
                                                                     let _e5386 = ((_e5373 + ((_e5376 - _e5379) * _e4141)) - _e5385);
                                                                     if (_e5370 < _e5386) {
-                                                                        phi_14972_ = _e5370;
+                                                                        phi_14978_ = _e5370;
                                                                     } else {
-                                                                        phi_14972_ = _e5386;
+                                                                        phi_14978_ = _e5386;
                                                                     }
-                                                                    let _e5389 = phi_14972_;
+                                                                    let _e5389 = phi_14978_;
                                                                     let _e5392 = local.member[2u];
                                                                     let _e5395 = local.member_1[2u];
                                                                     let _e5398 = local.member[2u];
@@ -11041,17 +11048,17 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5420 = local.member_2[3u];
                                                                     let _e5421 = ((_e5408 + ((_e5411 - _e5414) * _e4141)) - _e5420);
                                                                     if (_e5405 < _e5421) {
-                                                                        phi_15045_ = _e5405;
+                                                                        phi_15051_ = _e5405;
                                                                     } else {
-                                                                        phi_15045_ = _e5421;
+                                                                        phi_15051_ = _e5421;
                                                                     }
-                                                                    let _e5424 = phi_15045_;
+                                                                    let _e5424 = phi_15051_;
                                                                     if (_e5389 < _e5424) {
-                                                                        phi_15050_ = _e5389;
+                                                                        phi_15056_ = _e5389;
                                                                     } else {
-                                                                        phi_15050_ = _e5424;
+                                                                        phi_15056_ = _e5424;
                                                                     }
-                                                                    let _e5427 = phi_15050_;
+                                                                    let _e5427 = phi_15056_;
                                                                     let _e5430 = local_1.member[0u];
                                                                     let _e5433 = local_1.member_1[0u];
                                                                     let _e5436 = local_1.member[0u];
@@ -11063,11 +11070,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5458 = local_1.member_2[1u];
                                                                     let _e5459 = ((_e5446 + ((_e5449 - _e5452) * _e4135)) - _e5458);
                                                                     if (_e5443 < _e5459) {
-                                                                        phi_15123_ = _e5443;
+                                                                        phi_15129_ = _e5443;
                                                                     } else {
-                                                                        phi_15123_ = _e5459;
+                                                                        phi_15129_ = _e5459;
                                                                     }
-                                                                    let _e5462 = phi_15123_;
+                                                                    let _e5462 = phi_15129_;
                                                                     let _e5465 = local_1.member[2u];
                                                                     let _e5468 = local_1.member_1[2u];
                                                                     let _e5471 = local_1.member[2u];
@@ -11079,201 +11086,201 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5493 = local_1.member_2[3u];
                                                                     let _e5494 = ((_e5481 + ((_e5484 - _e5487) * _e4135)) - _e5493);
                                                                     if (_e5478 < _e5494) {
-                                                                        phi_15196_ = _e5478;
+                                                                        phi_15202_ = _e5478;
                                                                     } else {
-                                                                        phi_15196_ = _e5494;
+                                                                        phi_15202_ = _e5494;
                                                                     }
-                                                                    let _e5497 = phi_15196_;
+                                                                    let _e5497 = phi_15202_;
                                                                     if (_e5462 < _e5497) {
-                                                                        phi_15201_ = _e5462;
+                                                                        phi_15207_ = _e5462;
                                                                     } else {
-                                                                        phi_15201_ = _e5497;
+                                                                        phi_15207_ = _e5497;
                                                                     }
-                                                                    let _e5500 = phi_15201_;
+                                                                    let _e5500 = phi_15207_;
                                                                     let _e5501 = f64(0.0625f);
                                                                     let _e5503 = f64(0.9f);
                                                                     if (_e5500 > f64(0f)) {
-                                                                        phi_15224_ = f64(0.5f);
+                                                                        phi_15230_ = f64(0.5f);
                                                                     } else {
                                                                         let _e5509 = (f64(0.95f) * (_e5427 / (_e5427 - _e5500)));
                                                                         if (_e5509 > _e5501) {
                                                                             if (_e5509 < _e5503) {
-                                                                                phi_15222_ = _e5509;
+                                                                                phi_15228_ = _e5509;
                                                                             } else {
-                                                                                phi_15222_ = _e5503;
+                                                                                phi_15228_ = _e5503;
                                                                             }
-                                                                            let _e5513 = phi_15222_;
-                                                                            phi_15223_ = _e5513;
+                                                                            let _e5513 = phi_15228_;
+                                                                            phi_15229_ = _e5513;
                                                                         } else {
-                                                                            phi_15223_ = _e5501;
+                                                                            phi_15229_ = _e5501;
                                                                         }
-                                                                        let _e5515 = phi_15223_;
-                                                                        phi_15224_ = _e5515;
+                                                                        let _e5515 = phi_15229_;
+                                                                        phi_15230_ = _e5515;
                                                                     }
-                                                                    let _e5517 = phi_15224_;
-                                                                    phi_15226_ = u32();
-                                                                    phi_15227_ = (_e4468 * _e5517);
-                                                                    phi_15228_ = true;
-                                                                    phi_15229_ = false;
-                                                                    phi_15230_ = false;
+                                                                    let _e5517 = phi_15230_;
+                                                                    phi_15232_ = u32();
+                                                                    phi_15233_ = (_e4468 * _e5517);
+                                                                    phi_15234_ = true;
+                                                                    phi_15235_ = false;
+                                                                    phi_15236_ = false;
                                                                 }
-                                                                let _e5524 = phi_15226_;
-                                                                let _e5526 = phi_15227_;
-                                                                let _e5528 = phi_15228_;
-                                                                let _e5530 = phi_15229_;
-                                                                let _e5532 = phi_15230_;
-                                                                phi_15231_ = _e5524;
-                                                                phi_15232_ = _e4137;
-                                                                phi_15233_ = _e5526;
-                                                                phi_15234_ = _e4139;
-                                                                phi_15235_ = _e4141;
-                                                                phi_15236_ = _e4143;
-                                                                phi_15237_ = _e4145;
-                                                                phi_15238_ = _e5528;
-                                                                phi_15239_ = _e5530;
-                                                                phi_15240_ = _e5532;
-                                                                phi_15241_ = false;
-                                                                phi_15242_ = false;
-                                                                phi_15243_ = false;
+                                                                let _e5524 = phi_15232_;
+                                                                let _e5526 = phi_15233_;
+                                                                let _e5528 = phi_15234_;
+                                                                let _e5530 = phi_15235_;
+                                                                let _e5532 = phi_15236_;
+                                                                phi_15237_ = _e5524;
+                                                                phi_15238_ = _e4137;
+                                                                phi_15239_ = _e5526;
+                                                                phi_15240_ = _e4139;
+                                                                phi_15241_ = _e4141;
+                                                                phi_15242_ = _e4143;
+                                                                phi_15243_ = _e4145;
+                                                                phi_15244_ = _e5528;
+                                                                phi_15245_ = _e5530;
+                                                                phi_15246_ = _e5532;
+                                                                phi_15247_ = false;
+                                                                phi_15248_ = false;
+                                                                phi_15249_ = false;
                                                             } else {
-                                                                phi_15231_ = u32();
-                                                                phi_15232_ = _e5337;
-                                                                phi_15233_ = _e5339;
-                                                                phi_15234_ = _e5341;
-                                                                phi_15235_ = _e4135;
-                                                                phi_15236_ = true;
-                                                                phi_15237_ = 0u;
-                                                                phi_15238_ = _e5347;
-                                                                phi_15239_ = false;
-                                                                phi_15240_ = false;
-                                                                phi_15241_ = _e5349;
-                                                                phi_15242_ = _e5351;
-                                                                phi_15243_ = _e5353;
+                                                                phi_15237_ = u32();
+                                                                phi_15238_ = _e5337;
+                                                                phi_15239_ = _e5339;
+                                                                phi_15240_ = _e5341;
+                                                                phi_15241_ = _e4135;
+                                                                phi_15242_ = true;
+                                                                phi_15243_ = 0u;
+                                                                phi_15244_ = _e5347;
+                                                                phi_15245_ = false;
+                                                                phi_15246_ = false;
+                                                                phi_15247_ = _e5349;
+                                                                phi_15248_ = _e5351;
+                                                                phi_15249_ = _e5353;
                                                             }
-                                                            let _e5534 = phi_15231_;
-                                                            let _e5536 = phi_15232_;
-                                                            let _e5538 = phi_15233_;
-                                                            let _e5540 = phi_15234_;
-                                                            let _e5542 = phi_15235_;
-                                                            let _e5544 = phi_15236_;
-                                                            let _e5546 = phi_15237_;
-                                                            let _e5548 = phi_15238_;
-                                                            let _e5550 = phi_15239_;
-                                                            let _e5552 = phi_15240_;
-                                                            let _e5554 = phi_15241_;
-                                                            let _e5556 = phi_15242_;
-                                                            let _e5558 = phi_15243_;
+                                                            let _e5534 = phi_15237_;
+                                                            let _e5536 = phi_15238_;
+                                                            let _e5538 = phi_15239_;
+                                                            let _e5540 = phi_15240_;
+                                                            let _e5542 = phi_15241_;
+                                                            let _e5544 = phi_15242_;
+                                                            let _e5546 = phi_15243_;
+                                                            let _e5548 = phi_15244_;
+                                                            let _e5550 = phi_15245_;
+                                                            let _e5552 = phi_15246_;
+                                                            let _e5554 = phi_15247_;
+                                                            let _e5556 = phi_15248_;
+                                                            let _e5558 = phi_15249_;
                                                             if _e5548 {
                                                                 let _e5559 = (_e5542 + _e5538);
                                                                 if (_e5559 > _e5536) {
-                                                                    phi_15252_ = _e5559;
+                                                                    phi_15258_ = _e5559;
                                                                 } else {
-                                                                    phi_15252_ = _e5536;
+                                                                    phi_15258_ = _e5536;
                                                                 }
-                                                                let _e5562 = phi_15252_;
+                                                                let _e5562 = phi_15258_;
                                                                 if (_e5562 < _e3152.member_1) {
-                                                                    phi_15257_ = _e5562;
+                                                                    phi_15263_ = _e5562;
                                                                 } else {
-                                                                    phi_15257_ = _e3152.member_1;
+                                                                    phi_15263_ = _e3152.member_1;
                                                                 }
-                                                                let _e5565 = phi_15257_;
+                                                                let _e5565 = phi_15263_;
                                                                 if !(_e4143) {
-                                                                    phi_15266_ = true;
+                                                                    phi_15272_ = true;
                                                                 } else {
-                                                                    phi_15266_ = ((_e5565 - _e5542) > _e4124);
+                                                                    phi_15272_ = ((_e5565 - _e5542) > _e4124);
                                                                 }
-                                                                let _e5569 = phi_15266_;
+                                                                let _e5569 = phi_15272_;
                                                                 if _e5569 {
-                                                                    phi_15270_ = false;
+                                                                    phi_15276_ = false;
                                                                 } else {
-                                                                    phi_15270_ = true;
+                                                                    phi_15276_ = true;
                                                                 }
-                                                                let _e5571 = phi_15270_;
-                                                                phi_15271_ = _e5565;
-                                                                phi_15272_ = _e5536;
-                                                                phi_15273_ = _e5540;
-                                                                phi_15274_ = _e5542;
-                                                                phi_15275_ = _e5544;
-                                                                phi_15276_ = _e5546;
-                                                                phi_15277_ = _e5569;
-                                                                phi_15278_ = _e5571;
-                                                                phi_15279_ = false;
-                                                                phi_15280_ = false;
-                                                                phi_15281_ = false;
-                                                                phi_15282_ = false;
+                                                                let _e5571 = phi_15276_;
+                                                                phi_15277_ = _e5565;
+                                                                phi_15278_ = _e5536;
+                                                                phi_15279_ = _e5540;
+                                                                phi_15280_ = _e5542;
+                                                                phi_15281_ = _e5544;
+                                                                phi_15282_ = _e5546;
+                                                                phi_15283_ = _e5569;
+                                                                phi_15284_ = _e5571;
+                                                                phi_15285_ = false;
+                                                                phi_15286_ = false;
+                                                                phi_15287_ = false;
+                                                                phi_15288_ = false;
                                                             } else {
-                                                                phi_15271_ = _e4135;
-                                                                phi_15272_ = _e4137;
-                                                                phi_15273_ = _e4139;
-                                                                phi_15274_ = _e4141;
-                                                                phi_15275_ = _e4143;
-                                                                phi_15276_ = _e5534;
-                                                                phi_15277_ = _e5550;
-                                                                phi_15278_ = false;
-                                                                phi_15279_ = _e5552;
-                                                                phi_15280_ = _e5554;
-                                                                phi_15281_ = _e5556;
-                                                                phi_15282_ = _e5558;
+                                                                phi_15277_ = _e4135;
+                                                                phi_15278_ = _e4137;
+                                                                phi_15279_ = _e4139;
+                                                                phi_15280_ = _e4141;
+                                                                phi_15281_ = _e4143;
+                                                                phi_15282_ = _e5534;
+                                                                phi_15283_ = _e5550;
+                                                                phi_15284_ = false;
+                                                                phi_15285_ = _e5552;
+                                                                phi_15286_ = _e5554;
+                                                                phi_15287_ = _e5556;
+                                                                phi_15288_ = _e5558;
                                                             }
-                                                            let _e5573 = phi_15271_;
-                                                            let _e5575 = phi_15272_;
-                                                            let _e5577 = phi_15273_;
-                                                            let _e5579 = phi_15274_;
-                                                            let _e5581 = phi_15275_;
-                                                            let _e5583 = phi_15276_;
-                                                            let _e5585 = phi_15277_;
-                                                            let _e5587 = phi_15278_;
-                                                            let _e5589 = phi_15279_;
-                                                            let _e5591 = phi_15280_;
-                                                            let _e5593 = phi_15281_;
-                                                            let _e5595 = phi_15282_;
-                                                            phi_13061_ = _e5573;
-                                                            phi_13063_ = _e5575;
-                                                            phi_13065_ = _e5577;
-                                                            phi_13067_ = _e5579;
-                                                            phi_13069_ = _e5581;
-                                                            phi_13071_ = _e5583;
-                                                            phi_15283_ = _e5536;
-                                                            phi_15284_ = _e5343;
-                                                            phi_15285_ = _e5585;
-                                                            phi_15286_ = _e5587;
-                                                            phi_15287_ = _e5589;
-                                                            phi_15288_ = _e5591;
-                                                            phi_15289_ = _e5593;
-                                                            phi_15290_ = false;
-                                                            phi_15291_ = _e5595;
+                                                            let _e5573 = phi_15277_;
+                                                            let _e5575 = phi_15278_;
+                                                            let _e5577 = phi_15279_;
+                                                            let _e5579 = phi_15280_;
+                                                            let _e5581 = phi_15281_;
+                                                            let _e5583 = phi_15282_;
+                                                            let _e5585 = phi_15283_;
+                                                            let _e5587 = phi_15284_;
+                                                            let _e5589 = phi_15285_;
+                                                            let _e5591 = phi_15286_;
+                                                            let _e5593 = phi_15287_;
+                                                            let _e5595 = phi_15288_;
+                                                            phi_13067_ = _e5573;
+                                                            phi_13069_ = _e5575;
+                                                            phi_13071_ = _e5577;
+                                                            phi_13073_ = _e5579;
+                                                            phi_13075_ = _e5581;
+                                                            phi_13077_ = _e5583;
+                                                            phi_15289_ = _e5536;
+                                                            phi_15290_ = _e5343;
+                                                            phi_15291_ = _e5585;
+                                                            phi_15292_ = _e5587;
+                                                            phi_15293_ = _e5589;
+                                                            phi_15294_ = _e5591;
+                                                            phi_15295_ = _e5593;
+                                                            phi_15296_ = false;
+                                                            phi_15297_ = _e5595;
                                                         } else {
-                                                            phi_13061_ = f64();
-                                                            phi_13063_ = f64();
-                                                            phi_13065_ = f64();
                                                             phi_13067_ = f64();
-                                                            phi_13069_ = bool();
-                                                            phi_13071_ = u32();
-                                                            phi_15283_ = f64();
-                                                            phi_15284_ = f64();
-                                                            phi_15285_ = false;
-                                                            phi_15286_ = false;
-                                                            phi_15287_ = false;
-                                                            phi_15288_ = false;
-                                                            phi_15289_ = false;
-                                                            phi_15290_ = true;
+                                                            phi_13069_ = f64();
+                                                            phi_13071_ = f64();
+                                                            phi_13073_ = f64();
+                                                            phi_13075_ = bool();
+                                                            phi_13077_ = u32();
+                                                            phi_15289_ = f64();
+                                                            phi_15290_ = f64();
                                                             phi_15291_ = false;
+                                                            phi_15292_ = false;
+                                                            phi_15293_ = false;
+                                                            phi_15294_ = false;
+                                                            phi_15295_ = false;
+                                                            phi_15296_ = true;
+                                                            phi_15297_ = false;
                                                         }
-                                                        let _e5597 = phi_13061_;
-                                                        let _e5599 = phi_13063_;
-                                                        let _e5601 = phi_13065_;
-                                                        let _e5603 = phi_13067_;
-                                                        let _e5605 = phi_13069_;
-                                                        let _e5607 = phi_13071_;
-                                                        let _e5609 = phi_15283_;
-                                                        let _e5611 = phi_15284_;
-                                                        let _e5613 = phi_15285_;
-                                                        let _e5615 = phi_15286_;
-                                                        let _e5617 = phi_15287_;
-                                                        let _e5619 = phi_15288_;
-                                                        let _e5621 = phi_15289_;
-                                                        let _e5623 = phi_15290_;
-                                                        let _e5625 = phi_15291_;
+                                                        let _e5597 = phi_13067_;
+                                                        let _e5599 = phi_13069_;
+                                                        let _e5601 = phi_13071_;
+                                                        let _e5603 = phi_13073_;
+                                                        let _e5605 = phi_13075_;
+                                                        let _e5607 = phi_13077_;
+                                                        let _e5609 = phi_15289_;
+                                                        let _e5611 = phi_15290_;
+                                                        let _e5613 = phi_15291_;
+                                                        let _e5615 = phi_15292_;
+                                                        let _e5617 = phi_15293_;
+                                                        let _e5619 = phi_15294_;
+                                                        let _e5621 = phi_15295_;
+                                                        let _e5623 = phi_15296_;
+                                                        let _e5625 = phi_15297_;
                                                         local_30 = _e5615;
                                                         local_70 = _e5617;
                                                         local_71 = _e5619;
@@ -11285,278 +11292,278 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         local_77 = _e5609;
                                                         continue;
                                                         continuing {
-                                                            phi_13057_ = _e4157;
-                                                            phi_13060_ = _e5597;
-                                                            phi_13062_ = _e5599;
-                                                            phi_13064_ = _e5601;
-                                                            phi_13066_ = _e5603;
-                                                            phi_13068_ = _e5605;
-                                                            phi_13070_ = _e5607;
+                                                            phi_13063_ = _e4157;
+                                                            phi_13066_ = _e5597;
+                                                            phi_13068_ = _e5599;
+                                                            phi_13070_ = _e5601;
+                                                            phi_13072_ = _e5603;
+                                                            phi_13074_ = _e5605;
+                                                            phi_13076_ = _e5607;
                                                             break if !(_e5613);
                                                         }
                                                     }
                                                     let _e5628 = local_30;
                                                     if _e5628 {
-                                                        phi_15295_ = false;
-                                                        phi_15296_ = false;
-                                                        phi_15297_ = false;
-                                                        phi_15298_ = false;
-                                                        phi_15299_ = false;
+                                                        phi_15301_ = false;
+                                                        phi_15302_ = false;
+                                                        phi_15303_ = false;
+                                                        phi_15304_ = false;
+                                                        phi_15305_ = false;
                                                     } else {
-                                                        let _e11364 = local_70;
-                                                        phi_15295_ = _e11364;
-                                                        let _e11367 = local_71;
-                                                        phi_15296_ = _e11367;
-                                                        let _e11370 = local_72;
-                                                        phi_15297_ = _e11370;
-                                                        let _e11373 = local_73;
-                                                        phi_15298_ = _e11373;
-                                                        let _e11376 = local_74;
-                                                        phi_15299_ = _e11376;
+                                                        let _e11368 = local_70;
+                                                        phi_15301_ = _e11368;
+                                                        let _e11371 = local_71;
+                                                        phi_15302_ = _e11371;
+                                                        let _e11374 = local_72;
+                                                        phi_15303_ = _e11374;
+                                                        let _e11377 = local_73;
+                                                        phi_15304_ = _e11377;
+                                                        let _e11380 = local_74;
+                                                        phi_15305_ = _e11380;
                                                     }
-                                                    let _e5630 = phi_15295_;
-                                                    let _e5632 = phi_15296_;
-                                                    let _e5634 = phi_15297_;
-                                                    let _e5636 = phi_15298_;
-                                                    let _e5638 = phi_15299_;
+                                                    let _e5630 = phi_15301_;
+                                                    let _e5632 = phi_15302_;
+                                                    let _e5634 = phi_15303_;
+                                                    let _e5636 = phi_15304_;
+                                                    let _e5638 = phi_15305_;
                                                     if _e5630 {
                                                         let _e5640 = local_31;
-                                                        phi_15304_ = type_46(1u, _e5640);
-                                                        phi_15305_ = false;
-                                                        phi_15306_ = false;
-                                                        phi_15307_ = false;
-                                                        phi_15308_ = false;
-                                                        phi_15309_ = false;
-                                                    } else {
-                                                        phi_15304_ = type_46();
-                                                        phi_15305_ = _e5632;
-                                                        phi_15306_ = _e5634;
-                                                        let _e11383 = local_75;
-                                                        phi_15307_ = _e11383;
-                                                        phi_15308_ = _e5636;
-                                                        phi_15309_ = _e5638;
-                                                    }
-                                                    let _e5643 = phi_15304_;
-                                                    let _e5645 = phi_15305_;
-                                                    let _e5647 = phi_15306_;
-                                                    let _e5649 = phi_15307_;
-                                                    let _e5651 = phi_15308_;
-                                                    let _e5653 = phi_15309_;
-                                                    if _e5645 {
-                                                        phi_15314_ = type_46(0u, type_46().member_1);
+                                                        phi_15310_ = type_46(1u, _e5640);
+                                                        phi_15311_ = false;
+                                                        phi_15312_ = false;
+                                                        phi_15313_ = false;
+                                                        phi_15314_ = false;
                                                         phi_15315_ = false;
-                                                        phi_15316_ = false;
-                                                        phi_15317_ = false;
-                                                        phi_15318_ = false;
-                                                        phi_15319_ = true;
                                                     } else {
-                                                        phi_15314_ = _e5643;
-                                                        phi_15315_ = _e5647;
-                                                        phi_15316_ = _e5649;
-                                                        phi_15317_ = _e5651;
-                                                        phi_15318_ = _e5653;
-                                                        phi_15319_ = _e5630;
+                                                        phi_15310_ = type_46();
+                                                        phi_15311_ = _e5632;
+                                                        phi_15312_ = _e5634;
+                                                        let _e11387 = local_75;
+                                                        phi_15313_ = _e11387;
+                                                        phi_15314_ = _e5636;
+                                                        phi_15315_ = _e5638;
                                                     }
-                                                    let _e5657 = phi_15314_;
-                                                    let _e5659 = phi_15315_;
-                                                    let _e5661 = phi_15316_;
-                                                    let _e5663 = phi_15317_;
-                                                    let _e5665 = phi_15318_;
-                                                    let _e5667 = phi_15319_;
+                                                    let _e5643 = phi_15310_;
+                                                    let _e5645 = phi_15311_;
+                                                    let _e5647 = phi_15312_;
+                                                    let _e5649 = phi_15313_;
+                                                    let _e5651 = phi_15314_;
+                                                    let _e5653 = phi_15315_;
+                                                    if _e5645 {
+                                                        phi_15320_ = type_46(0u, type_46().member_1);
+                                                        phi_15321_ = false;
+                                                        phi_15322_ = false;
+                                                        phi_15323_ = false;
+                                                        phi_15324_ = false;
+                                                        phi_15325_ = true;
+                                                    } else {
+                                                        phi_15320_ = _e5643;
+                                                        phi_15321_ = _e5647;
+                                                        phi_15322_ = _e5649;
+                                                        phi_15323_ = _e5651;
+                                                        phi_15324_ = _e5653;
+                                                        phi_15325_ = _e5630;
+                                                    }
+                                                    let _e5657 = phi_15320_;
+                                                    let _e5659 = phi_15321_;
+                                                    let _e5661 = phi_15322_;
+                                                    let _e5663 = phi_15323_;
+                                                    let _e5665 = phi_15324_;
+                                                    let _e5667 = phi_15325_;
                                                     if _e5659 {
-                                                        let _e11394 = local_76;
-                                                        phi_15323_ = _e11394;
-                                                        phi_15324_ = true;
-                                                        phi_15325_ = false;
-                                                        phi_15326_ = false;
-                                                        phi_15327_ = false;
-                                                    } else {
-                                                        let _e11396 = local_77;
-                                                        phi_15323_ = _e11396;
-                                                        phi_15324_ = _e5661;
-                                                        phi_15325_ = _e5663;
-                                                        phi_15326_ = _e5665;
-                                                        phi_15327_ = _e5667;
-                                                    }
-                                                    let _e5669 = phi_15323_;
-                                                    let _e5671 = phi_15324_;
-                                                    let _e5673 = phi_15325_;
-                                                    let _e5675 = phi_15326_;
-                                                    let _e5677 = phi_15327_;
-                                                    if _e5671 {
-                                                        phi_15331_ = _e5669;
-                                                        phi_15332_ = true;
+                                                        let _e11398 = local_76;
+                                                        phi_15329_ = _e11398;
+                                                        phi_15330_ = true;
+                                                        phi_15331_ = false;
+                                                        phi_15332_ = false;
                                                         phi_15333_ = false;
-                                                        phi_15334_ = false;
                                                     } else {
-                                                        let _e11403 = local_78;
-                                                        phi_15331_ = _e11403;
-                                                        phi_15332_ = _e5673;
-                                                        phi_15333_ = _e5675;
-                                                        phi_15334_ = _e5677;
+                                                        let _e11400 = local_77;
+                                                        phi_15329_ = _e11400;
+                                                        phi_15330_ = _e5661;
+                                                        phi_15331_ = _e5663;
+                                                        phi_15332_ = _e5665;
+                                                        phi_15333_ = _e5667;
                                                     }
-                                                    let _e5679 = phi_15331_;
-                                                    let _e5681 = phi_15332_;
-                                                    let _e5683 = phi_15333_;
-                                                    let _e5685 = phi_15334_;
-                                                    if _e5681 {
-                                                        phi_15339_ = type_46(1u, _e5679);
+                                                    let _e5669 = phi_15329_;
+                                                    let _e5671 = phi_15330_;
+                                                    let _e5673 = phi_15331_;
+                                                    let _e5675 = phi_15332_;
+                                                    let _e5677 = phi_15333_;
+                                                    if _e5671 {
+                                                        phi_15337_ = _e5669;
+                                                        phi_15338_ = true;
+                                                        phi_15339_ = false;
                                                         phi_15340_ = false;
-                                                        phi_15341_ = false;
                                                     } else {
-                                                        phi_15339_ = type_46();
-                                                        phi_15340_ = _e5683;
-                                                        phi_15341_ = _e5685;
+                                                        let _e11407 = local_78;
+                                                        phi_15337_ = _e11407;
+                                                        phi_15338_ = _e5673;
+                                                        phi_15339_ = _e5675;
+                                                        phi_15340_ = _e5677;
                                                     }
-                                                    let _e5688 = phi_15339_;
-                                                    let _e5690 = phi_15340_;
-                                                    let _e5692 = phi_15341_;
+                                                    let _e5679 = phi_15337_;
+                                                    let _e5681 = phi_15338_;
+                                                    let _e5683 = phi_15339_;
+                                                    let _e5685 = phi_15340_;
+                                                    if _e5681 {
+                                                        phi_15345_ = type_46(1u, _e5679);
+                                                        phi_15346_ = false;
+                                                        phi_15347_ = false;
+                                                    } else {
+                                                        phi_15345_ = type_46();
+                                                        phi_15346_ = _e5683;
+                                                        phi_15347_ = _e5685;
+                                                    }
+                                                    let _e5688 = phi_15345_;
+                                                    let _e5690 = phi_15346_;
+                                                    let _e5692 = phi_15347_;
                                                     if _e5690 {
-                                                        phi_15346_ = type_46(0u, type_46().member_1);
-                                                        phi_15347_ = true;
+                                                        phi_15352_ = type_46(0u, type_46().member_1);
+                                                        phi_15353_ = true;
                                                     } else {
-                                                        phi_15346_ = _e5657;
-                                                        phi_15347_ = _e5692;
+                                                        phi_15352_ = _e5657;
+                                                        phi_15353_ = _e5692;
                                                     }
-                                                    let _e5696 = phi_15346_;
-                                                    let _e5698 = phi_15347_;
+                                                    let _e5696 = phi_15352_;
+                                                    let _e5698 = phi_15353_;
                                                     if _e5698 {
-                                                        phi_15351_ = _e5696;
+                                                        phi_15357_ = _e5696;
                                                     } else {
-                                                        phi_15351_ = _e5688;
+                                                        phi_15357_ = _e5688;
                                                     }
-                                                    let _e5700 = phi_15351_;
+                                                    let _e5700 = phi_15357_;
                                                     let _e5703 = (_e5700.member != 0u);
                                                     if _e5703 {
-                                                        phi_15358_ = false;
+                                                        phi_15364_ = false;
                                                     } else {
-                                                        phi_15358_ = true;
+                                                        phi_15364_ = true;
                                                     }
-                                                    let _e5705 = phi_15358_;
-                                                    phi_15359_ = _e5700.member_1;
-                                                    phi_15360_ = _e5705;
-                                                    phi_15361_ = _e5703;
-                                                    phi_15362_ = false;
+                                                    let _e5705 = phi_15364_;
+                                                    phi_15365_ = _e5700.member_1;
+                                                    phi_15366_ = _e5705;
+                                                    phi_15367_ = _e5703;
+                                                    phi_15368_ = false;
                                                 } else {
-                                                    phi_15359_ = f64();
-                                                    phi_15360_ = false;
-                                                    phi_15361_ = false;
-                                                    phi_15362_ = true;
+                                                    phi_15365_ = f64();
+                                                    phi_15366_ = false;
+                                                    phi_15367_ = false;
+                                                    phi_15368_ = true;
                                                 }
-                                                let _e5707 = phi_15359_;
-                                                let _e5709 = phi_15360_;
-                                                let _e5711 = phi_15361_;
-                                                let _e5713 = phi_15362_;
-                                                phi_15363_ = _e3881;
-                                                phi_15364_ = _e3883;
-                                                phi_15365_ = _e5707;
-                                                phi_15366_ = _e5709;
-                                                phi_15367_ = _e5711;
-                                                phi_15368_ = _e5713;
+                                                let _e5707 = phi_15365_;
+                                                let _e5709 = phi_15366_;
+                                                let _e5711 = phi_15367_;
+                                                let _e5713 = phi_15368_;
+                                                phi_15369_ = _e3881;
+                                                phi_15370_ = _e3883;
+                                                phi_15371_ = _e5707;
+                                                phi_15372_ = _e5709;
+                                                phi_15373_ = _e5711;
+                                                phi_15374_ = _e5713;
                                             }
-                                            let _e5715 = phi_15363_;
-                                            let _e5717 = phi_15364_;
-                                            let _e5719 = phi_15365_;
-                                            let _e5721 = phi_15366_;
-                                            let _e5723 = phi_15367_;
-                                            let _e5725 = phi_15368_;
-                                            phi_15369_ = _e5715;
-                                            phi_15370_ = _e5717;
-                                            phi_15371_ = _e5719;
-                                            phi_15372_ = _e3877;
-                                            phi_15373_ = _e5721;
-                                            phi_15374_ = _e5723;
-                                            phi_15375_ = _e5725;
+                                            let _e5715 = phi_15369_;
+                                            let _e5717 = phi_15370_;
+                                            let _e5719 = phi_15371_;
+                                            let _e5721 = phi_15372_;
+                                            let _e5723 = phi_15373_;
+                                            let _e5725 = phi_15374_;
+                                            phi_15375_ = _e5715;
+                                            phi_15376_ = _e5717;
+                                            phi_15377_ = _e5719;
+                                            phi_15378_ = _e3877;
+                                            phi_15379_ = _e5721;
+                                            phi_15380_ = _e5723;
+                                            phi_15381_ = _e5725;
                                         }
-                                        let _e5727 = phi_15369_;
-                                        let _e5729 = phi_15370_;
-                                        let _e5731 = phi_15371_;
-                                        let _e5733 = phi_15372_;
-                                        let _e5735 = phi_15373_;
-                                        let _e5737 = phi_15374_;
-                                        let _e5739 = phi_15375_;
+                                        let _e5727 = phi_15375_;
+                                        let _e5729 = phi_15376_;
+                                        let _e5731 = phi_15377_;
+                                        let _e5733 = phi_15378_;
+                                        let _e5735 = phi_15379_;
+                                        let _e5737 = phi_15380_;
+                                        let _e5739 = phi_15381_;
                                         if _e5733 {
-                                            phi_15379_ = false;
-                                            phi_15380_ = false;
-                                            phi_15381_ = false;
+                                            phi_15385_ = false;
+                                            phi_15386_ = false;
+                                            phi_15387_ = false;
                                         } else {
-                                            phi_15379_ = _e5735;
-                                            phi_15380_ = _e5737;
-                                            phi_15381_ = _e5739;
+                                            phi_15385_ = _e5735;
+                                            phi_15386_ = _e5737;
+                                            phi_15387_ = _e5739;
                                         }
-                                        let _e5741 = phi_15379_;
-                                        let _e5743 = phi_15380_;
-                                        let _e5745 = phi_15381_;
-                                        phi_15382_ = _e3152;
-                                        phi_15383_ = _e5727;
-                                        phi_15384_ = _e5729;
-                                        phi_15385_ = _e5731;
-                                        phi_15386_ = _e3152;
-                                        phi_15387_ = _e5733;
-                                        phi_15388_ = _e5741;
-                                        phi_15389_ = _e5743;
-                                        phi_15390_ = _e5745;
+                                        let _e5741 = phi_15385_;
+                                        let _e5743 = phi_15386_;
+                                        let _e5745 = phi_15387_;
+                                        phi_15388_ = _e3152;
+                                        phi_15389_ = _e5727;
+                                        phi_15390_ = _e5729;
+                                        phi_15391_ = _e5731;
+                                        phi_15392_ = _e3152;
+                                        phi_15393_ = _e5733;
+                                        phi_15394_ = _e5741;
+                                        phi_15395_ = _e5743;
+                                        phi_15396_ = _e5745;
                                     } else {
-                                        phi_15382_ = type_49();
-                                        phi_15383_ = bool();
-                                        phi_15384_ = f64();
-                                        phi_15385_ = f64();
-                                        phi_15386_ = type_49();
-                                        phi_15387_ = true;
-                                        phi_15388_ = false;
-                                        phi_15389_ = false;
-                                        phi_15390_ = false;
-                                    }
-                                    let _e5747 = phi_15382_;
-                                    let _e5749 = phi_15383_;
-                                    let _e5751 = phi_15384_;
-                                    let _e5753 = phi_15385_;
-                                    let _e5755 = phi_15386_;
-                                    let _e5757 = phi_15387_;
-                                    let _e5759 = phi_15388_;
-                                    let _e5761 = phi_15389_;
-                                    let _e5763 = phi_15390_;
-                                    if _e5757 {
-                                        phi_15394_ = true;
+                                        phi_15388_ = type_49();
+                                        phi_15389_ = bool();
+                                        phi_15390_ = f64();
+                                        phi_15391_ = f64();
+                                        phi_15392_ = type_49();
+                                        phi_15393_ = true;
+                                        phi_15394_ = false;
                                         phi_15395_ = false;
                                         phi_15396_ = false;
-                                    } else {
-                                        phi_15394_ = _e5759;
-                                        phi_15395_ = _e5761;
-                                        phi_15396_ = _e5763;
                                     }
-                                    let _e5765 = phi_15394_;
-                                    let _e5767 = phi_15395_;
-                                    let _e5769 = phi_15396_;
-                                    phi_15397_ = _e5747;
-                                    phi_15398_ = _e5749;
-                                    phi_15399_ = _e5751;
-                                    phi_15400_ = _e5753;
-                                    phi_15401_ = _e5755;
-                                    phi_15402_ = _e5765;
-                                    phi_15403_ = false;
-                                    phi_15404_ = _e5767;
-                                    phi_15405_ = _e5769;
+                                    let _e5747 = phi_15388_;
+                                    let _e5749 = phi_15389_;
+                                    let _e5751 = phi_15390_;
+                                    let _e5753 = phi_15391_;
+                                    let _e5755 = phi_15392_;
+                                    let _e5757 = phi_15393_;
+                                    let _e5759 = phi_15394_;
+                                    let _e5761 = phi_15395_;
+                                    let _e5763 = phi_15396_;
+                                    if _e5757 {
+                                        phi_15400_ = true;
+                                        phi_15401_ = false;
+                                        phi_15402_ = false;
+                                    } else {
+                                        phi_15400_ = _e5759;
+                                        phi_15401_ = _e5761;
+                                        phi_15402_ = _e5763;
+                                    }
+                                    let _e5765 = phi_15400_;
+                                    let _e5767 = phi_15401_;
+                                    let _e5769 = phi_15402_;
+                                    phi_15403_ = _e5747;
+                                    phi_15404_ = _e5749;
+                                    phi_15405_ = _e5751;
+                                    phi_15406_ = _e5753;
+                                    phi_15407_ = _e5755;
+                                    phi_15408_ = _e5765;
+                                    phi_15409_ = false;
+                                    phi_15410_ = _e5767;
+                                    phi_15411_ = _e5769;
                                 } else {
-                                    phi_15397_ = type_49();
-                                    phi_15398_ = bool();
-                                    phi_15399_ = f64();
-                                    phi_15400_ = f64();
-                                    phi_15401_ = type_49();
-                                    phi_15402_ = false;
-                                    phi_15403_ = true;
-                                    phi_15404_ = false;
-                                    phi_15405_ = false;
+                                    phi_15403_ = type_49();
+                                    phi_15404_ = bool();
+                                    phi_15405_ = f64();
+                                    phi_15406_ = f64();
+                                    phi_15407_ = type_49();
+                                    phi_15408_ = false;
+                                    phi_15409_ = true;
+                                    phi_15410_ = false;
+                                    phi_15411_ = false;
                                 }
-                                let _e5771 = phi_15397_;
-                                let _e5773 = phi_15398_;
-                                let _e5775 = phi_15399_;
-                                let _e5777 = phi_15400_;
-                                let _e5779 = phi_15401_;
-                                let _e5781 = phi_15402_;
-                                let _e5783 = phi_15403_;
-                                let _e5785 = phi_15404_;
-                                let _e5787 = phi_15405_;
+                                let _e5771 = phi_15403_;
+                                let _e5773 = phi_15404_;
+                                let _e5775 = phi_15405_;
+                                let _e5777 = phi_15406_;
+                                let _e5779 = phi_15407_;
+                                let _e5781 = phi_15408_;
+                                let _e5783 = phi_15409_;
+                                let _e5785 = phi_15410_;
+                                let _e5787 = phi_15411_;
                                 local_32 = _e5783;
                                 local_79 = _e5785;
                                 local_80 = _e5787;
@@ -11569,25 +11576,25 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_39 = _e5779;
                                 continue;
                                 continuing {
-                                    phi_11119_ = _e2860;
+                                    phi_11125_ = _e2860;
                                     break if !(_e5781);
                                 }
                             }
                             let _e5790 = local_32;
                             if _e5790 {
-                                phi_15410_ = type_46(0u, type_46().member_1);
-                                phi_15411_ = false;
-                                phi_15412_ = false;
+                                phi_15416_ = type_46(0u, type_46().member_1);
+                                phi_15417_ = false;
+                                phi_15418_ = false;
                             } else {
-                                phi_15410_ = type_46();
-                                let _e11459 = local_79;
-                                phi_15411_ = _e11459;
-                                let _e11462 = local_80;
-                                phi_15412_ = _e11462;
+                                phi_15416_ = type_46();
+                                let _e11463 = local_79;
+                                phi_15417_ = _e11463;
+                                let _e11466 = local_80;
+                                phi_15418_ = _e11466;
                             }
-                            let _e5794 = phi_15410_;
-                            let _e5796 = phi_15411_;
-                            let _e5798 = phi_15412_;
+                            let _e5794 = phi_15416_;
+                            let _e5796 = phi_15417_;
+                            let _e5798 = phi_15418_;
                             if _e5796 {
                                 let _e5800 = local_33;
                                 if _e5800 {
@@ -11596,172 +11603,172 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e5808 = local_36;
                                     if ((_e5802.member_1 - _e5805) <= _e5808) {
                                         let _e5811 = local_37;
-                                        phi_15426_ = type_46(1u, _e5811);
-                                        phi_15427_ = false;
+                                        phi_15432_ = type_46(1u, _e5811);
+                                        phi_15433_ = false;
                                     } else {
-                                        phi_15426_ = type_46();
-                                        phi_15427_ = true;
+                                        phi_15432_ = type_46();
+                                        phi_15433_ = true;
                                     }
-                                    let _e5814 = phi_15426_;
-                                    let _e5816 = phi_15427_;
-                                    phi_15428_ = _e5814;
-                                    phi_15429_ = _e5816;
+                                    let _e5814 = phi_15432_;
+                                    let _e5816 = phi_15433_;
+                                    phi_15434_ = _e5814;
+                                    phi_15435_ = _e5816;
                                 } else {
-                                    phi_15428_ = type_46();
-                                    phi_15429_ = true;
+                                    phi_15434_ = type_46();
+                                    phi_15435_ = true;
                                 }
-                                let _e5818 = phi_15428_;
-                                let _e5820 = phi_15429_;
+                                let _e5818 = phi_15434_;
+                                let _e5820 = phi_15435_;
                                 if _e5820 {
                                     let _e5822 = local_38;
-                                    phi_15434_ = type_46(2u, _e5822);
+                                    phi_15440_ = type_46(2u, _e5822);
                                 } else {
-                                    phi_15434_ = _e5818;
+                                    phi_15440_ = _e5818;
                                 }
-                                let _e5825 = phi_15434_;
-                                phi_15435_ = _e5825;
-                                phi_15436_ = false;
+                                let _e5825 = phi_15440_;
+                                phi_15441_ = _e5825;
+                                phi_15442_ = false;
                             } else {
-                                phi_15435_ = type_46();
-                                phi_15436_ = _e5798;
+                                phi_15441_ = type_46();
+                                phi_15442_ = _e5798;
                             }
-                            let _e5827 = phi_15435_;
-                            let _e5829 = phi_15436_;
+                            let _e5827 = phi_15441_;
+                            let _e5829 = phi_15442_;
                             if _e5829 {
                                 let _e5831 = local_39;
-                                phi_15442_ = type_46(1u, _e5831.member);
-                                phi_15443_ = true;
+                                phi_15448_ = type_46(1u, _e5831.member);
+                                phi_15449_ = true;
                             } else {
-                                phi_15442_ = _e5827;
-                                phi_15443_ = _e5796;
+                                phi_15448_ = _e5827;
+                                phi_15449_ = _e5796;
                             }
-                            let _e5835 = phi_15442_;
-                            let _e5837 = phi_15443_;
-                            phi_15447_ = _e5835;
-                            phi_15448_ = _e5794;
-                            phi_15449_ = _e5837;
+                            let _e5835 = phi_15448_;
+                            let _e5837 = phi_15449_;
+                            phi_15453_ = _e5835;
+                            phi_15454_ = _e5794;
+                            phi_15455_ = _e5837;
                         } else {
-                            phi_15447_ = _e2704;
-                            phi_15448_ = type_46();
-                            phi_15449_ = true;
+                            phi_15453_ = _e2704;
+                            phi_15454_ = type_46();
+                            phi_15455_ = true;
                         }
-                        let _e5839 = phi_15447_;
-                        let _e5841 = phi_15448_;
-                        let _e5843 = phi_15449_;
-                        phi_15453_ = _e5839;
-                        phi_15454_ = _e5841;
-                        phi_15455_ = _e5843;
+                        let _e5839 = phi_15453_;
+                        let _e5841 = phi_15454_;
+                        let _e5843 = phi_15455_;
+                        phi_15459_ = _e5839;
+                        phi_15460_ = _e5841;
+                        phi_15461_ = _e5843;
                     }
-                    let _e5847 = phi_15453_;
-                    let _e5849 = phi_15454_;
-                    let _e5851 = phi_15455_;
+                    let _e5847 = phi_15459_;
+                    let _e5849 = phi_15460_;
+                    let _e5851 = phi_15461_;
                     if _e5851 {
-                        phi_15459_ = _e5847;
+                        phi_15465_ = _e5847;
                     } else {
-                        phi_15459_ = _e5849;
+                        phi_15465_ = _e5849;
                     }
-                    let _e5853 = phi_15459_;
+                    let _e5853 = phi_15465_;
                     if (_e5853.member == 1u) {
                         if (_e5853.member_1 > _e413) {
-                            phi_15470_ = false;
+                            phi_15476_ = false;
                         } else {
-                            phi_15470_ = true;
+                            phi_15476_ = true;
                         }
-                        let _e5859 = phi_15470_;
-                        phi_15471_ = _e5859;
+                        let _e5859 = phi_15476_;
+                        phi_15477_ = _e5859;
                     } else {
-                        phi_15471_ = true;
+                        phi_15477_ = true;
                     }
-                    let _e5861 = phi_15471_;
+                    let _e5861 = phi_15477_;
                     if _e5861 {
-                        phi_15475_ = false;
+                        phi_15481_ = false;
                     } else {
-                        phi_15475_ = true;
+                        phi_15481_ = true;
                     }
-                    let _e5863 = phi_15475_;
+                    let _e5863 = phi_15481_;
                     if _e5863 {
-                        phi_15479_ = 1u;
+                        phi_15485_ = 1u;
                     } else {
-                        phi_15479_ = 0u;
+                        phi_15485_ = 0u;
                     }
-                    let _e5865 = phi_15479_;
-                    phi_15483_ = type_47(_e5853, _e5865);
+                    let _e5865 = phi_15485_;
+                    phi_15489_ = type_47(_e5853, _e5865);
                 }
-                let _e10489 = phi_15483_;
-                switch bitcast<i32>(_e10489.member.member) {
+                let _e10493 = phi_15489_;
+                switch bitcast<i32>(_e10493.member.member) {
                     case 0: {
-                        phi_15498_ = type_37(0u, _e10489.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_15504_ = type_37(0u, _e10493.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e10500 = function_1(_e10489.member.member_1);
-                        phi_15498_ = type_37(0u, _e10489.member_1, _e10500, true);
+                        let _e10504 = function_1(_e10493.member.member_1);
+                        phi_15504_ = type_37(0u, _e10493.member_1, _e10504, true);
                         break;
                     }
                     case 2: {
-                        let _e10496 = function_1(_e10489.member.member_1);
-                        phi_15498_ = type_37(1u, _e10489.member_1, _e10496, true);
+                        let _e10500 = function_1(_e10493.member.member_1);
+                        phi_15504_ = type_37(1u, _e10493.member_1, _e10500, true);
                         break;
                     }
                     default: {
-                        phi_15498_ = type_37();
+                        phi_15504_ = type_37();
                         break;
                     }
                 }
-                let _e10504 = phi_15498_;
-                if _e10504.member_3 {
-                    let _e10512 = (_e10504.member_2[1] >> bitcast<u32>(20i));
-                    if (_e10512 <= 896u) {
-                        phi_15522_ = 0u;
+                let _e10508 = phi_15504_;
+                if _e10508.member_3 {
+                    let _e10516 = (_e10508.member_2[1] >> bitcast<u32>(20i));
+                    if (_e10516 <= 896u) {
+                        phi_15528_ = 0u;
                     } else {
-                        phi_15522_ = ((((_e10512 - 896u) << bitcast<u32>(23i)) | ((_e10504.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e10504.member_2[0] >> bitcast<u32>(29i)));
+                        phi_15528_ = ((((_e10516 - 896u) << bitcast<u32>(23i)) | ((_e10508.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e10508.member_2[0] >> bitcast<u32>(29i)));
                     }
-                    let _e10527 = phi_15522_;
-                    let _e10529 = atomicMin((&earliest.member[0u]), _e10527);
+                    let _e10531 = phi_15528_;
+                    let _e10533 = atomicMin((&earliest.member[0u]), _e10531);
                 }
-                phi_15526_ = type_22(1u, _e10504.member, _e195, _e198, _e10504.member_2, _e10504.member_1);
-                phi_15527_ = _e10504.member_3;
+                phi_15532_ = type_22(1u, _e10508.member, _e195, _e198, _e10508.member_2, _e10508.member_1);
+                phi_15533_ = _e10508.member_3;
             } else {
-                phi_15526_ = type_22(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
-                phi_15527_ = false;
+                phi_15532_ = type_22(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
+                phi_15533_ = false;
             }
-            let _e10531 = phi_15526_;
-            let _e10533 = phi_15527_;
-            let _e10536 = params.member.member.member_1;
-            if ((_e10536 & 16u) != 0u) {
+            let _e10535 = phi_15532_;
+            let _e10537 = phi_15533_;
+            let _e10540 = params.member.member.member_1;
+            if ((_e10540 & 16u) != 0u) {
                 if (_e124 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e10533 {
-                    let _e10542 = atomicAdd((&counters[0u]), 1u);
-                    phi_15546_ = _e10542;
+                if _e10537 {
+                    let _e10546 = atomicAdd((&counters[0u]), 1u);
+                    phi_15552_ = _e10546;
                 } else {
-                    phi_15546_ = 0u;
+                    phi_15552_ = 0u;
                 }
-                let _e10544 = phi_15546_;
+                let _e10548 = phi_15552_;
                 workgroupBarrier();
                 if (_e124 == 0u) {
-                    let _e10547 = atomicLoad((&counters[0u]));
-                    if (_e10547 > 0u) {
-                        let _e10550 = atomicAdd((&contacts.member[0u]), _e10547);
-                        atomicStore((&counters[1u]), _e10550);
+                    let _e10551 = atomicLoad((&counters[0u]));
+                    if (_e10551 > 0u) {
+                        let _e10554 = atomicAdd((&contacts.member[0u]), _e10551);
+                        atomicStore((&counters[1u]), _e10554);
                     }
                 }
                 workgroupBarrier();
-                let _e10553 = atomicLoad((&counters[1u]));
-                let _e10554 = (_e10553 + _e10544);
-                if _e10533 {
-                    let _e10557 = params.member.member_1.member_3;
-                    if (_e10554 < _e10557) {
-                        let _e10559 = (7u * _e10554);
-                        atomicStore((&contacts.member[(4u + _e10559)]), _e10531.member);
-                        atomicStore((&contacts.member[(_e10559 + 5u)]), _e10531.member_1);
-                        atomicStore((&contacts.member[(_e10559 + 6u)]), _e10531.member_2);
-                        atomicStore((&contacts.member[(_e10559 + 7u)]), _e10531.member_3);
-                        atomicStore((&contacts.member[(_e10559 + 8u)]), _e10531.member_4[0]);
-                        atomicStore((&contacts.member[(_e10559 + 9u)]), _e10531.member_4[1]);
-                        atomicStore((&contacts.member[(_e10559 + 10u)]), _e10531.member_5);
+                let _e10557 = atomicLoad((&counters[1u]));
+                let _e10558 = (_e10557 + _e10548);
+                if _e10537 {
+                    let _e10561 = params.member.member_1.member_3;
+                    if (_e10558 < _e10561) {
+                        let _e10563 = (7u * _e10558);
+                        atomicStore((&contacts.member[(4u + _e10563)]), _e10535.member);
+                        atomicStore((&contacts.member[(_e10563 + 5u)]), _e10535.member_1);
+                        atomicStore((&contacts.member[(_e10563 + 6u)]), _e10535.member_2);
+                        atomicStore((&contacts.member[(_e10563 + 7u)]), _e10535.member_3);
+                        atomicStore((&contacts.member[(_e10563 + 8u)]), _e10535.member_4[0]);
+                        atomicStore((&contacts.member[(_e10563 + 9u)]), _e10535.member_4[1]);
+                        atomicStore((&contacts.member[(_e10563 + 10u)]), _e10535.member_5);
                     }
                 }
             }

@@ -520,758 +520,752 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1547_: type_45;
     var phi_1548_: bool;
     var phi_1553_: type_45;
-    var phi_8613_: f64;
-    var phi_8620_: f64;
-    var phi_8625_: f64;
-    var phi_8632_: f64;
-    var phi_8637_: f64;
-    var phi_8650_: f64;
-    var phi_8657_: f64;
-    var phi_8662_: f64;
-    var phi_8669_: f64;
-    var phi_8674_: f64;
-    var phi_8679_: f64;
-    var phi_8696_: f64;
-    var phi_8703_: f64;
-    var phi_8708_: f64;
-    var phi_8715_: f64;
-    var phi_8720_: f64;
-    var phi_8734_: f64;
-    var phi_8741_: f64;
-    var phi_8746_: f64;
-    var phi_8753_: f64;
-    var phi_8758_: f64;
-    var phi_8763_: f64;
-    var phi_8780_: f64;
-    var phi_8787_: f64;
-    var phi_8792_: f64;
-    var phi_8799_: f64;
-    var phi_8804_: f64;
-    var phi_8818_: f64;
-    var phi_8825_: f64;
-    var phi_8830_: f64;
-    var phi_8837_: f64;
-    var phi_8842_: f64;
-    var phi_8847_: f64;
-    var phi_8884_: f64;
+    var phi_8619_: f64;
+    var phi_8626_: f64;
+    var phi_8631_: f64;
+    var phi_8638_: f64;
+    var phi_8643_: f64;
+    var phi_8656_: f64;
+    var phi_8663_: f64;
+    var phi_8668_: f64;
+    var phi_8675_: f64;
+    var phi_8680_: f64;
+    var phi_8685_: f64;
+    var phi_8702_: f64;
+    var phi_8709_: f64;
+    var phi_8714_: f64;
+    var phi_8721_: f64;
+    var phi_8726_: f64;
+    var phi_8740_: f64;
+    var phi_8747_: f64;
+    var phi_8752_: f64;
+    var phi_8759_: f64;
+    var phi_8764_: f64;
+    var phi_8769_: f64;
+    var phi_8786_: f64;
+    var phi_8793_: f64;
+    var phi_8798_: f64;
+    var phi_8805_: f64;
+    var phi_8810_: f64;
+    var phi_8824_: f64;
+    var phi_8831_: f64;
+    var phi_8836_: f64;
+    var phi_8843_: f64;
+    var phi_8848_: f64;
+    var phi_8853_: f64;
     var phi_8890_: f64;
-    var phi_8897_: f64;
-    var phi_8904_: f64;
+    var phi_8896_: f64;
+    var phi_8903_: f64;
     var phi_8910_: f64;
-    var phi_8917_: f64;
+    var phi_8916_: f64;
     var phi_8923_: f64;
     var phi_8929_: f64;
     var phi_8935_: f64;
-    var phi_8942_: f64;
-    var phi_8949_: f64;
-    var phi_8977_: f64;
-    var phi_8982_: f64;
-    var phi_8987_: f64;
-    var phi_8992_: f64;
-    var phi_8997_: f64;
-    var phi_9002_: f64;
-    var phi_9013_: f64;
-    var phi_9027_: f64;
+    var phi_8941_: f64;
+    var phi_8948_: f64;
+    var phi_8955_: f64;
+    var phi_8983_: f64;
+    var phi_8988_: f64;
+    var phi_8993_: f64;
+    var phi_8998_: f64;
+    var phi_9003_: f64;
+    var phi_9008_: f64;
+    var phi_9019_: f64;
     var phi_9033_: f64;
-    var phi_9038_: f64;
+    var phi_9039_: f64;
     var phi_9044_: f64;
     var phi_9050_: f64;
-    var phi_9055_: f64;
-    var phi_9060_: f64;
-    var phi_9070_: bool;
-    var phi_9077_: f64;
-    var phi_9085_: f64;
-    var phi_9093_: f64;
-    var phi_9112_: f64;
-    var phi_9261_: f64;
-    var phi_9268_: f64;
-    var phi_9273_: f64;
-    var phi_9280_: f64;
-    var phi_9285_: f64;
-    var phi_9298_: f64;
-    var phi_9305_: f64;
-    var phi_9310_: f64;
-    var phi_9317_: f64;
-    var phi_9322_: f64;
-    var phi_9327_: f64;
-    var phi_9344_: f64;
-    var phi_9351_: f64;
-    var phi_9356_: f64;
-    var phi_9363_: f64;
-    var phi_9368_: f64;
-    var phi_9382_: f64;
-    var phi_9389_: f64;
-    var phi_9394_: f64;
-    var phi_9401_: f64;
-    var phi_9406_: f64;
-    var phi_9411_: f64;
-    var phi_9428_: f64;
-    var phi_9435_: f64;
-    var phi_9440_: f64;
-    var phi_9447_: f64;
-    var phi_9452_: f64;
-    var phi_9466_: f64;
-    var phi_9473_: f64;
-    var phi_9478_: f64;
-    var phi_9485_: f64;
-    var phi_9490_: f64;
-    var phi_9495_: f64;
-    var phi_9616_: f64;
-    var phi_9623_: f64;
-    var phi_9631_: f64;
-    var phi_9677_: type_16;
-    var phi_9680_: f64;
-    var phi_9701_: bool;
-    var phi_9707_: type_17;
-    var phi_9678_: type_16;
-    var phi_9721_: type_17;
-    var phi_9681_: f64;
+    var phi_9056_: f64;
+    var phi_9061_: f64;
+    var phi_9066_: f64;
+    var phi_9076_: bool;
+    var phi_9083_: f64;
+    var phi_9091_: f64;
+    var phi_9099_: f64;
+    var phi_9118_: f64;
+    var phi_9267_: f64;
+    var phi_9274_: f64;
+    var phi_9279_: f64;
+    var phi_9286_: f64;
+    var phi_9291_: f64;
+    var phi_9304_: f64;
+    var phi_9311_: f64;
+    var phi_9316_: f64;
+    var phi_9323_: f64;
+    var phi_9328_: f64;
+    var phi_9333_: f64;
+    var phi_9350_: f64;
+    var phi_9357_: f64;
+    var phi_9362_: f64;
+    var phi_9369_: f64;
+    var phi_9374_: f64;
+    var phi_9388_: f64;
+    var phi_9395_: f64;
+    var phi_9400_: f64;
+    var phi_9407_: f64;
+    var phi_9412_: f64;
+    var phi_9417_: f64;
+    var phi_9434_: f64;
+    var phi_9441_: f64;
+    var phi_9446_: f64;
+    var phi_9453_: f64;
+    var phi_9458_: f64;
+    var phi_9472_: f64;
+    var phi_9479_: f64;
+    var phi_9484_: f64;
+    var phi_9491_: f64;
+    var phi_9496_: f64;
+    var phi_9501_: f64;
+    var phi_9622_: f64;
+    var phi_9629_: f64;
+    var phi_9637_: f64;
+    var phi_9683_: type_16;
+    var phi_9686_: f64;
+    var phi_9707_: bool;
+    var phi_9713_: type_17;
+    var phi_9684_: type_16;
+    var phi_9727_: type_17;
+    var phi_9687_: f64;
     var local_19: f64;
-    var phi_9670_: f64;
-    var phi_9734_: f64;
-    var phi_9803_: f64;
+    var phi_9676_: f64;
+    var phi_9740_: f64;
     var phi_9809_: f64;
-    var phi_9818_: f64;
+    var phi_9815_: f64;
     var phi_9824_: f64;
-    var phi_9833_: f64;
+    var phi_9830_: f64;
     var phi_9839_: f64;
-    var phi_9848_: f64;
+    var phi_9845_: f64;
     var phi_9854_: f64;
-    var phi_9860_: type_38;
-    var phi_9861_: bool;
-    var phi_9862_: type_38;
-    var phi_9863_: bool;
-    var phi_9873_: type_38;
-    var phi_10043_: bool;
-    var phi_10044_: bool;
-    var phi_10045_: bool;
-    var phi_10046_: bool;
-    var phi_10047_: bool;
-    var phi_10048_: bool;
+    var phi_9860_: f64;
+    var phi_9866_: type_38;
+    var phi_9867_: bool;
+    var phi_9868_: type_38;
+    var phi_9869_: bool;
+    var phi_9879_: type_38;
+    var phi_10049_: bool;
+    var phi_10050_: bool;
+    var phi_10051_: bool;
     var phi_10052_: bool;
-    var phi_10080_: f64;
+    var phi_10053_: bool;
+    var phi_10054_: bool;
+    var phi_10058_: bool;
     var phi_10086_: f64;
-    var phi_10093_: f64;
-    var phi_10136_: type_16;
-    var phi_10139_: f64;
-    var phi_10160_: bool;
-    var phi_10166_: type_17;
-    var phi_10137_: type_16;
-    var phi_10180_: type_17;
-    var phi_10140_: f64;
+    var phi_10092_: f64;
+    var phi_10099_: f64;
+    var phi_10142_: type_16;
+    var phi_10145_: f64;
+    var phi_10166_: bool;
+    var phi_10172_: type_17;
+    var phi_10143_: type_16;
+    var phi_10186_: type_17;
+    var phi_10146_: f64;
     var local_20: f64;
-    var phi_10129_: f64;
-    var phi_10193_: f64;
-    var phi_10262_: f64;
+    var phi_10135_: f64;
+    var phi_10199_: f64;
     var phi_10268_: f64;
-    var phi_10277_: f64;
+    var phi_10274_: f64;
     var phi_10283_: f64;
-    var phi_10292_: f64;
+    var phi_10289_: f64;
     var phi_10298_: f64;
-    var phi_10307_: f64;
+    var phi_10304_: f64;
     var phi_10313_: f64;
-    var phi_10319_: type_38;
-    var phi_10320_: bool;
-    var phi_10321_: type_38;
-    var phi_10322_: bool;
-    var phi_10332_: type_38;
-    var phi_10502_: bool;
-    var phi_10503_: bool;
-    var phi_10504_: bool;
-    var phi_10505_: bool;
-    var phi_10506_: bool;
-    var phi_10507_: bool;
+    var phi_10319_: f64;
+    var phi_10325_: type_38;
+    var phi_10326_: bool;
+    var phi_10327_: type_38;
+    var phi_10328_: bool;
+    var phi_10338_: type_38;
+    var phi_10508_: bool;
+    var phi_10509_: bool;
+    var phi_10510_: bool;
     var phi_10511_: bool;
-    var phi_10539_: f64;
+    var phi_10512_: bool;
+    var phi_10513_: bool;
+    var phi_10517_: bool;
     var phi_10545_: f64;
-    var phi_10552_: f64;
-    var phi_10595_: type_16;
-    var phi_10598_: f64;
-    var phi_10619_: bool;
-    var phi_10625_: type_17;
-    var phi_10596_: type_16;
-    var phi_10639_: type_17;
-    var phi_10599_: f64;
+    var phi_10551_: f64;
+    var phi_10558_: f64;
+    var phi_10601_: type_16;
+    var phi_10604_: f64;
+    var phi_10625_: bool;
+    var phi_10631_: type_17;
+    var phi_10602_: type_16;
+    var phi_10645_: type_17;
+    var phi_10605_: f64;
     var local_21: f64;
-    var phi_10588_: f64;
-    var phi_10652_: f64;
-    var phi_10721_: f64;
+    var phi_10594_: f64;
+    var phi_10658_: f64;
     var phi_10727_: f64;
-    var phi_10736_: f64;
+    var phi_10733_: f64;
     var phi_10742_: f64;
-    var phi_10751_: f64;
+    var phi_10748_: f64;
     var phi_10757_: f64;
-    var phi_10766_: f64;
+    var phi_10763_: f64;
     var phi_10772_: f64;
-    var phi_10778_: type_38;
-    var phi_10779_: bool;
-    var phi_10780_: type_38;
-    var phi_10781_: bool;
-    var phi_10791_: type_38;
-    var phi_10961_: bool;
-    var phi_10962_: bool;
-    var phi_10963_: bool;
-    var phi_10964_: bool;
-    var phi_10965_: bool;
-    var phi_10966_: bool;
+    var phi_10778_: f64;
+    var phi_10784_: type_38;
+    var phi_10785_: bool;
+    var phi_10786_: type_38;
+    var phi_10787_: bool;
+    var phi_10797_: type_38;
+    var phi_10967_: bool;
+    var phi_10968_: bool;
+    var phi_10969_: bool;
     var phi_10970_: bool;
-    var phi_10998_: f64;
+    var phi_10971_: bool;
+    var phi_10972_: bool;
+    var phi_10976_: bool;
     var phi_11004_: f64;
-    var phi_11011_: f64;
-    var phi_11054_: type_16;
-    var phi_11057_: f64;
-    var phi_11078_: bool;
-    var phi_11084_: type_17;
-    var phi_11055_: type_16;
-    var phi_11098_: type_17;
-    var phi_11058_: f64;
+    var phi_11010_: f64;
+    var phi_11017_: f64;
+    var phi_11060_: type_16;
+    var phi_11063_: f64;
+    var phi_11084_: bool;
+    var phi_11090_: type_17;
+    var phi_11061_: type_16;
+    var phi_11104_: type_17;
+    var phi_11064_: f64;
     var local_22: f64;
-    var phi_11047_: f64;
-    var phi_11111_: f64;
-    var phi_11180_: f64;
+    var phi_11053_: f64;
+    var phi_11117_: f64;
     var phi_11186_: f64;
-    var phi_11195_: f64;
+    var phi_11192_: f64;
     var phi_11201_: f64;
-    var phi_11210_: f64;
+    var phi_11207_: f64;
     var phi_11216_: f64;
-    var phi_11225_: f64;
+    var phi_11222_: f64;
     var phi_11231_: f64;
-    var phi_11237_: type_38;
-    var phi_11238_: bool;
-    var phi_11239_: type_38;
-    var phi_11240_: bool;
-    var phi_11250_: type_38;
-    var phi_11420_: bool;
-    var phi_11421_: bool;
-    var phi_11422_: bool;
-    var phi_11423_: bool;
-    var phi_11424_: bool;
-    var phi_11425_: bool;
+    var phi_11237_: f64;
+    var phi_11243_: type_38;
+    var phi_11244_: bool;
+    var phi_11245_: type_38;
+    var phi_11246_: bool;
+    var phi_11256_: type_38;
+    var phi_11426_: bool;
+    var phi_11427_: bool;
+    var phi_11428_: bool;
     var phi_11429_: bool;
     var phi_11430_: bool;
     var phi_11431_: bool;
-    var phi_11432_: bool;
-    var phi_11433_: bool;
-    var phi_11434_: bool;
+    var phi_11435_: bool;
+    var phi_11436_: bool;
+    var phi_11437_: bool;
     var phi_11438_: bool;
-    var phi_11444_: type_46;
-    var phi_11445_: bool;
-    var phi_11446_: type_46;
-    var phi_11447_: bool;
-    var phi_11493_: type_16;
-    var phi_11496_: f64;
-    var phi_11517_: bool;
-    var phi_11523_: type_17;
-    var phi_11494_: type_16;
-    var phi_11537_: type_17;
-    var phi_11497_: f64;
+    var phi_11439_: bool;
+    var phi_11440_: bool;
+    var phi_11444_: bool;
+    var phi_11450_: type_46;
+    var phi_11451_: bool;
+    var phi_11452_: type_46;
+    var phi_11453_: bool;
+    var phi_11499_: type_16;
+    var phi_11502_: f64;
+    var phi_11523_: bool;
+    var phi_11529_: type_17;
+    var phi_11500_: type_16;
+    var phi_11543_: type_17;
+    var phi_11503_: f64;
     var local_23: f64;
-    var phi_11486_: f64;
-    var phi_11550_: f64;
+    var phi_11492_: f64;
     var phi_11556_: f64;
-    var phi_11581_: type_12;
-    var phi_11584_: u32;
-    var phi_11582_: type_12;
-    var phi_11607_: type_12;
-    var phi_11651_: u32;
-    var phi_11652_: u32;
-    var phi_11585_: u32;
-    var phi_11653_: u32;
-    var phi_11673_: type_12;
-    var phi_11674_: type_12;
-    var phi_11697_: type_12;
-    var phi_11716_: f64;
-    var phi_11729_: f64;
-    var phi_11765_: f64;
-    var phi_11772_: f64;
-    var phi_11784_: bool;
-    var phi_11785_: bool;
-    var phi_11786_: bool;
-    var phi_11787_: bool;
+    var phi_11562_: f64;
+    var phi_11587_: type_12;
+    var phi_11590_: u32;
+    var phi_11588_: type_12;
+    var phi_11613_: type_12;
+    var phi_11657_: u32;
+    var phi_11658_: u32;
+    var phi_11591_: u32;
+    var phi_11659_: u32;
+    var phi_11679_: type_12;
+    var phi_11680_: type_12;
+    var phi_11703_: type_12;
+    var phi_11722_: f64;
+    var phi_11735_: f64;
+    var phi_11771_: f64;
+    var phi_11778_: f64;
+    var phi_11790_: bool;
     var phi_11791_: bool;
-    var phi_11803_: type_49;
-    var phi_11804_: type_49;
-    var phi_11805_: bool;
-    var phi_11806_: type_49;
-    var phi_11807_: bool;
-    var phi_11820_: f64;
-    var phi_11832_: type_12;
-    var phi_11835_: f64;
-    var phi_11837_: f64;
-    var phi_11839_: f64;
-    var phi_11833_: type_12;
-    var phi_11862_: type_12;
-    var phi_11889_: f64;
-    var phi_11890_: f64;
-    var phi_11918_: f64;
-    var phi_11934_: f64;
-    var phi_11941_: bool;
-    var phi_11942_: bool;
-    var phi_11943_: bool;
-    var phi_11949_: f64;
-    var phi_11950_: f64;
-    var phi_11951_: bool;
-    var phi_11836_: f64;
-    var phi_11838_: f64;
-    var phi_11840_: f64;
-    var phi_11952_: f64;
-    var phi_11953_: bool;
-    var phi_11954_: bool;
-    var local_24: bool;
+    var phi_11792_: bool;
+    var phi_11793_: bool;
+    var phi_11797_: bool;
+    var phi_11809_: type_49;
+    var phi_11810_: type_49;
+    var phi_11811_: bool;
+    var phi_11812_: type_49;
+    var phi_11813_: bool;
+    var phi_11826_: f64;
+    var phi_11838_: type_12;
+    var phi_11841_: f64;
+    var phi_11843_: f64;
+    var phi_11845_: f64;
+    var phi_11839_: type_12;
+    var phi_11868_: type_12;
+    var phi_11895_: f64;
+    var phi_11896_: f64;
+    var phi_11924_: f64;
+    var phi_11940_: f64;
+    var phi_11947_: bool;
+    var phi_11948_: bool;
+    var phi_11949_: bool;
+    var phi_11955_: f64;
+    var phi_11956_: f64;
+    var phi_11957_: bool;
+    var phi_11842_: f64;
+    var phi_11844_: f64;
+    var phi_11846_: f64;
     var phi_11958_: f64;
-    var phi_11959_: f64;
-    var phi_11969_: f64;
-    var phi_11973_: type_12;
-    var phi_11976_: f64;
-    var phi_11974_: type_12;
-    var phi_11999_: type_12;
-    var phi_12030_: f64;
-    var phi_12031_: bool;
-    var phi_12032_: f64;
-    var phi_12033_: bool;
-    var phi_12034_: bool;
-    var phi_12035_: bool;
+    var phi_11959_: bool;
+    var phi_11960_: bool;
+    var local_24: bool;
+    var phi_11964_: f64;
+    var phi_11965_: f64;
+    var phi_11975_: f64;
+    var phi_11979_: type_12;
+    var phi_11982_: f64;
+    var phi_11980_: type_12;
+    var phi_12005_: type_12;
     var phi_12036_: f64;
-    var phi_11977_: f64;
     var phi_12037_: bool;
-    var phi_12038_: bool;
+    var phi_12038_: f64;
     var phi_12039_: bool;
     var phi_12040_: bool;
-    var local_25: bool;
+    var phi_12041_: bool;
+    var phi_12042_: f64;
+    var phi_11983_: f64;
+    var phi_12043_: bool;
     var phi_12044_: bool;
     var phi_12045_: bool;
-    var phi_12049_: bool;
-    var phi_12053_: f64;
-    var phi_12054_: f64;
-    var phi_12056_: type_49;
-    var phi_12087_: f64;
-    var phi_12094_: f64;
-    var phi_12099_: f64;
-    var phi_12106_: f64;
-    var phi_12111_: f64;
-    var phi_12124_: f64;
-    var phi_12131_: f64;
-    var phi_12136_: f64;
-    var phi_12143_: f64;
-    var phi_12148_: f64;
-    var phi_12153_: f64;
-    var phi_12212_: f64;
+    var phi_12046_: bool;
+    var local_25: bool;
+    var phi_12050_: bool;
+    var phi_12051_: bool;
+    var phi_12055_: bool;
+    var phi_12059_: f64;
+    var phi_12060_: f64;
+    var phi_12062_: type_49;
+    var phi_12093_: f64;
+    var phi_12100_: f64;
+    var phi_12105_: f64;
+    var phi_12112_: f64;
+    var phi_12117_: f64;
+    var phi_12130_: f64;
+    var phi_12137_: f64;
+    var phi_12142_: f64;
+    var phi_12149_: f64;
+    var phi_12154_: f64;
+    var phi_12159_: f64;
     var phi_12218_: f64;
-    var phi_12223_: f64;
+    var phi_12224_: f64;
     var phi_12229_: f64;
-    var phi_12234_: f64;
-    var phi_12248_: f64;
+    var phi_12235_: f64;
+    var phi_12240_: f64;
     var phi_12254_: f64;
-    var phi_12259_: f64;
+    var phi_12260_: f64;
     var phi_12265_: f64;
-    var phi_12270_: f64;
-    var phi_12296_: f64;
-    var phi_12303_: f64;
-    var phi_12308_: f64;
-    var phi_12315_: f64;
-    var phi_12320_: f64;
-    var phi_12333_: f64;
-    var phi_12340_: f64;
-    var phi_12345_: f64;
-    var phi_12352_: f64;
-    var phi_12357_: f64;
-    var phi_12362_: f64;
-    var phi_12421_: f64;
+    var phi_12271_: f64;
+    var phi_12276_: f64;
+    var phi_12302_: f64;
+    var phi_12309_: f64;
+    var phi_12314_: f64;
+    var phi_12321_: f64;
+    var phi_12326_: f64;
+    var phi_12339_: f64;
+    var phi_12346_: f64;
+    var phi_12351_: f64;
+    var phi_12358_: f64;
+    var phi_12363_: f64;
+    var phi_12368_: f64;
     var phi_12427_: f64;
-    var phi_12432_: f64;
+    var phi_12433_: f64;
     var phi_12438_: f64;
-    var phi_12443_: f64;
-    var phi_12457_: f64;
+    var phi_12444_: f64;
+    var phi_12449_: f64;
     var phi_12463_: f64;
-    var phi_12468_: f64;
+    var phi_12469_: f64;
     var phi_12474_: f64;
-    var phi_12479_: f64;
-    var phi_12505_: f64;
-    var phi_12512_: f64;
-    var phi_12517_: f64;
-    var phi_12524_: f64;
-    var phi_12529_: f64;
-    var phi_12542_: f64;
-    var phi_12549_: f64;
-    var phi_12554_: f64;
-    var phi_12561_: f64;
-    var phi_12566_: f64;
-    var phi_12571_: f64;
-    var phi_12630_: f64;
+    var phi_12480_: f64;
+    var phi_12485_: f64;
+    var phi_12511_: f64;
+    var phi_12518_: f64;
+    var phi_12523_: f64;
+    var phi_12530_: f64;
+    var phi_12535_: f64;
+    var phi_12548_: f64;
+    var phi_12555_: f64;
+    var phi_12560_: f64;
+    var phi_12567_: f64;
+    var phi_12572_: f64;
+    var phi_12577_: f64;
     var phi_12636_: f64;
-    var phi_12641_: f64;
+    var phi_12642_: f64;
     var phi_12647_: f64;
-    var phi_12652_: f64;
-    var phi_12666_: f64;
+    var phi_12653_: f64;
+    var phi_12658_: f64;
     var phi_12672_: f64;
-    var phi_12677_: f64;
+    var phi_12678_: f64;
     var phi_12683_: f64;
-    var phi_12688_: f64;
-    var phi_12737_: f64;
+    var phi_12689_: f64;
+    var phi_12694_: f64;
     var phi_12743_: f64;
-    var phi_12771_: f64;
+    var phi_12749_: f64;
     var phi_12777_: f64;
-    var phi_12782_: u32;
-    var phi_12783_: u32;
-    var phi_12753_: f64;
+    var phi_12783_: f64;
+    var phi_12788_: u32;
+    var phi_12789_: u32;
     var phi_12759_: f64;
-    var phi_12764_: u32;
-    var phi_12765_: u32;
-    var phi_12784_: u32;
-    var phi_12785_: u32;
-    var phi_12858_: f64;
-    var phi_12870_: f64;
-    var phi_13013_: f64;
+    var phi_12765_: f64;
+    var phi_12770_: u32;
+    var phi_12771_: u32;
+    var phi_12790_: u32;
+    var phi_12791_: u32;
+    var phi_12864_: f64;
+    var phi_12876_: f64;
     var phi_13019_: f64;
-    var phi_13026_: f64;
-    var phi_13082_: type_12;
-    var phi_13085_: bool;
-    var phi_13083_: type_12;
-    var phi_13108_: type_12;
-    var phi_13135_: bool;
-    var phi_13136_: bool;
-    var phi_13086_: bool;
-    var phi_13137_: bool;
-    var phi_13138_: bool;
-    var local_26: bool;
+    var phi_13025_: f64;
+    var phi_13032_: f64;
+    var phi_13088_: type_12;
+    var phi_13091_: bool;
+    var phi_13089_: type_12;
+    var phi_13114_: type_12;
+    var phi_13141_: bool;
     var phi_13142_: bool;
+    var phi_13092_: bool;
+    var phi_13143_: bool;
+    var phi_13144_: bool;
+    var local_26: bool;
+    var phi_13148_: bool;
     var local_27: bool;
-    var phi_13149_: u32;
-    var phi_13150_: u32;
-    var phi_13151_: bool;
-    var phi_13152_: u32;
-    var phi_13153_: u32;
-    var phi_13154_: bool;
+    var phi_13155_: u32;
+    var phi_13156_: u32;
+    var phi_13157_: bool;
     var phi_13158_: u32;
-    var phi_13168_: bool;
-    var phi_13181_: bool;
-    var phi_13182_: bool;
-    var phi_13330_: f64;
-    var phi_13337_: f64;
-    var phi_13342_: f64;
-    var phi_13349_: f64;
-    var phi_13354_: f64;
-    var phi_13367_: f64;
-    var phi_13374_: f64;
-    var phi_13379_: f64;
-    var phi_13386_: f64;
-    var phi_13391_: f64;
-    var phi_13396_: f64;
-    var phi_13413_: f64;
-    var phi_13420_: f64;
-    var phi_13425_: f64;
-    var phi_13432_: f64;
-    var phi_13437_: f64;
-    var phi_13451_: f64;
-    var phi_13458_: f64;
-    var phi_13463_: f64;
-    var phi_13470_: f64;
-    var phi_13475_: f64;
-    var phi_13480_: f64;
-    var phi_13497_: f64;
-    var phi_13504_: f64;
-    var phi_13509_: f64;
-    var phi_13516_: f64;
-    var phi_13521_: f64;
-    var phi_13535_: f64;
-    var phi_13542_: f64;
-    var phi_13547_: f64;
-    var phi_13554_: f64;
-    var phi_13559_: f64;
-    var phi_13564_: f64;
-    var phi_13611_: type_12;
-    var phi_13614_: f64;
-    var phi_13616_: f64;
-    var phi_13618_: f64;
+    var phi_13159_: u32;
+    var phi_13160_: bool;
+    var phi_13164_: u32;
+    var phi_13174_: bool;
+    var phi_13187_: bool;
+    var phi_13188_: bool;
+    var phi_13336_: f64;
+    var phi_13343_: f64;
+    var phi_13348_: f64;
+    var phi_13355_: f64;
+    var phi_13360_: f64;
+    var phi_13373_: f64;
+    var phi_13380_: f64;
+    var phi_13385_: f64;
+    var phi_13392_: f64;
+    var phi_13397_: f64;
+    var phi_13402_: f64;
+    var phi_13419_: f64;
+    var phi_13426_: f64;
+    var phi_13431_: f64;
+    var phi_13438_: f64;
+    var phi_13443_: f64;
+    var phi_13457_: f64;
+    var phi_13464_: f64;
+    var phi_13469_: f64;
+    var phi_13476_: f64;
+    var phi_13481_: f64;
+    var phi_13486_: f64;
+    var phi_13503_: f64;
+    var phi_13510_: f64;
+    var phi_13515_: f64;
+    var phi_13522_: f64;
+    var phi_13527_: f64;
+    var phi_13541_: f64;
+    var phi_13548_: f64;
+    var phi_13553_: f64;
+    var phi_13560_: f64;
+    var phi_13565_: f64;
+    var phi_13570_: f64;
+    var phi_13617_: type_12;
     var phi_13620_: f64;
-    var phi_13622_: bool;
-    var phi_13624_: u32;
-    var phi_13612_: type_12;
-    var phi_13647_: type_12;
-    var phi_13762_: f64;
+    var phi_13622_: f64;
+    var phi_13624_: f64;
+    var phi_13626_: f64;
+    var phi_13628_: bool;
+    var phi_13630_: u32;
+    var phi_13618_: type_12;
+    var phi_13653_: type_12;
     var phi_13768_: f64;
     var phi_13774_: f64;
-    var phi_13776_: array<f64, 3>;
-    var phi_13783_: f64;
-    var phi_13790_: f64;
-    var phi_13798_: f64;
-    var phi_13844_: type_16;
-    var phi_13847_: f64;
-    var phi_13868_: bool;
-    var phi_13874_: type_17;
-    var phi_13845_: type_16;
-    var phi_13888_: type_17;
-    var phi_13848_: f64;
+    var phi_13780_: f64;
+    var phi_13782_: array<f64, 3>;
+    var phi_13789_: f64;
+    var phi_13796_: f64;
+    var phi_13804_: f64;
+    var phi_13850_: type_16;
+    var phi_13853_: f64;
+    var phi_13874_: bool;
+    var phi_13880_: type_17;
+    var phi_13851_: type_16;
+    var phi_13894_: type_17;
+    var phi_13854_: f64;
     var local_28: f64;
-    var phi_13837_: f64;
-    var phi_13901_: f64;
-    var phi_13970_: f64;
+    var phi_13843_: f64;
+    var phi_13907_: f64;
     var phi_13976_: f64;
-    var phi_13985_: f64;
+    var phi_13982_: f64;
     var phi_13991_: f64;
-    var phi_14000_: f64;
+    var phi_13997_: f64;
     var phi_14006_: f64;
-    var phi_14015_: f64;
+    var phi_14012_: f64;
     var phi_14021_: f64;
-    var phi_14027_: type_38;
-    var phi_14028_: bool;
-    var phi_14029_: type_38;
-    var phi_14030_: bool;
-    var phi_14040_: type_38;
-    var phi_14212_: bool;
-    var phi_14213_: bool;
-    var phi_14214_: bool;
-    var phi_14215_: bool;
-    var phi_14216_: bool;
-    var phi_14217_: bool;
+    var phi_14027_: f64;
+    var phi_14033_: type_38;
+    var phi_14034_: bool;
+    var phi_14035_: type_38;
+    var phi_14036_: bool;
+    var phi_14046_: type_38;
+    var phi_14218_: bool;
+    var phi_14219_: bool;
+    var phi_14220_: bool;
     var phi_14221_: bool;
-    var phi_14519_: bool;
-    var phi_14520_: bool;
-    var phi_14521_: bool;
-    var phi_14522_: bool;
-    var phi_14523_: bool;
-    var phi_14524_: bool;
+    var phi_14222_: bool;
+    var phi_14223_: bool;
+    var phi_14227_: bool;
+    var phi_14525_: bool;
+    var phi_14526_: bool;
+    var phi_14527_: bool;
     var phi_14528_: bool;
-    var phi_14532_: bool;
-    var phi_14543_: bool;
-    var phi_14544_: bool;
-    var phi_14618_: bool;
-    var phi_14619_: bool;
-    var phi_14642_: f64;
-    var phi_14643_: bool;
-    var phi_14644_: f64;
-    var phi_14645_: bool;
-    var phi_14646_: f64;
-    var phi_14647_: bool;
-    var phi_14648_: bool;
-    var phi_14653_: f64;
+    var phi_14529_: bool;
+    var phi_14530_: bool;
+    var phi_14534_: bool;
+    var phi_14538_: bool;
+    var phi_14549_: bool;
+    var phi_14550_: bool;
+    var phi_14624_: bool;
+    var phi_14625_: bool;
+    var phi_14648_: f64;
+    var phi_14649_: bool;
+    var phi_14650_: f64;
+    var phi_14651_: bool;
+    var phi_14652_: f64;
+    var phi_14653_: bool;
     var phi_14654_: bool;
-    var phi_14658_: f64;
-    var phi_14690_: bool;
-    var phi_14691_: bool;
-    var phi_14714_: f64;
-    var phi_14715_: bool;
-    var phi_14716_: f64;
-    var phi_14717_: bool;
-    var phi_14718_: f64;
-    var phi_14719_: bool;
-    var phi_14720_: bool;
-    var phi_14725_: f64;
+    var phi_14659_: f64;
+    var phi_14660_: bool;
+    var phi_14664_: f64;
+    var phi_14696_: bool;
+    var phi_14697_: bool;
+    var phi_14720_: f64;
+    var phi_14721_: bool;
+    var phi_14722_: f64;
+    var phi_14723_: bool;
+    var phi_14724_: f64;
+    var phi_14725_: bool;
     var phi_14726_: bool;
-    var phi_14730_: f64;
-    var phi_14735_: f64;
-    var phi_14767_: bool;
-    var phi_14768_: bool;
-    var phi_14791_: f64;
-    var phi_14792_: bool;
-    var phi_14793_: f64;
-    var phi_14794_: bool;
-    var phi_14795_: f64;
-    var phi_14796_: bool;
-    var phi_14797_: bool;
-    var phi_14802_: f64;
+    var phi_14731_: f64;
+    var phi_14732_: bool;
+    var phi_14736_: f64;
+    var phi_14741_: f64;
+    var phi_14773_: bool;
+    var phi_14774_: bool;
+    var phi_14797_: f64;
+    var phi_14798_: bool;
+    var phi_14799_: f64;
+    var phi_14800_: bool;
+    var phi_14801_: f64;
+    var phi_14802_: bool;
     var phi_14803_: bool;
-    var phi_14807_: f64;
-    var phi_14839_: bool;
-    var phi_14840_: bool;
-    var phi_14863_: f64;
-    var phi_14864_: bool;
-    var phi_14865_: f64;
-    var phi_14866_: bool;
-    var phi_14867_: f64;
-    var phi_14868_: bool;
-    var phi_14869_: bool;
-    var phi_14874_: f64;
+    var phi_14808_: f64;
+    var phi_14809_: bool;
+    var phi_14813_: f64;
+    var phi_14845_: bool;
+    var phi_14846_: bool;
+    var phi_14869_: f64;
+    var phi_14870_: bool;
+    var phi_14871_: f64;
+    var phi_14872_: bool;
+    var phi_14873_: f64;
+    var phi_14874_: bool;
     var phi_14875_: bool;
-    var phi_14879_: f64;
-    var phi_14884_: f64;
-    var phi_14889_: f64;
-    var phi_14894_: f64;
-    var phi_14908_: f64;
-    var phi_15046_: type_16;
-    var phi_15049_: f64;
-    var phi_15070_: bool;
-    var phi_15076_: type_17;
-    var phi_15047_: type_16;
-    var phi_15090_: type_17;
-    var phi_15050_: f64;
+    var phi_14880_: f64;
+    var phi_14881_: bool;
+    var phi_14885_: f64;
+    var phi_14890_: f64;
+    var phi_14895_: f64;
+    var phi_14900_: f64;
+    var phi_14914_: f64;
+    var phi_15052_: type_16;
+    var phi_15055_: f64;
+    var phi_15076_: bool;
+    var phi_15082_: type_17;
+    var phi_15053_: type_16;
+    var phi_15096_: type_17;
+    var phi_15056_: f64;
     var local_29: f64;
-    var phi_15039_: f64;
-    var phi_15103_: f64;
-    var phi_15121_: f64;
-    var phi_15128_: f64;
-    var phi_15133_: f64;
-    var phi_15140_: f64;
-    var phi_15145_: f64;
-    var phi_15158_: f64;
-    var phi_15165_: f64;
-    var phi_15170_: f64;
-    var phi_15177_: f64;
-    var phi_15182_: f64;
-    var phi_15187_: f64;
-    var phi_15204_: f64;
-    var phi_15211_: f64;
-    var phi_15216_: f64;
-    var phi_15223_: f64;
-    var phi_15228_: f64;
-    var phi_15242_: f64;
-    var phi_15249_: f64;
-    var phi_15254_: f64;
-    var phi_15261_: f64;
-    var phi_15266_: f64;
-    var phi_15271_: f64;
-    var phi_15288_: f64;
-    var phi_15295_: f64;
-    var phi_15300_: f64;
-    var phi_15307_: f64;
-    var phi_15312_: f64;
-    var phi_15326_: f64;
-    var phi_15333_: f64;
-    var phi_15338_: f64;
-    var phi_15345_: f64;
-    var phi_15350_: f64;
-    var phi_15355_: f64;
-    var phi_15379_: bool;
-    var phi_15380_: bool;
-    var phi_15381_: bool;
-    var phi_15398_: f64;
-    var phi_15399_: bool;
-    var phi_15400_: f64;
-    var phi_15401_: bool;
+    var phi_15045_: f64;
+    var phi_15109_: f64;
+    var phi_15127_: f64;
+    var phi_15134_: f64;
+    var phi_15139_: f64;
+    var phi_15146_: f64;
+    var phi_15151_: f64;
+    var phi_15164_: f64;
+    var phi_15171_: f64;
+    var phi_15176_: f64;
+    var phi_15183_: f64;
+    var phi_15188_: f64;
+    var phi_15193_: f64;
+    var phi_15210_: f64;
+    var phi_15217_: f64;
+    var phi_15222_: f64;
+    var phi_15229_: f64;
+    var phi_15234_: f64;
+    var phi_15248_: f64;
+    var phi_15255_: f64;
+    var phi_15260_: f64;
+    var phi_15267_: f64;
+    var phi_15272_: f64;
+    var phi_15277_: f64;
+    var phi_15294_: f64;
+    var phi_15301_: f64;
+    var phi_15306_: f64;
+    var phi_15313_: f64;
+    var phi_15318_: f64;
+    var phi_15332_: f64;
+    var phi_15339_: f64;
+    var phi_15344_: f64;
+    var phi_15351_: f64;
+    var phi_15356_: f64;
+    var phi_15361_: f64;
+    var phi_15385_: bool;
+    var phi_15386_: bool;
+    var phi_15387_: bool;
+    var phi_15404_: f64;
+    var phi_15405_: bool;
     var phi_15406_: f64;
-    var phi_15408_: f64;
-    var phi_15409_: f64;
-    var phi_15410_: bool;
-    var phi_15411_: f64;
+    var phi_15407_: bool;
     var phi_15412_: f64;
-    var phi_15413_: bool;
-    var phi_15414_: bool;
+    var phi_15414_: f64;
     var phi_15415_: f64;
-    var phi_15416_: f64;
+    var phi_15416_: bool;
     var phi_15417_: f64;
     var phi_15418_: f64;
     var phi_15419_: bool;
     var phi_15420_: bool;
-    var phi_15421_: bool;
-    var phi_15422_: bool;
+    var phi_15421_: f64;
+    var phi_15422_: f64;
     var phi_15423_: f64;
     var phi_15424_: f64;
-    var phi_15425_: f64;
-    var phi_15426_: f64;
+    var phi_15425_: bool;
+    var phi_15426_: bool;
     var phi_15427_: bool;
     var phi_15428_: bool;
-    var phi_15429_: bool;
-    var phi_15430_: bool;
-    var phi_15431_: bool;
+    var phi_15429_: f64;
+    var phi_15430_: f64;
+    var phi_15431_: f64;
     var phi_15432_: f64;
-    var phi_15433_: f64;
-    var phi_15434_: f64;
-    var phi_15435_: f64;
+    var phi_15433_: bool;
+    var phi_15434_: bool;
+    var phi_15435_: bool;
     var phi_15436_: bool;
     var phi_15437_: bool;
-    var phi_15438_: bool;
-    var phi_15439_: bool;
-    var phi_15440_: bool;
-    var phi_15526_: f64;
-    var phi_15599_: f64;
-    var phi_15604_: f64;
-    var phi_15677_: f64;
-    var phi_15750_: f64;
-    var phi_15755_: f64;
-    var phi_15776_: f64;
-    var phi_15777_: f64;
-    var phi_15778_: f64;
-    var phi_15453_: bool;
-    var phi_15780_: u32;
-    var phi_15781_: f64;
-    var phi_15782_: bool;
-    var phi_15783_: bool;
-    var phi_15784_: bool;
-    var phi_15785_: u32;
-    var phi_15786_: f64;
+    var phi_15438_: f64;
+    var phi_15439_: f64;
+    var phi_15440_: f64;
+    var phi_15441_: f64;
+    var phi_15442_: bool;
+    var phi_15443_: bool;
+    var phi_15444_: bool;
+    var phi_15445_: bool;
+    var phi_15446_: bool;
+    var phi_15532_: f64;
+    var phi_15605_: f64;
+    var phi_15610_: f64;
+    var phi_15683_: f64;
+    var phi_15756_: f64;
+    var phi_15761_: f64;
+    var phi_15782_: f64;
+    var phi_15783_: f64;
+    var phi_15784_: f64;
+    var phi_15459_: bool;
+    var phi_15786_: u32;
     var phi_15787_: f64;
-    var phi_15788_: f64;
-    var phi_15789_: f64;
+    var phi_15788_: bool;
+    var phi_15789_: bool;
     var phi_15790_: bool;
     var phi_15791_: u32;
-    var phi_15792_: bool;
-    var phi_15793_: bool;
-    var phi_15794_: bool;
-    var phi_15795_: bool;
+    var phi_15792_: f64;
+    var phi_15793_: f64;
+    var phi_15794_: f64;
+    var phi_15795_: f64;
     var phi_15796_: bool;
-    var phi_15797_: bool;
-    var phi_15806_: f64;
-    var phi_15811_: f64;
-    var phi_15820_: bool;
-    var phi_15824_: bool;
-    var phi_15825_: f64;
-    var phi_15826_: f64;
-    var phi_15827_: f64;
-    var phi_15828_: f64;
-    var phi_15829_: bool;
-    var phi_15830_: u32;
-    var phi_15831_: bool;
-    var phi_15832_: bool;
-    var phi_15833_: bool;
-    var phi_15834_: bool;
+    var phi_15797_: u32;
+    var phi_15798_: bool;
+    var phi_15799_: bool;
+    var phi_15800_: bool;
+    var phi_15801_: bool;
+    var phi_15802_: bool;
+    var phi_15803_: bool;
+    var phi_15812_: f64;
+    var phi_15817_: f64;
+    var phi_15826_: bool;
+    var phi_15830_: bool;
+    var phi_15831_: f64;
+    var phi_15832_: f64;
+    var phi_15833_: f64;
+    var phi_15834_: f64;
     var phi_15835_: bool;
-    var phi_15836_: bool;
-    var phi_13615_: f64;
-    var phi_13617_: f64;
-    var phi_13619_: f64;
-    var phi_13621_: f64;
-    var phi_13623_: bool;
-    var phi_13625_: u32;
-    var phi_15837_: f64;
-    var phi_15838_: f64;
+    var phi_15836_: u32;
+    var phi_15837_: bool;
+    var phi_15838_: bool;
     var phi_15839_: bool;
     var phi_15840_: bool;
     var phi_15841_: bool;
     var phi_15842_: bool;
-    var phi_15843_: bool;
-    var phi_15844_: bool;
+    var phi_13621_: f64;
+    var phi_13623_: f64;
+    var phi_13625_: f64;
+    var phi_13627_: f64;
+    var phi_13629_: bool;
+    var phi_13631_: u32;
+    var phi_15843_: f64;
+    var phi_15844_: f64;
     var phi_15845_: bool;
-    var local_30: bool;
+    var phi_15846_: bool;
+    var phi_15847_: bool;
+    var phi_15848_: bool;
     var phi_15849_: bool;
     var phi_15850_: bool;
     var phi_15851_: bool;
-    var phi_15852_: bool;
-    var phi_15853_: bool;
-    var local_31: f64;
-    var phi_15858_: type_46;
+    var local_30: bool;
+    var phi_15855_: bool;
+    var phi_15856_: bool;
+    var phi_15857_: bool;
+    var phi_15858_: bool;
     var phi_15859_: bool;
-    var phi_15860_: bool;
-    var phi_15861_: bool;
-    var phi_15862_: bool;
-    var phi_15863_: bool;
-    var phi_15868_: type_46;
+    var local_31: f64;
+    var phi_15864_: type_46;
+    var phi_15865_: bool;
+    var phi_15866_: bool;
+    var phi_15867_: bool;
+    var phi_15868_: bool;
     var phi_15869_: bool;
-    var phi_15870_: bool;
-    var phi_15871_: bool;
-    var phi_15872_: bool;
-    var phi_15873_: bool;
-    var phi_15877_: f64;
+    var phi_15874_: type_46;
+    var phi_15875_: bool;
+    var phi_15876_: bool;
+    var phi_15877_: bool;
     var phi_15878_: bool;
     var phi_15879_: bool;
-    var phi_15880_: bool;
-    var phi_15881_: bool;
-    var phi_15885_: f64;
+    var phi_15883_: f64;
+    var phi_15884_: bool;
+    var phi_15885_: bool;
     var phi_15886_: bool;
     var phi_15887_: bool;
-    var phi_15888_: bool;
-    var phi_15893_: type_46;
+    var phi_15891_: f64;
+    var phi_15892_: bool;
+    var phi_15893_: bool;
     var phi_15894_: bool;
-    var phi_15895_: bool;
-    var phi_15900_: type_46;
+    var phi_15899_: type_46;
+    var phi_15900_: bool;
     var phi_15901_: bool;
-    var phi_15905_: type_46;
-    var phi_15912_: bool;
-    var phi_15913_: f64;
-    var phi_15914_: bool;
-    var phi_15915_: bool;
-    var phi_15916_: bool;
-    var phi_15917_: bool;
-    var phi_15918_: f64;
+    var phi_15906_: type_46;
+    var phi_15907_: bool;
+    var phi_15911_: type_46;
+    var phi_15918_: bool;
     var phi_15919_: f64;
     var phi_15920_: bool;
     var phi_15921_: bool;
@@ -1283,61 +1277,67 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_15927_: bool;
     var phi_15928_: bool;
     var phi_15929_: bool;
+    var phi_15930_: f64;
+    var phi_15931_: f64;
+    var phi_15932_: bool;
     var phi_15933_: bool;
     var phi_15934_: bool;
     var phi_15935_: bool;
-    var phi_15936_: type_49;
-    var phi_15937_: bool;
-    var phi_15938_: f64;
-    var phi_15939_: f64;
-    var phi_15940_: type_49;
+    var phi_15939_: bool;
+    var phi_15940_: bool;
     var phi_15941_: bool;
-    var phi_15942_: bool;
+    var phi_15942_: type_49;
     var phi_15943_: bool;
-    var phi_15944_: bool;
+    var phi_15944_: f64;
+    var phi_15945_: f64;
+    var phi_15946_: type_49;
+    var phi_15947_: bool;
     var phi_15948_: bool;
     var phi_15949_: bool;
     var phi_15950_: bool;
-    var phi_15951_: type_49;
-    var phi_15952_: bool;
-    var phi_15953_: f64;
-    var phi_15954_: f64;
-    var phi_15955_: type_49;
+    var phi_15954_: bool;
+    var phi_15955_: bool;
     var phi_15956_: bool;
-    var phi_15957_: bool;
+    var phi_15957_: type_49;
     var phi_15958_: bool;
-    var phi_15959_: bool;
-    var local_32: bool;
-    var phi_15964_: type_46;
+    var phi_15959_: f64;
+    var phi_15960_: f64;
+    var phi_15961_: type_49;
+    var phi_15962_: bool;
+    var phi_15963_: bool;
+    var phi_15964_: bool;
     var phi_15965_: bool;
-    var phi_15966_: bool;
+    var local_32: bool;
+    var phi_15970_: type_46;
+    var phi_15971_: bool;
+    var phi_15972_: bool;
     var local_33: bool;
     var local_34: type_49;
     var local_35: f64;
     var local_36: f64;
     var local_37: f64;
-    var phi_15980_: type_46;
-    var phi_15981_: bool;
-    var phi_15982_: type_46;
-    var phi_15983_: bool;
-    var local_38: f64;
+    var phi_15986_: type_46;
+    var phi_15987_: bool;
     var phi_15988_: type_46;
-    var phi_15989_: type_46;
-    var phi_15990_: bool;
+    var phi_15989_: bool;
+    var local_38: f64;
+    var phi_15994_: type_46;
+    var phi_15995_: type_46;
+    var phi_15996_: bool;
     var local_39: type_49;
-    var phi_15996_: type_46;
-    var phi_15997_: bool;
-    var phi_16001_: type_46;
     var phi_16002_: type_46;
     var phi_16003_: bool;
     var phi_16007_: type_46;
     var phi_16008_: type_46;
     var phi_16009_: bool;
     var phi_16013_: type_46;
-    var phi_16024_: bool;
-    var phi_16025_: bool;
-    var phi_16029_: bool;
-    var phi_16033_: u32;
+    var phi_16014_: type_46;
+    var phi_16015_: bool;
+    var phi_16019_: type_46;
+    var phi_16030_: bool;
+    var phi_16031_: bool;
+    var phi_16035_: bool;
+    var phi_16039_: u32;
     var phi_1728_: type_16;
     var phi_1731_: f64;
     var phi_1752_: bool;
@@ -1938,192 +1938,193 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7357_: f64;
     var phi_7353_: type_12;
     var phi_7380_: type_12;
-    var phi_7461_: f64;
-    var phi_7462_: f64;
+    var phi_7466_: f64;
+    var phi_7467_: f64;
+    var phi_7468_: f64;
     var phi_7449_: f64;
-    var phi_7463_: f64;
-    var phi_7464_: f64;
+    var phi_7469_: f64;
+    var phi_7470_: f64;
     var phi_7356_: f64;
     var phi_7358_: f64;
     var local_55: f64;
     var local_56: f64;
     var local_57: f64;
-    var phi_7627_: bool;
-    var phi_7628_: bool;
-    var phi_7629_: bool;
-    var phi_7630_: bool;
-    var phi_7631_: bool;
-    var phi_7632_: bool;
+    var phi_7633_: bool;
+    var phi_7634_: bool;
+    var phi_7635_: bool;
     var phi_7636_: bool;
-    var phi_7640_: bool;
-    var phi_7641_: bool;
+    var phi_7637_: bool;
+    var phi_7638_: bool;
     var phi_7642_: bool;
-    var phi_7647_: f64;
-    var phi_7651_: type_48;
-    var phi_7652_: type_48;
-    var phi_7653_: bool;
-    var phi_7654_: type_48;
-    var phi_7655_: type_48;
-    var phi_7656_: bool;
-    var phi_7662_: type_48;
-    var phi_7663_: type_48;
-    var phi_7664_: bool;
+    var phi_7646_: bool;
+    var phi_7647_: bool;
+    var phi_7648_: bool;
+    var phi_7653_: f64;
+    var phi_7657_: type_48;
+    var phi_7658_: type_48;
+    var phi_7659_: bool;
+    var phi_7660_: type_48;
+    var phi_7661_: type_48;
+    var phi_7662_: bool;
     var phi_7668_: type_48;
     var phi_7669_: type_48;
     var phi_7670_: bool;
-    var phi_7671_: bool;
-    var phi_7672_: type_48;
-    var phi_7673_: type_48;
-    var phi_7674_: bool;
-    var phi_7675_: bool;
-    var phi_7681_: type_48;
-    var phi_7682_: bool;
-    var phi_7686_: type_48;
-    var phi_7702_: f64;
-    var phi_7703_: f64;
-    var phi_7704_: bool;
-    var phi_7705_: f64;
-    var phi_7706_: f64;
-    var phi_7707_: bool;
-    var phi_7708_: bool;
-    var phi_7709_: bool;
-    var phi_7710_: f64;
+    var phi_7674_: type_48;
+    var phi_7675_: type_48;
+    var phi_7676_: bool;
+    var phi_7677_: bool;
+    var phi_7678_: type_48;
+    var phi_7679_: type_48;
+    var phi_7680_: bool;
+    var phi_7681_: bool;
+    var phi_7687_: type_48;
+    var phi_7688_: bool;
+    var phi_7692_: type_48;
+    var phi_7708_: f64;
+    var phi_7709_: f64;
+    var phi_7710_: bool;
     var phi_7711_: f64;
-    var phi_7712_: bool;
+    var phi_7712_: f64;
     var phi_7713_: bool;
     var phi_7714_: bool;
-    var phi_7715_: f64;
-    var phi_7716_: u32;
+    var phi_7715_: bool;
+    var phi_7716_: f64;
     var phi_7717_: f64;
-    var phi_7718_: type_48;
-    var phi_7719_: u32;
-    var phi_7720_: u32;
-    var phi_7721_: bool;
-    var phi_7722_: bool;
-    var phi_7723_: bool;
-    var phi_7724_: f64;
+    var phi_7718_: bool;
+    var phi_7719_: bool;
+    var phi_7720_: bool;
+    var phi_7721_: f64;
+    var phi_7722_: u32;
+    var phi_7723_: f64;
+    var phi_7724_: type_48;
     var phi_7725_: u32;
-    var phi_7726_: f64;
-    var phi_7727_: type_48;
-    var phi_7728_: u32;
-    var phi_7729_: u32;
-    var phi_7730_: bool;
-    var phi_7731_: bool;
-    var phi_7732_: bool;
-    var phi_7733_: bool;
-    var phi_7734_: bool;
-    var phi_7735_: f64;
+    var phi_7726_: u32;
+    var phi_7727_: bool;
+    var phi_7728_: bool;
+    var phi_7729_: bool;
+    var phi_7730_: f64;
+    var phi_7731_: u32;
+    var phi_7732_: f64;
+    var phi_7733_: type_48;
+    var phi_7734_: u32;
+    var phi_7735_: u32;
+    var phi_7736_: bool;
+    var phi_7737_: bool;
+    var phi_7738_: bool;
+    var phi_7739_: bool;
+    var phi_7740_: bool;
+    var phi_7741_: f64;
     var phi_2725_: f64;
     var phi_2727_: u32;
     var phi_2729_: f64;
-    var phi_7736_: type_48;
-    var phi_7737_: u32;
-    var phi_7738_: f64;
-    var phi_7739_: u32;
-    var phi_7740_: bool;
-    var phi_7741_: bool;
-    var phi_7742_: bool;
-    var phi_7743_: bool;
-    var phi_7744_: bool;
-    var phi_7745_: bool;
-    var local_58: bool;
+    var phi_7742_: type_48;
+    var phi_7743_: u32;
+    var phi_7744_: f64;
+    var phi_7745_: u32;
+    var phi_7746_: bool;
+    var phi_7747_: bool;
+    var phi_7748_: bool;
     var phi_7749_: bool;
     var phi_7750_: bool;
     var phi_7751_: bool;
-    var phi_7752_: bool;
+    var local_58: bool;
+    var phi_7755_: bool;
+    var phi_7756_: bool;
+    var phi_7757_: bool;
+    var phi_7758_: bool;
     var local_59: type_48;
     var local_60: type_48;
-    var phi_7769_: u32;
+    var phi_7775_: u32;
     var local_61: type_48;
-    var phi_7774_: type_47;
-    var phi_7775_: type_47;
-    var phi_7776_: bool;
-    var phi_7777_: bool;
-    var phi_7778_: bool;
-    var phi_7779_: bool;
-    var phi_7783_: u32;
-    var phi_7784_: f64;
+    var phi_7780_: type_47;
+    var phi_7781_: type_47;
+    var phi_7782_: bool;
+    var phi_7783_: bool;
+    var phi_7784_: bool;
     var phi_7785_: bool;
-    var phi_7786_: bool;
-    var phi_7787_: bool;
-    var phi_7788_: bool;
-    var phi_7792_: f64;
-    var phi_7793_: u32;
+    var phi_7789_: u32;
+    var phi_7790_: f64;
+    var phi_7791_: bool;
+    var phi_7792_: bool;
+    var phi_7793_: bool;
     var phi_7794_: bool;
-    var phi_7795_: bool;
-    var phi_7796_: bool;
-    var phi_7810_: f64;
-    var phi_7813_: type_12;
-    var phi_7814_: type_12;
-    var phi_7837_: type_12;
-    var phi_7859_: f64;
-    var phi_7989_: type_16;
-    var phi_7992_: f64;
-    var phi_8013_: bool;
-    var phi_8019_: type_17;
-    var phi_7990_: type_16;
-    var phi_8033_: type_17;
-    var phi_7993_: f64;
+    var phi_7798_: f64;
+    var phi_7799_: u32;
+    var phi_7800_: bool;
+    var phi_7801_: bool;
+    var phi_7802_: bool;
+    var phi_7816_: f64;
+    var phi_7819_: type_12;
+    var phi_7820_: type_12;
+    var phi_7843_: type_12;
+    var phi_7865_: f64;
+    var phi_7995_: type_16;
+    var phi_7998_: f64;
+    var phi_8019_: bool;
+    var phi_8025_: type_17;
+    var phi_7996_: type_16;
+    var phi_8039_: type_17;
+    var phi_7999_: f64;
     var local_62: f64;
-    var phi_7982_: f64;
-    var phi_8046_: f64;
-    var phi_8064_: f64;
-    var phi_8071_: f64;
-    var phi_8076_: f64;
-    var phi_8083_: f64;
-    var phi_8088_: f64;
-    var phi_8101_: f64;
-    var phi_8108_: f64;
-    var phi_8113_: f64;
-    var phi_8120_: f64;
-    var phi_8125_: f64;
-    var phi_8130_: f64;
-    var phi_8147_: f64;
-    var phi_8154_: f64;
-    var phi_8159_: f64;
-    var phi_8166_: f64;
-    var phi_8171_: f64;
-    var phi_8185_: f64;
-    var phi_8192_: f64;
-    var phi_8197_: f64;
-    var phi_8204_: f64;
-    var phi_8209_: f64;
-    var phi_8214_: f64;
-    var phi_8231_: f64;
-    var phi_8238_: f64;
-    var phi_8243_: f64;
-    var phi_8250_: f64;
-    var phi_8255_: f64;
-    var phi_8269_: f64;
-    var phi_8276_: f64;
-    var phi_8281_: f64;
-    var phi_8288_: f64;
-    var phi_8293_: f64;
-    var phi_8298_: f64;
-    var phi_8322_: bool;
-    var phi_8323_: bool;
-    var phi_8324_: bool;
+    var phi_7988_: f64;
+    var phi_8052_: f64;
+    var phi_8070_: f64;
+    var phi_8077_: f64;
+    var phi_8082_: f64;
+    var phi_8089_: f64;
+    var phi_8094_: f64;
+    var phi_8107_: f64;
+    var phi_8114_: f64;
+    var phi_8119_: f64;
+    var phi_8126_: f64;
+    var phi_8131_: f64;
+    var phi_8136_: f64;
+    var phi_8153_: f64;
+    var phi_8160_: f64;
+    var phi_8165_: f64;
+    var phi_8172_: f64;
+    var phi_8177_: f64;
+    var phi_8191_: f64;
+    var phi_8198_: f64;
+    var phi_8203_: f64;
+    var phi_8210_: f64;
+    var phi_8215_: f64;
+    var phi_8220_: f64;
+    var phi_8237_: f64;
+    var phi_8244_: f64;
+    var phi_8249_: f64;
+    var phi_8256_: f64;
+    var phi_8261_: f64;
+    var phi_8275_: f64;
+    var phi_8282_: f64;
+    var phi_8287_: f64;
+    var phi_8294_: f64;
+    var phi_8299_: f64;
+    var phi_8304_: f64;
+    var phi_8328_: bool;
+    var phi_8329_: bool;
+    var phi_8330_: bool;
     var local_63: bool;
-    var phi_8332_: u32;
-    var phi_8336_: type_47;
-    var phi_8337_: bool;
-    var phi_8345_: u32;
-    var phi_8349_: type_47;
-    var phi_8350_: type_47;
-    var phi_8351_: bool;
-    var phi_8352_: bool;
-    var phi_8359_: type_47;
-    var phi_8360_: bool;
-    var phi_8364_: type_47;
+    var phi_8338_: u32;
+    var phi_8342_: type_47;
+    var phi_8343_: bool;
+    var phi_8351_: u32;
+    var phi_8355_: type_47;
+    var phi_8356_: type_47;
+    var phi_8357_: bool;
+    var phi_8358_: bool;
     var phi_8365_: type_47;
     var phi_8366_: bool;
     var phi_8370_: type_47;
-    var phi_16037_: type_47;
-    var phi_16052_: type_37;
-    var phi_16076_: u32;
-    var phi_16080_: type_22;
-    var phi_16081_: bool;
-    var phi_16100_: u32;
+    var phi_8371_: type_47;
+    var phi_8372_: bool;
+    var phi_8376_: type_47;
+    var phi_16043_: type_47;
+    var phi_16058_: type_37;
+    var phi_16082_: u32;
+    var phi_16086_: type_22;
+    var phi_16087_: bool;
+    var phi_16106_: u32;
     var local_64: u32;
     var local_65: f64;
     var local_66: f64;
@@ -4849,16 +4850,16 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5453_ = false;
                                         phi_5454_ = false;
                                     } else {
-                                        let _e11856 = local_81;
-                                        phi_5450_ = _e11856;
-                                        let _e11859 = local_82;
-                                        phi_5451_ = _e11859;
-                                        let _e11862 = local_83;
-                                        phi_5452_ = _e11862;
-                                        let _e11865 = local_84;
-                                        phi_5453_ = _e11865;
-                                        let _e11868 = local_85;
-                                        phi_5454_ = _e11868;
+                                        let _e11860 = local_81;
+                                        phi_5450_ = _e11860;
+                                        let _e11863 = local_82;
+                                        phi_5451_ = _e11863;
+                                        let _e11866 = local_83;
+                                        phi_5452_ = _e11866;
+                                        let _e11869 = local_84;
+                                        phi_5453_ = _e11869;
+                                        let _e11872 = local_85;
+                                        phi_5454_ = _e11872;
                                     }
                                     let _e8396 = phi_5450_;
                                     let _e8398 = phi_5451_;
@@ -4877,8 +4878,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5459_ = type_46();
                                         phi_5460_ = _e8398;
                                         phi_5461_ = _e8400;
-                                        let _e11875 = local_86;
-                                        phi_5462_ = _e11875;
+                                        let _e11879 = local_86;
+                                        phi_5462_ = _e11879;
                                         phi_5463_ = _e8402;
                                         phi_5464_ = _e8404;
                                     }
@@ -4910,15 +4911,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e8431 = phi_5473_;
                                     let _e8433 = phi_5474_;
                                     if _e8425 {
-                                        let _e11886 = local_87;
-                                        phi_5478_ = _e11886;
+                                        let _e11890 = local_87;
+                                        phi_5478_ = _e11890;
                                         phi_5479_ = true;
                                         phi_5480_ = false;
                                         phi_5481_ = false;
                                         phi_5482_ = false;
                                     } else {
-                                        let _e11888 = local_88;
-                                        phi_5478_ = _e11888;
+                                        let _e11892 = local_88;
+                                        phi_5478_ = _e11892;
                                         phi_5479_ = _e8427;
                                         phi_5480_ = _e8429;
                                         phi_5481_ = _e8431;
@@ -4935,8 +4936,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5488_ = false;
                                         phi_5489_ = false;
                                     } else {
-                                        let _e11895 = local_89;
-                                        phi_5486_ = _e11895;
+                                        let _e11899 = local_89;
+                                        phi_5486_ = _e11899;
                                         phi_5487_ = _e8439;
                                         phi_5488_ = _e8441;
                                         phi_5489_ = _e8443;
@@ -4983,15 +4984,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e8473 {
                                     let _e8474 = (_e8471 > _e410);
                                     if _e8474 {
-                                        phi_7715_ = f64();
-                                        phi_7716_ = u32();
-                                        phi_7717_ = f64();
-                                        phi_7718_ = type_48();
-                                        phi_7719_ = u32();
-                                        phi_7720_ = u32();
-                                        phi_7721_ = false;
-                                        phi_7722_ = false;
-                                        phi_7723_ = false;
+                                        phi_7721_ = f64();
+                                        phi_7722_ = u32();
+                                        phi_7723_ = f64();
+                                        phi_7724_ = type_48();
+                                        phi_7725_ = u32();
+                                        phi_7726_ = u32();
+                                        phi_7727_ = false;
+                                        phi_7728_ = false;
+                                        phi_7729_ = false;
                                     } else {
                                         let _e8478 = local_18.member[0u];
                                         let _e8484 = local_18.member[1u];
@@ -5988,8 +5989,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e9646 = f64(2f);
                                                     let _e9648 = local_51;
                                                     if (_e9648 < _e9646) {
-                                                        let _e12066 = local_90;
-                                                        phi_7317_ = _e12066;
+                                                        let _e12070 = local_90;
+                                                        phi_7317_ = _e12070;
                                                     } else {
                                                         phi_7317_ = _e9646;
                                                     }
@@ -6005,8 +6006,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         }
                                                         let _e9661 = phi_7328_;
                                                         phi_7329_ = _e9661;
-                                                        let _e12073 = local_91;
-                                                        phi_7330_ = _e12073;
+                                                        let _e12077 = local_91;
+                                                        phi_7330_ = _e12077;
                                                     } else {
                                                         phi_7329_ = type_48();
                                                         phi_7330_ = true;
@@ -6059,863 +6060,869 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e9724 = local_15.member[_e9698.member_1];
                                                                     let _e9725 = (_e9721 - _e9724);
                                                                     if (_e9725 > f64(0f)) {
-                                                                        let _e9738 = (_e6631 - (_e9718 / _e9725));
-                                                                        if (_e9684 > _e9738) {
+                                                                        let _e9742 = (_e6631 - (_e9718 / _e9725));
+                                                                        if (_e9684 > _e9742) {
                                                                             phi_7449_ = _e9684;
                                                                         } else {
-                                                                            phi_7449_ = _e9738;
+                                                                            phi_7449_ = _e9742;
                                                                         }
-                                                                        let _e9741 = phi_7449_;
-                                                                        phi_7463_ = _e9682;
-                                                                        phi_7464_ = _e9741;
+                                                                        let _e9745 = phi_7449_;
+                                                                        phi_7469_ = _e9682;
+                                                                        phi_7470_ = _e9745;
                                                                     } else {
                                                                         if (_e9718 > f64(0f)) {
-                                                                            let _e9731 = (_e6631 - (_e9718 / _e9725));
-                                                                            if (_e9682 < _e9731) {
-                                                                                phi_7461_ = _e9682;
+                                                                            if (_e9725 < f64(0f)) {
+                                                                                let _e9733 = (_e6631 - (_e9718 / _e9725));
+                                                                                if (_e9682 < _e9733) {
+                                                                                    phi_7466_ = _e9682;
+                                                                                } else {
+                                                                                    phi_7466_ = _e9733;
+                                                                                }
+                                                                                let _e9736 = phi_7466_;
+                                                                                phi_7467_ = _e9736;
                                                                             } else {
-                                                                                phi_7461_ = _e9731;
+                                                                                phi_7467_ = _e9682;
                                                                             }
-                                                                            let _e9734 = phi_7461_;
-                                                                            phi_7462_ = _e9734;
+                                                                            let _e9738 = phi_7467_;
+                                                                            phi_7468_ = _e9738;
                                                                         } else {
-                                                                            phi_7462_ = _e9682;
+                                                                            phi_7468_ = _e9682;
                                                                         }
-                                                                        let _e9736 = phi_7462_;
-                                                                        phi_7463_ = _e9736;
-                                                                        phi_7464_ = _e9684;
+                                                                        let _e9740 = phi_7468_;
+                                                                        phi_7469_ = _e9740;
+                                                                        phi_7470_ = _e9684;
                                                                     }
-                                                                    let _e9743 = phi_7463_;
-                                                                    let _e9745 = phi_7464_;
-                                                                    phi_7356_ = _e9743;
-                                                                    phi_7358_ = _e9745;
+                                                                    let _e9747 = phi_7469_;
+                                                                    let _e9749 = phi_7470_;
+                                                                    phi_7356_ = _e9747;
+                                                                    phi_7358_ = _e9749;
                                                                 } else {
                                                                     phi_7356_ = f64();
                                                                     phi_7358_ = f64();
                                                                 }
-                                                                let _e9747 = phi_7356_;
-                                                                let _e9749 = phi_7358_;
+                                                                let _e9751 = phi_7356_;
+                                                                let _e9753 = phi_7358_;
                                                                 continue;
                                                                 continuing {
                                                                     phi_7352_ = _e9696;
-                                                                    phi_7355_ = _e9747;
-                                                                    phi_7357_ = _e9749;
+                                                                    phi_7355_ = _e9751;
+                                                                    phi_7357_ = _e9753;
                                                                     break if !(_e9702);
                                                                 }
                                                             }
-                                                            let _e9752 = local_55;
-                                                            let _e9754 = local_56;
-                                                            let _e9759 = local_57;
-                                                            let _e9760 = (_e9759 + ((_e9752 - _e9754) * f64(0.5f)));
-                                                            if (_e9760 > _e6631) {
-                                                                if (_e9760 <= _e9678) {
-                                                                    let _e9763 = f64(0f);
-                                                                    let _e9766 = local_15.member[0u];
-                                                                    let _e9769 = local_15.member_1[0u];
-                                                                    let _e9772 = local_15.member[0u];
-                                                                    let _e9778 = local_15.member_2[0u];
-                                                                    if (((_e9766 + ((_e9769 - _e9772) * _e9760)) - _e9778) > _e9763) {
-                                                                        let _e9783 = local_15.member[1u];
-                                                                        let _e9786 = local_15.member_1[1u];
-                                                                        let _e9789 = local_15.member[1u];
-                                                                        let _e9795 = local_15.member_2[1u];
-                                                                        if (((_e9783 + ((_e9786 - _e9789) * _e9760)) - _e9795) > _e9763) {
-                                                                            let _e9800 = local_15.member[2u];
-                                                                            let _e9803 = local_15.member_1[2u];
-                                                                            let _e9806 = local_15.member[2u];
-                                                                            let _e9812 = local_15.member_2[2u];
-                                                                            if (((_e9800 + ((_e9803 - _e9806) * _e9760)) - _e9812) > _e9763) {
-                                                                                let _e9817 = local_15.member[3u];
-                                                                                let _e9820 = local_15.member_1[3u];
-                                                                                let _e9823 = local_15.member[3u];
-                                                                                let _e9829 = local_15.member_2[3u];
-                                                                                phi_7627_ = (((_e9817 + ((_e9820 - _e9823) * _e9760)) - _e9829) > _e9763);
-                                                                                phi_7628_ = false;
+                                                            let _e9756 = local_55;
+                                                            let _e9758 = local_56;
+                                                            let _e9763 = local_57;
+                                                            let _e9764 = (_e9763 + ((_e9756 - _e9758) * f64(0.5f)));
+                                                            if (_e9764 > _e6631) {
+                                                                if (_e9764 <= _e9678) {
+                                                                    let _e9767 = f64(0f);
+                                                                    let _e9770 = local_15.member[0u];
+                                                                    let _e9773 = local_15.member_1[0u];
+                                                                    let _e9776 = local_15.member[0u];
+                                                                    let _e9782 = local_15.member_2[0u];
+                                                                    if (((_e9770 + ((_e9773 - _e9776) * _e9764)) - _e9782) > _e9767) {
+                                                                        let _e9787 = local_15.member[1u];
+                                                                        let _e9790 = local_15.member_1[1u];
+                                                                        let _e9793 = local_15.member[1u];
+                                                                        let _e9799 = local_15.member_2[1u];
+                                                                        if (((_e9787 + ((_e9790 - _e9793) * _e9764)) - _e9799) > _e9767) {
+                                                                            let _e9804 = local_15.member[2u];
+                                                                            let _e9807 = local_15.member_1[2u];
+                                                                            let _e9810 = local_15.member[2u];
+                                                                            let _e9816 = local_15.member_2[2u];
+                                                                            if (((_e9804 + ((_e9807 - _e9810) * _e9764)) - _e9816) > _e9767) {
+                                                                                let _e9821 = local_15.member[3u];
+                                                                                let _e9824 = local_15.member_1[3u];
+                                                                                let _e9827 = local_15.member[3u];
+                                                                                let _e9833 = local_15.member_2[3u];
+                                                                                phi_7633_ = (((_e9821 + ((_e9824 - _e9827) * _e9764)) - _e9833) > _e9767);
+                                                                                phi_7634_ = false;
                                                                             } else {
-                                                                                phi_7627_ = bool();
-                                                                                phi_7628_ = true;
+                                                                                phi_7633_ = bool();
+                                                                                phi_7634_ = true;
                                                                             }
-                                                                            let _e9833 = phi_7627_;
-                                                                            let _e9835 = phi_7628_;
-                                                                            phi_7629_ = _e9833;
-                                                                            phi_7630_ = _e9835;
+                                                                            let _e9837 = phi_7633_;
+                                                                            let _e9839 = phi_7634_;
+                                                                            phi_7635_ = _e9837;
+                                                                            phi_7636_ = _e9839;
                                                                         } else {
-                                                                            phi_7629_ = bool();
-                                                                            phi_7630_ = true;
+                                                                            phi_7635_ = bool();
+                                                                            phi_7636_ = true;
                                                                         }
-                                                                        let _e9837 = phi_7629_;
-                                                                        let _e9839 = phi_7630_;
-                                                                        phi_7631_ = _e9837;
-                                                                        phi_7632_ = _e9839;
+                                                                        let _e9841 = phi_7635_;
+                                                                        let _e9843 = phi_7636_;
+                                                                        phi_7637_ = _e9841;
+                                                                        phi_7638_ = _e9843;
                                                                     } else {
-                                                                        phi_7631_ = bool();
-                                                                        phi_7632_ = true;
+                                                                        phi_7637_ = bool();
+                                                                        phi_7638_ = true;
                                                                     }
-                                                                    let _e9841 = phi_7631_;
-                                                                    let _e9843 = phi_7632_;
-                                                                    if _e9843 {
-                                                                        phi_7636_ = false;
+                                                                    let _e9845 = phi_7637_;
+                                                                    let _e9847 = phi_7638_;
+                                                                    if _e9847 {
+                                                                        phi_7642_ = false;
                                                                     } else {
-                                                                        phi_7636_ = _e9841;
+                                                                        phi_7642_ = _e9845;
                                                                     }
-                                                                    let _e9845 = phi_7636_;
-                                                                    if _e9845 {
-                                                                        phi_7640_ = false;
+                                                                    let _e9849 = phi_7642_;
+                                                                    if _e9849 {
+                                                                        phi_7646_ = false;
                                                                     } else {
-                                                                        phi_7640_ = true;
+                                                                        phi_7646_ = true;
                                                                     }
-                                                                    let _e9847 = phi_7640_;
-                                                                    phi_7641_ = _e9847;
+                                                                    let _e9851 = phi_7646_;
+                                                                    phi_7647_ = _e9851;
                                                                 } else {
-                                                                    phi_7641_ = true;
+                                                                    phi_7647_ = true;
                                                                 }
-                                                                let _e9849 = phi_7641_;
-                                                                phi_7642_ = _e9849;
+                                                                let _e9853 = phi_7647_;
+                                                                phi_7648_ = _e9853;
                                                             } else {
-                                                                phi_7642_ = true;
+                                                                phi_7648_ = true;
                                                             }
-                                                            let _e9851 = phi_7642_;
-                                                            if _e9851 {
-                                                                phi_7647_ = f64(2f);
+                                                            let _e9855 = phi_7648_;
+                                                            if _e9855 {
+                                                                phi_7653_ = f64(2f);
                                                             } else {
-                                                                phi_7647_ = _e9760;
+                                                                phi_7653_ = _e9764;
                                                             }
-                                                            let _e9854 = phi_7647_;
-                                                            phi_7651_ = type_48(_e9678, _e9854, 2u);
-                                                            phi_7652_ = type_48();
-                                                            phi_7653_ = false;
+                                                            let _e9858 = phi_7653_;
+                                                            phi_7657_ = type_48(_e9678, _e9858, 2u);
+                                                            phi_7658_ = type_48();
+                                                            phi_7659_ = false;
                                                         } else {
-                                                            phi_7651_ = type_48();
-                                                            phi_7652_ = type_48(_e6631, f64(2f), 0u);
-                                                            phi_7653_ = true;
+                                                            phi_7657_ = type_48();
+                                                            phi_7658_ = type_48(_e6631, f64(2f), 0u);
+                                                            phi_7659_ = true;
                                                         }
-                                                        let _e9857 = phi_7651_;
-                                                        let _e9859 = phi_7652_;
-                                                        let _e9861 = phi_7653_;
-                                                        phi_7654_ = _e9857;
-                                                        phi_7655_ = _e9859;
-                                                        phi_7656_ = _e9861;
+                                                        let _e9861 = phi_7657_;
+                                                        let _e9863 = phi_7658_;
+                                                        let _e9865 = phi_7659_;
+                                                        phi_7660_ = _e9861;
+                                                        phi_7661_ = _e9863;
+                                                        phi_7662_ = _e9865;
                                                     } else {
-                                                        phi_7654_ = type_48();
-                                                        phi_7655_ = _e9663;
-                                                        phi_7656_ = true;
+                                                        phi_7660_ = type_48();
+                                                        phi_7661_ = _e9663;
+                                                        phi_7662_ = true;
                                                     }
-                                                    let _e9863 = phi_7654_;
-                                                    let _e9865 = phi_7655_;
-                                                    let _e9867 = phi_7656_;
-                                                    phi_7662_ = _e9865;
-                                                    phi_7663_ = _e9863;
-                                                    phi_7664_ = _e9867;
+                                                    let _e9867 = phi_7660_;
+                                                    let _e9869 = phi_7661_;
+                                                    let _e9871 = phi_7662_;
+                                                    phi_7668_ = _e9869;
+                                                    phi_7669_ = _e9867;
+                                                    phi_7670_ = _e9871;
                                                 } else {
-                                                    phi_7662_ = type_48(_e6631, f64(2f), 0u);
-                                                    phi_7663_ = type_48();
-                                                    phi_7664_ = true;
+                                                    phi_7668_ = type_48(_e6631, f64(2f), 0u);
+                                                    phi_7669_ = type_48();
+                                                    phi_7670_ = true;
                                                 }
-                                                let _e9869 = phi_7662_;
-                                                let _e9871 = phi_7663_;
-                                                let _e9873 = phi_7664_;
-                                                phi_7668_ = _e9869;
-                                                phi_7669_ = _e9871;
-                                                phi_7670_ = false;
-                                                phi_7671_ = _e9873;
+                                                let _e9873 = phi_7668_;
+                                                let _e9875 = phi_7669_;
+                                                let _e9877 = phi_7670_;
+                                                phi_7674_ = _e9873;
+                                                phi_7675_ = _e9875;
+                                                phi_7676_ = false;
+                                                phi_7677_ = _e9877;
                                             } else {
-                                                phi_7668_ = type_48();
-                                                phi_7669_ = type_48();
-                                                phi_7670_ = true;
-                                                phi_7671_ = false;
+                                                phi_7674_ = type_48();
+                                                phi_7675_ = type_48();
+                                                phi_7676_ = true;
+                                                phi_7677_ = false;
                                             }
-                                            let _e9875 = phi_7668_;
-                                            let _e9877 = phi_7669_;
-                                            let _e9879 = phi_7670_;
-                                            let _e9881 = phi_7671_;
-                                            phi_7672_ = _e9875;
-                                            phi_7673_ = _e9877;
-                                            phi_7674_ = _e9879;
-                                            phi_7675_ = _e9881;
+                                            let _e9879 = phi_7674_;
+                                            let _e9881 = phi_7675_;
+                                            let _e9883 = phi_7676_;
+                                            let _e9885 = phi_7677_;
+                                            phi_7678_ = _e9879;
+                                            phi_7679_ = _e9881;
+                                            phi_7680_ = _e9883;
+                                            phi_7681_ = _e9885;
                                         } else {
-                                            phi_7672_ = type_48();
-                                            phi_7673_ = type_48();
-                                            phi_7674_ = true;
-                                            phi_7675_ = false;
+                                            phi_7678_ = type_48();
+                                            phi_7679_ = type_48();
+                                            phi_7680_ = true;
+                                            phi_7681_ = false;
                                         }
-                                        let _e9883 = phi_7672_;
-                                        let _e9885 = phi_7673_;
-                                        let _e9887 = phi_7674_;
-                                        let _e9889 = phi_7675_;
-                                        if _e9887 {
-                                            phi_7681_ = type_48(_e6631, f64(2f), 0u);
-                                            phi_7682_ = true;
-                                        } else {
-                                            phi_7681_ = _e9883;
-                                            phi_7682_ = _e9889;
-                                        }
+                                        let _e9887 = phi_7678_;
+                                        let _e9889 = phi_7679_;
+                                        let _e9891 = phi_7680_;
                                         let _e9893 = phi_7681_;
-                                        let _e9895 = phi_7682_;
-                                        if _e9895 {
-                                            phi_7686_ = _e9893;
+                                        if _e9891 {
+                                            phi_7687_ = type_48(_e6631, f64(2f), 0u);
+                                            phi_7688_ = true;
                                         } else {
-                                            phi_7686_ = _e9885;
+                                            phi_7687_ = _e9887;
+                                            phi_7688_ = _e9893;
                                         }
-                                        let _e9897 = phi_7686_;
+                                        let _e9897 = phi_7687_;
+                                        let _e9899 = phi_7688_;
+                                        if _e9899 {
+                                            phi_7692_ = _e9897;
+                                        } else {
+                                            phi_7692_ = _e9889;
+                                        }
+                                        let _e9901 = phi_7692_;
                                         if ((_e421 & 64u) != 0u) {
-                                            if (_e9897.member_2 == 2u) {
-                                                let _e9901 = (_e9897.member_1 <= _e419);
-                                                if _e9901 {
-                                                    phi_7702_ = _e9897.member_1;
-                                                    phi_7703_ = _e9897.member_1;
-                                                    phi_7704_ = false;
+                                            if (_e9901.member_2 == 2u) {
+                                                let _e9905 = (_e9901.member_1 <= _e419);
+                                                if _e9905 {
+                                                    phi_7708_ = _e9901.member_1;
+                                                    phi_7709_ = _e9901.member_1;
+                                                    phi_7710_ = false;
                                                 } else {
-                                                    phi_7702_ = f64();
-                                                    phi_7703_ = f64();
-                                                    phi_7704_ = true;
+                                                    phi_7708_ = f64();
+                                                    phi_7709_ = f64();
+                                                    phi_7710_ = true;
                                                 }
-                                                let _e9905 = phi_7702_;
-                                                let _e9907 = phi_7703_;
-                                                let _e9909 = phi_7704_;
-                                                phi_7705_ = _e9905;
-                                                phi_7706_ = _e9907;
-                                                phi_7707_ = _e9901;
-                                                phi_7708_ = _e9909;
-                                                phi_7709_ = false;
+                                                let _e9909 = phi_7708_;
+                                                let _e9911 = phi_7709_;
+                                                let _e9913 = phi_7710_;
+                                                phi_7711_ = _e9909;
+                                                phi_7712_ = _e9911;
+                                                phi_7713_ = _e9905;
+                                                phi_7714_ = _e9913;
+                                                phi_7715_ = false;
                                             } else {
-                                                phi_7705_ = f64();
-                                                phi_7706_ = f64();
-                                                phi_7707_ = false;
-                                                phi_7708_ = false;
-                                                phi_7709_ = true;
+                                                phi_7711_ = f64();
+                                                phi_7712_ = f64();
+                                                phi_7713_ = false;
+                                                phi_7714_ = false;
+                                                phi_7715_ = true;
                                             }
-                                            let _e9911 = phi_7705_;
-                                            let _e9913 = phi_7706_;
-                                            let _e9915 = phi_7707_;
-                                            let _e9917 = phi_7708_;
-                                            let _e9919 = phi_7709_;
-                                            phi_7710_ = _e9911;
-                                            phi_7711_ = _e9913;
-                                            phi_7712_ = _e9915;
-                                            phi_7713_ = _e9917;
-                                            phi_7714_ = _e9919;
+                                            let _e9915 = phi_7711_;
+                                            let _e9917 = phi_7712_;
+                                            let _e9919 = phi_7713_;
+                                            let _e9921 = phi_7714_;
+                                            let _e9923 = phi_7715_;
+                                            phi_7716_ = _e9915;
+                                            phi_7717_ = _e9917;
+                                            phi_7718_ = _e9919;
+                                            phi_7719_ = _e9921;
+                                            phi_7720_ = _e9923;
                                         } else {
-                                            phi_7710_ = f64();
-                                            phi_7711_ = f64();
-                                            phi_7712_ = false;
-                                            phi_7713_ = false;
-                                            phi_7714_ = true;
+                                            phi_7716_ = f64();
+                                            phi_7717_ = f64();
+                                            phi_7718_ = false;
+                                            phi_7719_ = false;
+                                            phi_7720_ = true;
                                         }
-                                        let _e9921 = phi_7710_;
-                                        let _e9923 = phi_7711_;
-                                        let _e9925 = phi_7712_;
-                                        let _e9927 = phi_7713_;
-                                        let _e9929 = phi_7714_;
-                                        phi_7715_ = _e9921;
-                                        phi_7716_ = _e9897.member_2;
-                                        phi_7717_ = _e9923;
-                                        phi_7718_ = _e9897;
-                                        phi_7719_ = _e9897.member_2;
-                                        phi_7720_ = _e9897.member_2;
+                                        let _e9925 = phi_7716_;
+                                        let _e9927 = phi_7717_;
+                                        let _e9929 = phi_7718_;
+                                        let _e9931 = phi_7719_;
+                                        let _e9933 = phi_7720_;
                                         phi_7721_ = _e9925;
-                                        phi_7722_ = _e9927;
-                                        phi_7723_ = _e9929;
+                                        phi_7722_ = _e9901.member_2;
+                                        phi_7723_ = _e9927;
+                                        phi_7724_ = _e9901;
+                                        phi_7725_ = _e9901.member_2;
+                                        phi_7726_ = _e9901.member_2;
+                                        phi_7727_ = _e9929;
+                                        phi_7728_ = _e9931;
+                                        phi_7729_ = _e9933;
                                     }
-                                    let _e9931 = phi_7715_;
-                                    let _e9933 = phi_7716_;
-                                    let _e9935 = phi_7717_;
-                                    let _e9937 = phi_7718_;
-                                    let _e9939 = phi_7719_;
-                                    let _e9941 = phi_7720_;
-                                    let _e9943 = phi_7721_;
-                                    let _e9945 = phi_7722_;
-                                    let _e9947 = phi_7723_;
-                                    phi_7724_ = _e9931;
-                                    phi_7725_ = _e9933;
-                                    phi_7726_ = _e9935;
-                                    phi_7727_ = _e9937;
-                                    phi_7728_ = _e9939;
-                                    phi_7729_ = _e9941;
-                                    phi_7730_ = _e9943;
-                                    phi_7731_ = _e8474;
-                                    phi_7732_ = _e9945;
-                                    phi_7733_ = _e9947;
-                                    phi_7734_ = false;
+                                    let _e9935 = phi_7721_;
+                                    let _e9937 = phi_7722_;
+                                    let _e9939 = phi_7723_;
+                                    let _e9941 = phi_7724_;
+                                    let _e9943 = phi_7725_;
+                                    let _e9945 = phi_7726_;
+                                    let _e9947 = phi_7727_;
+                                    let _e9949 = phi_7728_;
+                                    let _e9951 = phi_7729_;
+                                    phi_7730_ = _e9935;
+                                    phi_7731_ = _e9937;
+                                    phi_7732_ = _e9939;
+                                    phi_7733_ = _e9941;
+                                    phi_7734_ = _e9943;
+                                    phi_7735_ = _e9945;
+                                    phi_7736_ = _e9947;
+                                    phi_7737_ = _e8474;
+                                    phi_7738_ = _e9949;
+                                    phi_7739_ = _e9951;
+                                    phi_7740_ = false;
                                 } else {
-                                    phi_7724_ = f64();
-                                    phi_7725_ = u32();
-                                    phi_7726_ = f64();
-                                    phi_7727_ = type_48();
-                                    phi_7728_ = u32();
-                                    phi_7729_ = u32();
-                                    phi_7730_ = false;
-                                    phi_7731_ = false;
-                                    phi_7732_ = false;
-                                    phi_7733_ = false;
-                                    phi_7734_ = true;
+                                    phi_7730_ = f64();
+                                    phi_7731_ = u32();
+                                    phi_7732_ = f64();
+                                    phi_7733_ = type_48();
+                                    phi_7734_ = u32();
+                                    phi_7735_ = u32();
+                                    phi_7736_ = false;
+                                    phi_7737_ = false;
+                                    phi_7738_ = false;
+                                    phi_7739_ = false;
+                                    phi_7740_ = true;
                                 }
-                                let _e9949 = phi_7724_;
-                                let _e9951 = phi_7725_;
-                                let _e9953 = phi_7726_;
-                                let _e9955 = phi_7727_;
-                                let _e9957 = phi_7728_;
-                                let _e9959 = phi_7729_;
-                                let _e9961 = phi_7730_;
-                                let _e9963 = phi_7731_;
-                                let _e9965 = phi_7732_;
-                                let _e9967 = phi_7733_;
-                                let _e9969 = phi_7734_;
-                                phi_7735_ = _e8471;
-                                phi_2725_ = _e9949;
-                                phi_2727_ = _e9951;
-                                phi_2729_ = _e9953;
-                                phi_7736_ = _e9955;
-                                phi_7737_ = _e9957;
-                                phi_7738_ = _e8471;
-                                phi_7739_ = _e9959;
-                                phi_7740_ = _e9961;
-                                phi_7741_ = _e9963;
-                                phi_7742_ = _e9965;
-                                phi_7743_ = _e9967;
-                                phi_7744_ = false;
-                                phi_7745_ = _e9969;
+                                let _e9953 = phi_7730_;
+                                let _e9955 = phi_7731_;
+                                let _e9957 = phi_7732_;
+                                let _e9959 = phi_7733_;
+                                let _e9961 = phi_7734_;
+                                let _e9963 = phi_7735_;
+                                let _e9965 = phi_7736_;
+                                let _e9967 = phi_7737_;
+                                let _e9969 = phi_7738_;
+                                let _e9971 = phi_7739_;
+                                let _e9973 = phi_7740_;
+                                phi_7741_ = _e8471;
+                                phi_2725_ = _e9953;
+                                phi_2727_ = _e9955;
+                                phi_2729_ = _e9957;
+                                phi_7742_ = _e9959;
+                                phi_7743_ = _e9961;
+                                phi_7744_ = _e8471;
+                                phi_7745_ = _e9963;
+                                phi_7746_ = _e9965;
+                                phi_7747_ = _e9967;
+                                phi_7748_ = _e9969;
+                                phi_7749_ = _e9971;
+                                phi_7750_ = false;
+                                phi_7751_ = _e9973;
                             } else {
-                                phi_7735_ = f64();
+                                phi_7741_ = f64();
                                 phi_2725_ = f64();
                                 phi_2727_ = u32();
                                 phi_2729_ = f64();
-                                phi_7736_ = type_48();
-                                phi_7737_ = u32();
-                                phi_7738_ = f64();
-                                phi_7739_ = u32();
-                                phi_7740_ = false;
-                                phi_7741_ = false;
-                                phi_7742_ = false;
-                                phi_7743_ = false;
-                                phi_7744_ = true;
-                                phi_7745_ = false;
+                                phi_7742_ = type_48();
+                                phi_7743_ = u32();
+                                phi_7744_ = f64();
+                                phi_7745_ = u32();
+                                phi_7746_ = false;
+                                phi_7747_ = false;
+                                phi_7748_ = false;
+                                phi_7749_ = false;
+                                phi_7750_ = true;
+                                phi_7751_ = false;
                             }
-                            let _e9971 = phi_7735_;
-                            let _e9973 = phi_2725_;
-                            let _e9975 = phi_2727_;
-                            let _e9977 = phi_2729_;
-                            let _e9979 = phi_7736_;
-                            let _e9981 = phi_7737_;
-                            let _e9983 = phi_7738_;
-                            let _e9985 = phi_7739_;
-                            let _e9987 = phi_7740_;
-                            let _e9989 = phi_7741_;
-                            let _e9991 = phi_7742_;
-                            let _e9993 = phi_7743_;
-                            let _e9995 = phi_7744_;
-                            let _e9997 = phi_7745_;
-                            local_58 = _e9989;
-                            local_92 = _e9991;
-                            local_93 = _e9993;
-                            local_94 = _e9995;
-                            local_95 = _e9997;
-                            local_59 = _e9979;
-                            local_60 = _e9979;
-                            local_96 = _e9981;
-                            local_61 = _e9979;
-                            local_97 = _e9989;
-                            local_98 = _e9985;
-                            local_100 = _e9983;
-                            local_101 = _e9971;
+                            let _e9975 = phi_7741_;
+                            let _e9977 = phi_2725_;
+                            let _e9979 = phi_2727_;
+                            let _e9981 = phi_2729_;
+                            let _e9983 = phi_7742_;
+                            let _e9985 = phi_7743_;
+                            let _e9987 = phi_7744_;
+                            let _e9989 = phi_7745_;
+                            let _e9991 = phi_7746_;
+                            let _e9993 = phi_7747_;
+                            let _e9995 = phi_7748_;
+                            let _e9997 = phi_7749_;
+                            let _e9999 = phi_7750_;
+                            let _e10001 = phi_7751_;
+                            local_58 = _e9993;
+                            local_92 = _e9995;
+                            local_93 = _e9997;
+                            local_94 = _e9999;
+                            local_95 = _e10001;
+                            local_59 = _e9983;
+                            local_60 = _e9983;
+                            local_96 = _e9985;
+                            local_61 = _e9983;
+                            local_97 = _e9993;
+                            local_98 = _e9989;
+                            local_100 = _e9987;
+                            local_101 = _e9975;
                             continue;
                             continuing {
                                 phi_2721_ = _e6654;
-                                phi_2724_ = _e9973;
-                                phi_2726_ = _e9975;
-                                phi_2728_ = _e9977;
-                                break if !(_e9987);
+                                phi_2724_ = _e9977;
+                                phi_2726_ = _e9979;
+                                phi_2728_ = _e9981;
+                                break if !(_e9991);
                             }
                         }
-                        let _e10000 = local_58;
-                        if _e10000 {
-                            phi_7749_ = false;
-                            phi_7750_ = false;
-                            phi_7751_ = false;
-                            phi_7752_ = false;
+                        let _e10004 = local_58;
+                        if _e10004 {
+                            phi_7755_ = false;
+                            phi_7756_ = false;
+                            phi_7757_ = false;
+                            phi_7758_ = false;
                         } else {
-                            let _e12173 = local_92;
-                            phi_7749_ = _e12173;
-                            let _e12176 = local_93;
-                            phi_7750_ = _e12176;
-                            let _e12179 = local_94;
-                            phi_7751_ = _e12179;
-                            let _e12182 = local_95;
-                            phi_7752_ = _e12182;
+                            let _e12178 = local_92;
+                            phi_7755_ = _e12178;
+                            let _e12181 = local_93;
+                            phi_7756_ = _e12181;
+                            let _e12184 = local_94;
+                            phi_7757_ = _e12184;
+                            let _e12187 = local_95;
+                            phi_7758_ = _e12187;
                         }
-                        let _e10002 = phi_7749_;
-                        let _e10004 = phi_7750_;
-                        let _e10006 = phi_7751_;
-                        let _e10008 = phi_7752_;
-                        if _e10002 {
-                            let _e10010 = local_59;
-                            if (_e10010.member >= _e419) {
-                                phi_7774_ = type_47(type_46(0u, f64()), 0u);
+                        let _e10006 = phi_7755_;
+                        let _e10008 = phi_7756_;
+                        let _e10010 = phi_7757_;
+                        let _e10012 = phi_7758_;
+                        if _e10006 {
+                            let _e10014 = local_59;
+                            if (_e10014.member >= _e419) {
+                                phi_7780_ = type_47(type_46(0u, f64()), 0u);
                             } else {
-                                let _e10014 = local_60;
-                                if (_e10014.member > _e410) {
-                                    phi_7769_ = 0u;
+                                let _e10018 = local_60;
+                                if (_e10018.member > _e410) {
+                                    phi_7775_ = 0u;
                                 } else {
-                                    let _e12187 = local_96;
-                                    phi_7769_ = _e12187;
+                                    let _e12192 = local_96;
+                                    phi_7775_ = _e12192;
                                 }
-                                let _e10018 = phi_7769_;
-                                let _e10020 = local_61;
-                                phi_7774_ = type_47(type_46(2u, _e10020.member), _e10018);
+                                let _e10022 = phi_7775_;
+                                let _e10024 = local_61;
+                                phi_7780_ = type_47(type_46(2u, _e10024.member), _e10022);
                             }
-                            let _e10027 = phi_7774_;
-                            phi_7775_ = _e10027;
-                            phi_7776_ = false;
-                            phi_7777_ = false;
-                            phi_7778_ = false;
-                            phi_7779_ = false;
+                            let _e10031 = phi_7780_;
+                            phi_7781_ = _e10031;
+                            phi_7782_ = false;
+                            phi_7783_ = false;
+                            phi_7784_ = false;
+                            phi_7785_ = false;
                         } else {
-                            phi_7775_ = type_47();
-                            phi_7776_ = _e10004;
-                            let _e12194 = local_97;
-                            phi_7777_ = _e12194;
-                            phi_7778_ = _e10006;
-                            phi_7779_ = _e10008;
-                        }
-                        let _e10029 = phi_7775_;
-                        let _e10031 = phi_7776_;
-                        let _e10033 = phi_7777_;
-                        let _e10035 = phi_7778_;
-                        let _e10037 = phi_7779_;
-                        if _e10031 {
-                            let _e12199 = local_98;
+                            phi_7781_ = type_47();
+                            phi_7782_ = _e10008;
+                            let _e12199 = local_97;
                             phi_7783_ = _e12199;
-                            let _e12204 = local_100;
-                            phi_7784_ = _e12204;
-                            phi_7785_ = true;
-                            phi_7786_ = false;
-                            phi_7787_ = false;
-                            phi_7788_ = false;
-                        } else {
-                            let _e12201 = local_99;
-                            phi_7783_ = _e12201;
-                            let _e12206 = local_101;
-                            phi_7784_ = _e12206;
-                            phi_7785_ = _e10033;
-                            phi_7786_ = _e10035;
-                            phi_7787_ = _e10037;
-                            phi_7788_ = _e10002;
+                            phi_7784_ = _e10010;
+                            phi_7785_ = _e10012;
                         }
-                        let _e10039 = phi_7783_;
-                        let _e10041 = phi_7784_;
-                        let _e10043 = phi_7785_;
-                        let _e10045 = phi_7786_;
-                        let _e10047 = phi_7787_;
-                        let _e10049 = phi_7788_;
-                        if _e10043 {
-                            phi_7792_ = _e10041;
-                            phi_7793_ = _e10039;
-                            phi_7794_ = true;
-                            phi_7795_ = false;
-                            phi_7796_ = false;
+                        let _e10033 = phi_7781_;
+                        let _e10035 = phi_7782_;
+                        let _e10037 = phi_7783_;
+                        let _e10039 = phi_7784_;
+                        let _e10041 = phi_7785_;
+                        if _e10035 {
+                            let _e12204 = local_98;
+                            phi_7789_ = _e12204;
+                            let _e12209 = local_100;
+                            phi_7790_ = _e12209;
+                            phi_7791_ = true;
+                            phi_7792_ = false;
+                            phi_7793_ = false;
+                            phi_7794_ = false;
                         } else {
-                            let _e12213 = local_102;
-                            phi_7792_ = _e12213;
-                            let _e12216 = local_103;
-                            phi_7793_ = _e12216;
-                            phi_7794_ = _e10045;
-                            phi_7795_ = _e10047;
-                            phi_7796_ = _e10049;
+                            let _e12206 = local_99;
+                            phi_7789_ = _e12206;
+                            let _e12211 = local_101;
+                            phi_7790_ = _e12211;
+                            phi_7791_ = _e10037;
+                            phi_7792_ = _e10039;
+                            phi_7793_ = _e10041;
+                            phi_7794_ = _e10006;
                         }
-                        let _e10051 = phi_7792_;
-                        let _e10053 = phi_7793_;
-                        let _e10055 = phi_7794_;
-                        let _e10057 = phi_7795_;
-                        let _e10059 = phi_7796_;
-                        if _e10055 {
+                        let _e10043 = phi_7789_;
+                        let _e10045 = phi_7790_;
+                        let _e10047 = phi_7791_;
+                        let _e10049 = phi_7792_;
+                        let _e10051 = phi_7793_;
+                        let _e10053 = phi_7794_;
+                        if _e10047 {
+                            phi_7798_ = _e10045;
+                            phi_7799_ = _e10043;
+                            phi_7800_ = true;
+                            phi_7801_ = false;
+                            phi_7802_ = false;
+                        } else {
+                            let _e12218 = local_102;
+                            phi_7798_ = _e12218;
+                            let _e12221 = local_103;
+                            phi_7799_ = _e12221;
+                            phi_7800_ = _e10049;
+                            phi_7801_ = _e10051;
+                            phi_7802_ = _e10053;
+                        }
+                        let _e10055 = phi_7798_;
+                        let _e10057 = phi_7799_;
+                        let _e10059 = phi_7800_;
+                        let _e10061 = phi_7801_;
+                        let _e10063 = phi_7802_;
+                        if _e10059 {
                             local_13[0u] = 0.01f;
                             local_13[1u] = 0f;
                             local_13[2u] = 0.8f;
                             if (_e401 >= (1.1102230246251565e-16lf * f64(8f))) {
-                                phi_7810_ = _e401;
+                                phi_7816_ = _e401;
                             } else {
-                                phi_7810_ = f64(0f);
+                                phi_7816_ = f64(0f);
                             }
-                            let _e10068 = phi_7810_;
-                            phi_7813_ = type_12(0u, 3u);
+                            let _e10072 = phi_7816_;
+                            phi_7819_ = type_12(0u, 3u);
                             loop {
-                                let _e10070 = phi_7813_;
-                                if (_e10070.member < _e10070.member_1) {
-                                    phi_7814_ = type_12((_e10070.member + 1u), _e10070.member_1);
-                                    phi_7837_ = type_12(1u, _e10070.member);
+                                let _e10074 = phi_7819_;
+                                if (_e10074.member < _e10074.member_1) {
+                                    phi_7820_ = type_12((_e10074.member + 1u), _e10074.member_1);
+                                    phi_7843_ = type_12(1u, _e10074.member);
                                 } else {
-                                    phi_7814_ = _e10070;
-                                    phi_7837_ = type_12(0u, type_12().member_1);
+                                    phi_7820_ = _e10074;
+                                    phi_7843_ = type_12(0u, type_12().member_1);
                                 }
-                                let _e10082 = phi_7814_;
-                                let _e10084 = phi_7837_;
-                                if (bitcast<i32>(_e10084.member) != 0i) {
-                                    let _e10090 = local_13[_e10084.member_1];
-                                    let _e10093 = (_e10051 + (_e10068 * f64(_e10090)));
-                                    if (_e10093 < _e419) {
-                                        phi_7859_ = _e10093;
+                                let _e10086 = phi_7820_;
+                                let _e10088 = phi_7843_;
+                                if (bitcast<i32>(_e10088.member) != 0i) {
+                                    let _e10094 = local_13[_e10088.member_1];
+                                    let _e10097 = (_e10055 + (_e10072 * f64(_e10094)));
+                                    if (_e10097 < _e419) {
+                                        phi_7865_ = _e10097;
                                     } else {
-                                        phi_7859_ = _e419;
+                                        phi_7865_ = _e419;
                                     }
-                                    let _e10096 = phi_7859_;
-                                    let _e10099 = local_18.member[0u];
-                                    let _e10105 = local_18.member[1u];
-                                    let _e10121 = local_18.member_1[0u];
-                                    let _e10127 = local_18.member_1[1u];
-                                    let _e10143 = local_18.member_2[0u];
-                                    let _e10149 = local_18.member_2[1u];
-                                    let _e10163 = function_3(array<f64, 3>((_e10099[0] + ((_e10105[0] - _e10099[0]) * _e10096)), (_e10099[1] + ((_e10105[1] - _e10099[1]) * _e10096)), (_e10099[2] + ((_e10105[2] - _e10099[2]) * _e10096))), array<f64, 3>((_e10121[0] + ((_e10127[0] - _e10121[0]) * _e10096)), (_e10121[1] + ((_e10127[1] - _e10121[1]) * _e10096)), (_e10121[2] + ((_e10127[2] - _e10121[2]) * _e10096))), array<f64, 3>((_e10143[0] + ((_e10149[0] - _e10143[0]) * _e10096)), (_e10143[1] + ((_e10149[1] - _e10143[1]) * _e10096)), (_e10143[2] + ((_e10149[2] - _e10143[2]) * _e10096))), 0u);
-                                    let _e10174 = (((_e10163[0] * _e10163[0]) + (_e10163[1] * _e10163[1])) + (_e10163[2] * _e10163[2]));
-                                    if (_e10174 <= 2.2250738585072014e-308lf) {
-                                        if (_e10174 > 0.0lf) {
-                                            phi_7982_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e10100 = phi_7865_;
+                                    let _e10103 = local_18.member[0u];
+                                    let _e10109 = local_18.member[1u];
+                                    let _e10125 = local_18.member_1[0u];
+                                    let _e10131 = local_18.member_1[1u];
+                                    let _e10147 = local_18.member_2[0u];
+                                    let _e10153 = local_18.member_2[1u];
+                                    let _e10167 = function_3(array<f64, 3>((_e10103[0] + ((_e10109[0] - _e10103[0]) * _e10100)), (_e10103[1] + ((_e10109[1] - _e10103[1]) * _e10100)), (_e10103[2] + ((_e10109[2] - _e10103[2]) * _e10100))), array<f64, 3>((_e10125[0] + ((_e10131[0] - _e10125[0]) * _e10100)), (_e10125[1] + ((_e10131[1] - _e10125[1]) * _e10100)), (_e10125[2] + ((_e10131[2] - _e10125[2]) * _e10100))), array<f64, 3>((_e10147[0] + ((_e10153[0] - _e10147[0]) * _e10100)), (_e10147[1] + ((_e10153[1] - _e10147[1]) * _e10100)), (_e10147[2] + ((_e10153[2] - _e10147[2]) * _e10100))), 0u);
+                                    let _e10178 = (((_e10167[0] * _e10167[0]) + (_e10167[1] * _e10167[1])) + (_e10167[2] * _e10167[2]));
+                                    if (_e10178 <= 2.2250738585072014e-308lf) {
+                                        if (_e10178 > 0.0lf) {
+                                            phi_7988_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_7982_ = 0.0lf;
+                                            phi_7988_ = 0.0lf;
                                         }
-                                        let _e10226 = phi_7982_;
-                                        phi_8046_ = _e10226;
+                                        let _e10230 = phi_7988_;
+                                        phi_8052_ = _e10230;
                                     } else {
-                                        phi_7989_ = type_16(0i, 5i);
-                                        phi_7992_ = bitcast<f64>(((bitcast<u64>(_e10174) / 2lu) + 2303426169912950784lu));
+                                        phi_7995_ = type_16(0i, 5i);
+                                        phi_7998_ = bitcast<f64>(((bitcast<u64>(_e10178) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e10181 = phi_7989_;
-                                            let _e10183 = phi_7992_;
-                                            local_62 = _e10183;
-                                            if (_e10181.member < _e10181.member_1) {
-                                                let _e10190 = (_e10181.member + 1i);
-                                                if ((false == (_e10190 > _e10181.member)) != false) {
-                                                    phi_8013_ = true;
+                                            let _e10185 = phi_7995_;
+                                            let _e10187 = phi_7998_;
+                                            local_62 = _e10187;
+                                            if (_e10185.member < _e10185.member_1) {
+                                                let _e10194 = (_e10185.member + 1i);
+                                                if ((false == (_e10194 > _e10185.member)) != false) {
+                                                    phi_8019_ = true;
                                                 } else {
-                                                    phi_8013_ = false;
+                                                    phi_8019_ = false;
                                                 }
-                                                let _e10195 = phi_8013_;
-                                                if _e10195 {
-                                                    phi_8019_ = type_17(0u, type_17().member_1);
+                                                let _e10199 = phi_8019_;
+                                                if _e10199 {
+                                                    phi_8025_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_8019_ = type_17(1u, _e10190);
+                                                    phi_8025_ = type_17(1u, _e10194);
                                                 }
-                                                let _e10200 = phi_8019_;
-                                                phi_7990_ = type_16(_e10200.member_1, _e10181.member_1);
-                                                phi_8033_ = type_17(1u, _e10181.member);
+                                                let _e10204 = phi_8025_;
+                                                phi_7996_ = type_16(_e10204.member_1, _e10185.member_1);
+                                                phi_8039_ = type_17(1u, _e10185.member);
                                             } else {
-                                                phi_7990_ = _e10181;
-                                                phi_8033_ = type_17(0u, type_17().member_1);
+                                                phi_7996_ = _e10185;
+                                                phi_8039_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e10206 = phi_7990_;
-                                            let _e10208 = phi_8033_;
-                                            let _e10211 = (bitcast<i32>(_e10208.member) != 0i);
-                                            if _e10211 {
-                                                phi_7993_ = (0.5lf * (_e10183 + (_e10174 / _e10183)));
+                                            let _e10210 = phi_7996_;
+                                            let _e10212 = phi_8039_;
+                                            let _e10215 = (bitcast<i32>(_e10212.member) != 0i);
+                                            if _e10215 {
+                                                phi_7999_ = (0.5lf * (_e10187 + (_e10178 / _e10187)));
                                             } else {
-                                                phi_7993_ = f64();
+                                                phi_7999_ = f64();
                                             }
-                                            let _e10216 = phi_7993_;
+                                            let _e10220 = phi_7999_;
                                             continue;
                                             continuing {
-                                                phi_7989_ = _e10206;
-                                                phi_7992_ = _e10216;
-                                                break if !(_e10211);
+                                                phi_7995_ = _e10210;
+                                                phi_7998_ = _e10220;
+                                                break if !(_e10215);
                                             }
                                         }
-                                        let _e10221 = local_62;
-                                        phi_8046_ = (_e10221 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e10225 = local_62;
+                                        phi_8052_ = (_e10225 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e10228 = phi_8046_;
-                                    let _e10236 = local_18.member[0u];
-                                    if (_e10236[0] < 0.0lf) {
-                                        phi_8064_ = -(_e10236[0]);
+                                    let _e10232 = phi_8052_;
+                                    let _e10240 = local_18.member[0u];
+                                    if (_e10240[0] < 0.0lf) {
+                                        phi_8070_ = -(_e10240[0]);
                                     } else {
-                                        phi_8064_ = _e10236[0];
+                                        phi_8070_ = _e10240[0];
                                     }
-                                    let _e10243 = phi_8064_;
-                                    if (_e10236[1] < 0.0lf) {
-                                        phi_8071_ = -(_e10236[1]);
+                                    let _e10247 = phi_8070_;
+                                    if (_e10240[1] < 0.0lf) {
+                                        phi_8077_ = -(_e10240[1]);
                                     } else {
-                                        phi_8071_ = _e10236[1];
+                                        phi_8077_ = _e10240[1];
                                     }
-                                    let _e10247 = phi_8071_;
-                                    if (_e10243 > _e10247) {
-                                        phi_8076_ = _e10243;
+                                    let _e10251 = phi_8077_;
+                                    if (_e10247 > _e10251) {
+                                        phi_8082_ = _e10247;
                                     } else {
-                                        phi_8076_ = _e10247;
+                                        phi_8082_ = _e10251;
                                     }
-                                    let _e10250 = phi_8076_;
-                                    if (_e10236[2] < 0.0lf) {
-                                        phi_8083_ = -(_e10236[2]);
+                                    let _e10254 = phi_8082_;
+                                    if (_e10240[2] < 0.0lf) {
+                                        phi_8089_ = -(_e10240[2]);
                                     } else {
-                                        phi_8083_ = _e10236[2];
+                                        phi_8089_ = _e10240[2];
                                     }
-                                    let _e10254 = phi_8083_;
-                                    if (_e10250 > _e10254) {
-                                        phi_8088_ = _e10250;
+                                    let _e10258 = phi_8089_;
+                                    if (_e10254 > _e10258) {
+                                        phi_8094_ = _e10254;
                                     } else {
-                                        phi_8088_ = _e10254;
+                                        phi_8094_ = _e10258;
                                     }
-                                    let _e10257 = phi_8088_;
-                                    let _e10260 = local_18.member[1u];
-                                    if (_e10260[0] < 0.0lf) {
-                                        phi_8101_ = -(_e10260[0]);
+                                    let _e10261 = phi_8094_;
+                                    let _e10264 = local_18.member[1u];
+                                    if (_e10264[0] < 0.0lf) {
+                                        phi_8107_ = -(_e10264[0]);
                                     } else {
-                                        phi_8101_ = _e10260[0];
+                                        phi_8107_ = _e10264[0];
                                     }
-                                    let _e10267 = phi_8101_;
-                                    if (_e10260[1] < 0.0lf) {
-                                        phi_8108_ = -(_e10260[1]);
+                                    let _e10271 = phi_8107_;
+                                    if (_e10264[1] < 0.0lf) {
+                                        phi_8114_ = -(_e10264[1]);
                                     } else {
-                                        phi_8108_ = _e10260[1];
+                                        phi_8114_ = _e10264[1];
                                     }
-                                    let _e10271 = phi_8108_;
-                                    if (_e10267 > _e10271) {
-                                        phi_8113_ = _e10267;
+                                    let _e10275 = phi_8114_;
+                                    if (_e10271 > _e10275) {
+                                        phi_8119_ = _e10271;
                                     } else {
-                                        phi_8113_ = _e10271;
+                                        phi_8119_ = _e10275;
                                     }
-                                    let _e10274 = phi_8113_;
-                                    if (_e10260[2] < 0.0lf) {
-                                        phi_8120_ = -(_e10260[2]);
+                                    let _e10278 = phi_8119_;
+                                    if (_e10264[2] < 0.0lf) {
+                                        phi_8126_ = -(_e10264[2]);
                                     } else {
-                                        phi_8120_ = _e10260[2];
+                                        phi_8126_ = _e10264[2];
                                     }
-                                    let _e10278 = phi_8120_;
-                                    if (_e10274 > _e10278) {
-                                        phi_8125_ = _e10274;
+                                    let _e10282 = phi_8126_;
+                                    if (_e10278 > _e10282) {
+                                        phi_8131_ = _e10278;
                                     } else {
-                                        phi_8125_ = _e10278;
+                                        phi_8131_ = _e10282;
                                     }
-                                    let _e10281 = phi_8125_;
-                                    if (_e10257 > _e10281) {
-                                        phi_8130_ = _e10257;
+                                    let _e10285 = phi_8131_;
+                                    if (_e10261 > _e10285) {
+                                        phi_8136_ = _e10261;
                                     } else {
-                                        phi_8130_ = _e10281;
+                                        phi_8136_ = _e10285;
                                     }
-                                    let _e10284 = phi_8130_;
-                                    let _e10286 = local_18.member_3;
-                                    let _e10290 = local_18.member_1[0u];
-                                    if (_e10290[0] < 0.0lf) {
-                                        phi_8147_ = -(_e10290[0]);
+                                    let _e10288 = phi_8136_;
+                                    let _e10290 = local_18.member_3;
+                                    let _e10294 = local_18.member_1[0u];
+                                    if (_e10294[0] < 0.0lf) {
+                                        phi_8153_ = -(_e10294[0]);
                                     } else {
-                                        phi_8147_ = _e10290[0];
+                                        phi_8153_ = _e10294[0];
                                     }
-                                    let _e10297 = phi_8147_;
-                                    if (_e10290[1] < 0.0lf) {
-                                        phi_8154_ = -(_e10290[1]);
+                                    let _e10301 = phi_8153_;
+                                    if (_e10294[1] < 0.0lf) {
+                                        phi_8160_ = -(_e10294[1]);
                                     } else {
-                                        phi_8154_ = _e10290[1];
+                                        phi_8160_ = _e10294[1];
                                     }
-                                    let _e10301 = phi_8154_;
-                                    if (_e10297 > _e10301) {
-                                        phi_8159_ = _e10297;
+                                    let _e10305 = phi_8160_;
+                                    if (_e10301 > _e10305) {
+                                        phi_8165_ = _e10301;
                                     } else {
-                                        phi_8159_ = _e10301;
+                                        phi_8165_ = _e10305;
                                     }
-                                    let _e10304 = phi_8159_;
-                                    if (_e10290[2] < 0.0lf) {
-                                        phi_8166_ = -(_e10290[2]);
+                                    let _e10308 = phi_8165_;
+                                    if (_e10294[2] < 0.0lf) {
+                                        phi_8172_ = -(_e10294[2]);
                                     } else {
-                                        phi_8166_ = _e10290[2];
+                                        phi_8172_ = _e10294[2];
                                     }
-                                    let _e10308 = phi_8166_;
-                                    if (_e10304 > _e10308) {
-                                        phi_8171_ = _e10304;
+                                    let _e10312 = phi_8172_;
+                                    if (_e10308 > _e10312) {
+                                        phi_8177_ = _e10308;
                                     } else {
-                                        phi_8171_ = _e10308;
+                                        phi_8177_ = _e10312;
                                     }
-                                    let _e10311 = phi_8171_;
-                                    let _e10314 = local_18.member_1[1u];
-                                    if (_e10314[0] < 0.0lf) {
-                                        phi_8185_ = -(_e10314[0]);
+                                    let _e10315 = phi_8177_;
+                                    let _e10318 = local_18.member_1[1u];
+                                    if (_e10318[0] < 0.0lf) {
+                                        phi_8191_ = -(_e10318[0]);
                                     } else {
-                                        phi_8185_ = _e10314[0];
+                                        phi_8191_ = _e10318[0];
                                     }
-                                    let _e10321 = phi_8185_;
-                                    if (_e10314[1] < 0.0lf) {
-                                        phi_8192_ = -(_e10314[1]);
+                                    let _e10325 = phi_8191_;
+                                    if (_e10318[1] < 0.0lf) {
+                                        phi_8198_ = -(_e10318[1]);
                                     } else {
-                                        phi_8192_ = _e10314[1];
+                                        phi_8198_ = _e10318[1];
                                     }
-                                    let _e10325 = phi_8192_;
-                                    if (_e10321 > _e10325) {
-                                        phi_8197_ = _e10321;
+                                    let _e10329 = phi_8198_;
+                                    if (_e10325 > _e10329) {
+                                        phi_8203_ = _e10325;
                                     } else {
-                                        phi_8197_ = _e10325;
+                                        phi_8203_ = _e10329;
                                     }
-                                    let _e10328 = phi_8197_;
-                                    if (_e10314[2] < 0.0lf) {
-                                        phi_8204_ = -(_e10314[2]);
+                                    let _e10332 = phi_8203_;
+                                    if (_e10318[2] < 0.0lf) {
+                                        phi_8210_ = -(_e10318[2]);
                                     } else {
-                                        phi_8204_ = _e10314[2];
+                                        phi_8210_ = _e10318[2];
                                     }
-                                    let _e10332 = phi_8204_;
-                                    if (_e10328 > _e10332) {
-                                        phi_8209_ = _e10328;
+                                    let _e10336 = phi_8210_;
+                                    if (_e10332 > _e10336) {
+                                        phi_8215_ = _e10332;
                                     } else {
-                                        phi_8209_ = _e10332;
+                                        phi_8215_ = _e10336;
                                     }
-                                    let _e10335 = phi_8209_;
-                                    if (_e10311 > _e10335) {
-                                        phi_8214_ = _e10311;
+                                    let _e10339 = phi_8215_;
+                                    if (_e10315 > _e10339) {
+                                        phi_8220_ = _e10315;
                                     } else {
-                                        phi_8214_ = _e10335;
+                                        phi_8220_ = _e10339;
                                     }
-                                    let _e10338 = phi_8214_;
-                                    let _e10340 = local_18.member_3;
-                                    let _e10344 = local_18.member_2[0u];
-                                    if (_e10344[0] < 0.0lf) {
-                                        phi_8231_ = -(_e10344[0]);
+                                    let _e10342 = phi_8220_;
+                                    let _e10344 = local_18.member_3;
+                                    let _e10348 = local_18.member_2[0u];
+                                    if (_e10348[0] < 0.0lf) {
+                                        phi_8237_ = -(_e10348[0]);
                                     } else {
-                                        phi_8231_ = _e10344[0];
+                                        phi_8237_ = _e10348[0];
                                     }
-                                    let _e10351 = phi_8231_;
-                                    if (_e10344[1] < 0.0lf) {
-                                        phi_8238_ = -(_e10344[1]);
+                                    let _e10355 = phi_8237_;
+                                    if (_e10348[1] < 0.0lf) {
+                                        phi_8244_ = -(_e10348[1]);
                                     } else {
-                                        phi_8238_ = _e10344[1];
+                                        phi_8244_ = _e10348[1];
                                     }
-                                    let _e10355 = phi_8238_;
-                                    if (_e10351 > _e10355) {
-                                        phi_8243_ = _e10351;
+                                    let _e10359 = phi_8244_;
+                                    if (_e10355 > _e10359) {
+                                        phi_8249_ = _e10355;
                                     } else {
-                                        phi_8243_ = _e10355;
+                                        phi_8249_ = _e10359;
                                     }
-                                    let _e10358 = phi_8243_;
-                                    if (_e10344[2] < 0.0lf) {
-                                        phi_8250_ = -(_e10344[2]);
+                                    let _e10362 = phi_8249_;
+                                    if (_e10348[2] < 0.0lf) {
+                                        phi_8256_ = -(_e10348[2]);
                                     } else {
-                                        phi_8250_ = _e10344[2];
+                                        phi_8256_ = _e10348[2];
                                     }
-                                    let _e10362 = phi_8250_;
-                                    if (_e10358 > _e10362) {
-                                        phi_8255_ = _e10358;
+                                    let _e10366 = phi_8256_;
+                                    if (_e10362 > _e10366) {
+                                        phi_8261_ = _e10362;
                                     } else {
-                                        phi_8255_ = _e10362;
+                                        phi_8261_ = _e10366;
                                     }
-                                    let _e10365 = phi_8255_;
-                                    let _e10368 = local_18.member_2[1u];
-                                    if (_e10368[0] < 0.0lf) {
-                                        phi_8269_ = -(_e10368[0]);
+                                    let _e10369 = phi_8261_;
+                                    let _e10372 = local_18.member_2[1u];
+                                    if (_e10372[0] < 0.0lf) {
+                                        phi_8275_ = -(_e10372[0]);
                                     } else {
-                                        phi_8269_ = _e10368[0];
+                                        phi_8275_ = _e10372[0];
                                     }
-                                    let _e10375 = phi_8269_;
-                                    if (_e10368[1] < 0.0lf) {
-                                        phi_8276_ = -(_e10368[1]);
+                                    let _e10379 = phi_8275_;
+                                    if (_e10372[1] < 0.0lf) {
+                                        phi_8282_ = -(_e10372[1]);
                                     } else {
-                                        phi_8276_ = _e10368[1];
+                                        phi_8282_ = _e10372[1];
                                     }
-                                    let _e10379 = phi_8276_;
-                                    if (_e10375 > _e10379) {
-                                        phi_8281_ = _e10375;
+                                    let _e10383 = phi_8282_;
+                                    if (_e10379 > _e10383) {
+                                        phi_8287_ = _e10379;
                                     } else {
-                                        phi_8281_ = _e10379;
+                                        phi_8287_ = _e10383;
                                     }
-                                    let _e10382 = phi_8281_;
-                                    if (_e10368[2] < 0.0lf) {
-                                        phi_8288_ = -(_e10368[2]);
+                                    let _e10386 = phi_8287_;
+                                    if (_e10372[2] < 0.0lf) {
+                                        phi_8294_ = -(_e10372[2]);
                                     } else {
-                                        phi_8288_ = _e10368[2];
+                                        phi_8294_ = _e10372[2];
                                     }
-                                    let _e10386 = phi_8288_;
-                                    if (_e10382 > _e10386) {
-                                        phi_8293_ = _e10382;
+                                    let _e10390 = phi_8294_;
+                                    if (_e10386 > _e10390) {
+                                        phi_8299_ = _e10386;
                                     } else {
-                                        phi_8293_ = _e10386;
+                                        phi_8299_ = _e10390;
                                     }
-                                    let _e10389 = phi_8293_;
-                                    if (_e10365 > _e10389) {
-                                        phi_8298_ = _e10365;
+                                    let _e10393 = phi_8299_;
+                                    if (_e10369 > _e10393) {
+                                        phi_8304_ = _e10369;
                                     } else {
-                                        phi_8298_ = _e10389;
+                                        phi_8304_ = _e10393;
                                     }
-                                    let _e10392 = phi_8298_;
-                                    let _e10394 = local_18.member_3;
-                                    let _e10402 = local_18.member_3;
-                                    let _e10412 = (((_e10228 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e10284 + _e10286) + (_e10338 + _e10340)) + (_e10392 + _e10394)) * (1.1102230246251565e-16lf * f64(16f))) + (_e10402 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e620.member_1);
-                                    if _e10412 {
-                                        phi_8322_ = false;
+                                    let _e10396 = phi_8304_;
+                                    let _e10398 = local_18.member_3;
+                                    let _e10406 = local_18.member_3;
+                                    let _e10416 = (((_e10232 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e10288 + _e10290) + (_e10342 + _e10344)) + (_e10396 + _e10398)) * (1.1102230246251565e-16lf * f64(16f))) + (_e10406 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e620.member_1);
+                                    if _e10416 {
+                                        phi_8328_ = false;
                                     } else {
-                                        phi_8322_ = true;
+                                        phi_8328_ = true;
                                     }
-                                    let _e10414 = phi_8322_;
-                                    phi_8323_ = _e10414;
-                                    phi_8324_ = _e10412;
+                                    let _e10418 = phi_8328_;
+                                    phi_8329_ = _e10418;
+                                    phi_8330_ = _e10416;
                                 } else {
-                                    phi_8323_ = false;
-                                    phi_8324_ = false;
+                                    phi_8329_ = false;
+                                    phi_8330_ = false;
                                 }
-                                let _e10416 = phi_8323_;
-                                let _e10418 = phi_8324_;
-                                local_63 = _e10418;
+                                let _e10420 = phi_8329_;
+                                let _e10422 = phi_8330_;
+                                local_63 = _e10422;
                                 continue;
                                 continuing {
-                                    phi_7813_ = _e10082;
-                                    break if !(_e10416);
+                                    phi_7819_ = _e10086;
+                                    break if !(_e10420);
                                 }
                             }
-                            let _e10421 = local_63;
-                            if _e10421 {
-                                if (_e10051 > _e410) {
-                                    phi_8332_ = 1u;
+                            let _e10425 = local_63;
+                            if _e10425 {
+                                if (_e10055 > _e410) {
+                                    phi_8338_ = 1u;
                                 } else {
-                                    phi_8332_ = _e10053;
+                                    phi_8338_ = _e10057;
                                 }
-                                let _e10424 = phi_8332_;
-                                phi_8336_ = type_47(type_46(1u, _e10051), _e10424);
-                                phi_8337_ = false;
+                                let _e10428 = phi_8338_;
+                                phi_8342_ = type_47(type_46(1u, _e10055), _e10428);
+                                phi_8343_ = false;
                             } else {
-                                phi_8336_ = type_47();
-                                phi_8337_ = true;
+                                phi_8342_ = type_47();
+                                phi_8343_ = true;
                             }
-                            let _e10428 = phi_8336_;
-                            let _e10430 = phi_8337_;
-                            if _e10430 {
-                                if (_e10051 > _e410) {
-                                    phi_8345_ = 0u;
+                            let _e10432 = phi_8342_;
+                            let _e10434 = phi_8343_;
+                            if _e10434 {
+                                if (_e10055 > _e410) {
+                                    phi_8351_ = 0u;
                                 } else {
-                                    phi_8345_ = _e10053;
+                                    phi_8351_ = _e10057;
                                 }
-                                let _e10433 = phi_8345_;
-                                phi_8349_ = type_47(type_46(2u, _e10051), _e10433);
+                                let _e10437 = phi_8351_;
+                                phi_8355_ = type_47(type_46(2u, _e10055), _e10437);
                             } else {
-                                phi_8349_ = _e10428;
+                                phi_8355_ = _e10432;
                             }
-                            let _e10437 = phi_8349_;
-                            phi_8350_ = _e10437;
-                            phi_8351_ = false;
-                            phi_8352_ = false;
+                            let _e10441 = phi_8355_;
+                            phi_8356_ = _e10441;
+                            phi_8357_ = false;
+                            phi_8358_ = false;
                         } else {
-                            phi_8350_ = type_47();
-                            phi_8351_ = _e10057;
-                            phi_8352_ = _e10059;
+                            phi_8356_ = type_47();
+                            phi_8357_ = _e10061;
+                            phi_8358_ = _e10063;
                         }
-                        let _e10439 = phi_8350_;
-                        let _e10441 = phi_8351_;
-                        let _e10443 = phi_8352_;
-                        if _e10441 {
-                            phi_8359_ = type_47(type_46(0u, f64()), 0u);
-                            phi_8360_ = true;
+                        let _e10443 = phi_8356_;
+                        let _e10445 = phi_8357_;
+                        let _e10447 = phi_8358_;
+                        if _e10445 {
+                            phi_8365_ = type_47(type_46(0u, f64()), 0u);
+                            phi_8366_ = true;
                         } else {
-                            phi_8359_ = _e10029;
-                            phi_8360_ = _e10443;
+                            phi_8365_ = _e10033;
+                            phi_8366_ = _e10447;
                         }
-                        let _e10447 = phi_8359_;
-                        let _e10449 = phi_8360_;
-                        phi_8364_ = _e10447;
-                        phi_8365_ = _e10439;
-                        phi_8366_ = _e10449;
-                    } else {
-                        phi_8364_ = _e6621;
-                        phi_8365_ = type_47();
-                        phi_8366_ = true;
-                    }
-                    let _e10451 = phi_8364_;
-                    let _e10453 = phi_8365_;
-                    let _e10455 = phi_8366_;
-                    if _e10455 {
+                        let _e10451 = phi_8365_;
+                        let _e10453 = phi_8366_;
                         phi_8370_ = _e10451;
+                        phi_8371_ = _e10443;
+                        phi_8372_ = _e10453;
                     } else {
-                        phi_8370_ = _e10453;
+                        phi_8370_ = _e6621;
+                        phi_8371_ = type_47();
+                        phi_8372_ = true;
                     }
-                    let _e10457 = phi_8370_;
-                    phi_16037_ = _e10457;
+                    let _e10455 = phi_8370_;
+                    let _e10457 = phi_8371_;
+                    let _e10459 = phi_8372_;
+                    if _e10459 {
+                        phi_8376_ = _e10455;
+                    } else {
+                        phi_8376_ = _e10457;
+                    }
+                    let _e10461 = phi_8376_;
+                    phi_16043_ = _e10461;
                 } else {
                     let _e663 = f64(0f);
                     let _e666 = local_18.member_1[0u];
@@ -6947,212 +6954,212 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e818 = (((_e810[0] * _e699) + (_e810[1] * _e702)) + (_e810[2] * _e705));
                     let _e821 = local_18.member[0u];
                     if (_e821[0] < 0.0lf) {
-                        phi_8613_ = -(_e821[0]);
+                        phi_8619_ = -(_e821[0]);
                     } else {
-                        phi_8613_ = _e821[0];
+                        phi_8619_ = _e821[0];
                     }
-                    let _e828 = phi_8613_;
+                    let _e828 = phi_8619_;
                     if (_e821[1] < 0.0lf) {
-                        phi_8620_ = -(_e821[1]);
+                        phi_8626_ = -(_e821[1]);
                     } else {
-                        phi_8620_ = _e821[1];
+                        phi_8626_ = _e821[1];
                     }
-                    let _e832 = phi_8620_;
+                    let _e832 = phi_8626_;
                     if (_e828 > _e832) {
-                        phi_8625_ = _e828;
+                        phi_8631_ = _e828;
                     } else {
-                        phi_8625_ = _e832;
+                        phi_8631_ = _e832;
                     }
-                    let _e835 = phi_8625_;
+                    let _e835 = phi_8631_;
                     if (_e821[2] < 0.0lf) {
-                        phi_8632_ = -(_e821[2]);
+                        phi_8638_ = -(_e821[2]);
                     } else {
-                        phi_8632_ = _e821[2];
+                        phi_8638_ = _e821[2];
                     }
-                    let _e839 = phi_8632_;
+                    let _e839 = phi_8638_;
                     if (_e835 > _e839) {
-                        phi_8637_ = _e835;
+                        phi_8643_ = _e835;
                     } else {
-                        phi_8637_ = _e839;
+                        phi_8643_ = _e839;
                     }
-                    let _e842 = phi_8637_;
+                    let _e842 = phi_8643_;
                     let _e845 = local_18.member[1u];
                     if (_e845[0] < 0.0lf) {
-                        phi_8650_ = -(_e845[0]);
+                        phi_8656_ = -(_e845[0]);
                     } else {
-                        phi_8650_ = _e845[0];
+                        phi_8656_ = _e845[0];
                     }
-                    let _e852 = phi_8650_;
+                    let _e852 = phi_8656_;
                     if (_e845[1] < 0.0lf) {
-                        phi_8657_ = -(_e845[1]);
+                        phi_8663_ = -(_e845[1]);
                     } else {
-                        phi_8657_ = _e845[1];
+                        phi_8663_ = _e845[1];
                     }
-                    let _e856 = phi_8657_;
+                    let _e856 = phi_8663_;
                     if (_e852 > _e856) {
-                        phi_8662_ = _e852;
+                        phi_8668_ = _e852;
                     } else {
-                        phi_8662_ = _e856;
+                        phi_8668_ = _e856;
                     }
-                    let _e859 = phi_8662_;
+                    let _e859 = phi_8668_;
                     if (_e845[2] < 0.0lf) {
-                        phi_8669_ = -(_e845[2]);
+                        phi_8675_ = -(_e845[2]);
                     } else {
-                        phi_8669_ = _e845[2];
+                        phi_8675_ = _e845[2];
                     }
-                    let _e863 = phi_8669_;
+                    let _e863 = phi_8675_;
                     if (_e859 > _e863) {
-                        phi_8674_ = _e859;
+                        phi_8680_ = _e859;
                     } else {
-                        phi_8674_ = _e863;
+                        phi_8680_ = _e863;
                     }
-                    let _e866 = phi_8674_;
+                    let _e866 = phi_8680_;
                     if (_e842 > _e866) {
-                        phi_8679_ = _e842;
+                        phi_8685_ = _e842;
                     } else {
-                        phi_8679_ = _e866;
+                        phi_8685_ = _e866;
                     }
-                    let _e869 = phi_8679_;
+                    let _e869 = phi_8685_;
                     let _e871 = local_18.member_3;
                     let _e872 = (_e869 + _e871);
                     let _e875 = local_18.member_1[0u];
                     if (_e875[0] < 0.0lf) {
-                        phi_8696_ = -(_e875[0]);
+                        phi_8702_ = -(_e875[0]);
                     } else {
-                        phi_8696_ = _e875[0];
+                        phi_8702_ = _e875[0];
                     }
-                    let _e882 = phi_8696_;
+                    let _e882 = phi_8702_;
                     if (_e875[1] < 0.0lf) {
-                        phi_8703_ = -(_e875[1]);
+                        phi_8709_ = -(_e875[1]);
                     } else {
-                        phi_8703_ = _e875[1];
+                        phi_8709_ = _e875[1];
                     }
-                    let _e886 = phi_8703_;
+                    let _e886 = phi_8709_;
                     if (_e882 > _e886) {
-                        phi_8708_ = _e882;
+                        phi_8714_ = _e882;
                     } else {
-                        phi_8708_ = _e886;
+                        phi_8714_ = _e886;
                     }
-                    let _e889 = phi_8708_;
+                    let _e889 = phi_8714_;
                     if (_e875[2] < 0.0lf) {
-                        phi_8715_ = -(_e875[2]);
+                        phi_8721_ = -(_e875[2]);
                     } else {
-                        phi_8715_ = _e875[2];
+                        phi_8721_ = _e875[2];
                     }
-                    let _e893 = phi_8715_;
+                    let _e893 = phi_8721_;
                     if (_e889 > _e893) {
-                        phi_8720_ = _e889;
+                        phi_8726_ = _e889;
                     } else {
-                        phi_8720_ = _e893;
+                        phi_8726_ = _e893;
                     }
-                    let _e896 = phi_8720_;
+                    let _e896 = phi_8726_;
                     let _e899 = local_18.member_1[1u];
                     if (_e899[0] < 0.0lf) {
-                        phi_8734_ = -(_e899[0]);
+                        phi_8740_ = -(_e899[0]);
                     } else {
-                        phi_8734_ = _e899[0];
+                        phi_8740_ = _e899[0];
                     }
-                    let _e906 = phi_8734_;
+                    let _e906 = phi_8740_;
                     if (_e899[1] < 0.0lf) {
-                        phi_8741_ = -(_e899[1]);
+                        phi_8747_ = -(_e899[1]);
                     } else {
-                        phi_8741_ = _e899[1];
+                        phi_8747_ = _e899[1];
                     }
-                    let _e910 = phi_8741_;
+                    let _e910 = phi_8747_;
                     if (_e906 > _e910) {
-                        phi_8746_ = _e906;
+                        phi_8752_ = _e906;
                     } else {
-                        phi_8746_ = _e910;
+                        phi_8752_ = _e910;
                     }
-                    let _e913 = phi_8746_;
+                    let _e913 = phi_8752_;
                     if (_e899[2] < 0.0lf) {
-                        phi_8753_ = -(_e899[2]);
+                        phi_8759_ = -(_e899[2]);
                     } else {
-                        phi_8753_ = _e899[2];
+                        phi_8759_ = _e899[2];
                     }
-                    let _e917 = phi_8753_;
+                    let _e917 = phi_8759_;
                     if (_e913 > _e917) {
-                        phi_8758_ = _e913;
+                        phi_8764_ = _e913;
                     } else {
-                        phi_8758_ = _e917;
+                        phi_8764_ = _e917;
                     }
-                    let _e920 = phi_8758_;
+                    let _e920 = phi_8764_;
                     if (_e896 > _e920) {
-                        phi_8763_ = _e896;
+                        phi_8769_ = _e896;
                     } else {
-                        phi_8763_ = _e920;
+                        phi_8769_ = _e920;
                     }
-                    let _e923 = phi_8763_;
+                    let _e923 = phi_8769_;
                     let _e925 = local_18.member_3;
                     let _e926 = (_e923 + _e925);
                     let _e929 = local_18.member_2[0u];
                     if (_e929[0] < 0.0lf) {
-                        phi_8780_ = -(_e929[0]);
+                        phi_8786_ = -(_e929[0]);
                     } else {
-                        phi_8780_ = _e929[0];
+                        phi_8786_ = _e929[0];
                     }
-                    let _e936 = phi_8780_;
+                    let _e936 = phi_8786_;
                     if (_e929[1] < 0.0lf) {
-                        phi_8787_ = -(_e929[1]);
+                        phi_8793_ = -(_e929[1]);
                     } else {
-                        phi_8787_ = _e929[1];
+                        phi_8793_ = _e929[1];
                     }
-                    let _e940 = phi_8787_;
+                    let _e940 = phi_8793_;
                     if (_e936 > _e940) {
-                        phi_8792_ = _e936;
+                        phi_8798_ = _e936;
                     } else {
-                        phi_8792_ = _e940;
+                        phi_8798_ = _e940;
                     }
-                    let _e943 = phi_8792_;
+                    let _e943 = phi_8798_;
                     if (_e929[2] < 0.0lf) {
-                        phi_8799_ = -(_e929[2]);
+                        phi_8805_ = -(_e929[2]);
                     } else {
-                        phi_8799_ = _e929[2];
+                        phi_8805_ = _e929[2];
                     }
-                    let _e947 = phi_8799_;
+                    let _e947 = phi_8805_;
                     if (_e943 > _e947) {
-                        phi_8804_ = _e943;
+                        phi_8810_ = _e943;
                     } else {
-                        phi_8804_ = _e947;
+                        phi_8810_ = _e947;
                     }
-                    let _e950 = phi_8804_;
+                    let _e950 = phi_8810_;
                     let _e953 = local_18.member_2[1u];
                     if (_e953[0] < 0.0lf) {
-                        phi_8818_ = -(_e953[0]);
+                        phi_8824_ = -(_e953[0]);
                     } else {
-                        phi_8818_ = _e953[0];
+                        phi_8824_ = _e953[0];
                     }
-                    let _e960 = phi_8818_;
+                    let _e960 = phi_8824_;
                     if (_e953[1] < 0.0lf) {
-                        phi_8825_ = -(_e953[1]);
+                        phi_8831_ = -(_e953[1]);
                     } else {
-                        phi_8825_ = _e953[1];
+                        phi_8831_ = _e953[1];
                     }
-                    let _e964 = phi_8825_;
+                    let _e964 = phi_8831_;
                     if (_e960 > _e964) {
-                        phi_8830_ = _e960;
+                        phi_8836_ = _e960;
                     } else {
-                        phi_8830_ = _e964;
+                        phi_8836_ = _e964;
                     }
-                    let _e967 = phi_8830_;
+                    let _e967 = phi_8836_;
                     if (_e953[2] < 0.0lf) {
-                        phi_8837_ = -(_e953[2]);
+                        phi_8843_ = -(_e953[2]);
                     } else {
-                        phi_8837_ = _e953[2];
+                        phi_8843_ = _e953[2];
                     }
-                    let _e971 = phi_8837_;
+                    let _e971 = phi_8843_;
                     if (_e967 > _e971) {
-                        phi_8842_ = _e967;
+                        phi_8848_ = _e967;
                     } else {
-                        phi_8842_ = _e971;
+                        phi_8848_ = _e971;
                     }
-                    let _e974 = phi_8842_;
+                    let _e974 = phi_8848_;
                     if (_e950 > _e974) {
-                        phi_8847_ = _e950;
+                        phi_8853_ = _e950;
                     } else {
-                        phi_8847_ = _e974;
+                        phi_8853_ = _e974;
                     }
-                    let _e977 = phi_8847_;
+                    let _e977 = phi_8853_;
                     let _e979 = local_18.member_3;
                     let _e980 = (_e977 + _e979);
                     let _e981 = f64(1f);
@@ -7160,206 +7167,206 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e984 = ((_e926 * _e982) * _e980);
                     let _e992 = local_18.member_3;
                     if (_e678 < 0.0lf) {
-                        phi_8884_ = -(_e678);
+                        phi_8890_ = -(_e678);
                     } else {
-                        phi_8884_ = _e678;
+                        phi_8890_ = _e678;
                     }
-                    let _e1012 = phi_8884_;
+                    let _e1012 = phi_8890_;
                     if (_e681 < 0.0lf) {
-                        phi_8890_ = -(_e681);
+                        phi_8896_ = -(_e681);
                     } else {
-                        phi_8890_ = _e681;
+                        phi_8896_ = _e681;
                     }
-                    let _e1016 = phi_8890_;
+                    let _e1016 = phi_8896_;
                     if (_e684 < 0.0lf) {
-                        phi_8897_ = -(_e684);
+                        phi_8903_ = -(_e684);
                     } else {
-                        phi_8897_ = _e684;
+                        phi_8903_ = _e684;
                     }
-                    let _e1021 = phi_8897_;
+                    let _e1021 = phi_8903_;
                     let _e1022 = ((_e1012 + _e1016) + _e1021);
                     if (_e699 < 0.0lf) {
-                        phi_8904_ = -(_e699);
+                        phi_8910_ = -(_e699);
                     } else {
-                        phi_8904_ = _e699;
+                        phi_8910_ = _e699;
                     }
-                    let _e1026 = phi_8904_;
+                    let _e1026 = phi_8910_;
                     if (_e702 < 0.0lf) {
-                        phi_8910_ = -(_e702);
+                        phi_8916_ = -(_e702);
                     } else {
-                        phi_8910_ = _e702;
+                        phi_8916_ = _e702;
                     }
-                    let _e1030 = phi_8910_;
+                    let _e1030 = phi_8916_;
                     if (_e705 < 0.0lf) {
-                        phi_8917_ = -(_e705);
+                        phi_8923_ = -(_e705);
                     } else {
-                        phi_8917_ = _e705;
+                        phi_8923_ = _e705;
                     }
-                    let _e1035 = phi_8917_;
+                    let _e1035 = phi_8923_;
                     let _e1036 = ((_e1026 + _e1030) + _e1035);
                     if (_e1022 > _e1036) {
-                        phi_8923_ = _e1022;
+                        phi_8929_ = _e1022;
                     } else {
-                        phi_8923_ = _e1036;
+                        phi_8929_ = _e1036;
                     }
-                    let _e1039 = phi_8923_;
+                    let _e1039 = phi_8929_;
                     if (_e748 < 0.0lf) {
-                        phi_8929_ = -(_e748);
+                        phi_8935_ = -(_e748);
                     } else {
-                        phi_8929_ = _e748;
+                        phi_8935_ = _e748;
                     }
-                    let _e1043 = phi_8929_;
+                    let _e1043 = phi_8935_;
                     if (_e749 < 0.0lf) {
-                        phi_8935_ = -(_e749);
+                        phi_8941_ = -(_e749);
                     } else {
-                        phi_8935_ = _e749;
+                        phi_8941_ = _e749;
                     }
-                    let _e1047 = phi_8935_;
+                    let _e1047 = phi_8941_;
                     if (_e750 < 0.0lf) {
-                        phi_8942_ = -(_e750);
+                        phi_8948_ = -(_e750);
                     } else {
-                        phi_8942_ = _e750;
+                        phi_8948_ = _e750;
                     }
-                    let _e1052 = phi_8942_;
+                    let _e1052 = phi_8948_;
                     let _e1054 = (((_e1043 + _e1047) + _e1052) * f64(0.5f));
                     if (_e1039 > _e1054) {
-                        phi_8949_ = _e1039;
+                        phi_8955_ = _e1039;
                     } else {
-                        phi_8949_ = _e1054;
+                        phi_8955_ = _e1054;
                     }
-                    let _e1057 = phi_8949_;
+                    let _e1057 = phi_8955_;
                     let _e1063 = local_18.member_3;
                     let _e1077 = (((((_e872 * _e982) * _e984) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e992 * f64(19f)) * ((_e872 * (_e926 + _e980)) + (_e926 * _e980)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e981 + _e872) * ((_e981 + _e926) * (_e981 + _e980)))));
                     let _e1078 = f64(3f);
                     let _e1079 = (_e761 * _e1078);
                     let _e1080 = (_e818 * _e1078);
                     if (_e1079 < _e1080) {
-                        phi_8977_ = _e1079;
+                        phi_8983_ = _e1079;
                     } else {
-                        phi_8977_ = _e1080;
+                        phi_8983_ = _e1080;
                     }
-                    let _e1083 = phi_8977_;
+                    let _e1083 = phi_8983_;
                     if (_e784 < _e807) {
-                        phi_8982_ = _e784;
+                        phi_8988_ = _e784;
                     } else {
-                        phi_8982_ = _e807;
+                        phi_8988_ = _e807;
                     }
-                    let _e1086 = phi_8982_;
+                    let _e1086 = phi_8988_;
                     if (_e1083 < _e1086) {
-                        phi_8987_ = _e1083;
+                        phi_8993_ = _e1083;
                     } else {
-                        phi_8987_ = _e1086;
+                        phi_8993_ = _e1086;
                     }
-                    let _e1089 = phi_8987_;
+                    let _e1089 = phi_8993_;
                     if (_e1079 > _e1080) {
-                        phi_8992_ = _e1079;
+                        phi_8998_ = _e1079;
                     } else {
-                        phi_8992_ = _e1080;
+                        phi_8998_ = _e1080;
                     }
-                    let _e1092 = phi_8992_;
+                    let _e1092 = phi_8998_;
                     if (_e784 > _e807) {
-                        phi_8997_ = _e784;
+                        phi_9003_ = _e784;
                     } else {
-                        phi_8997_ = _e807;
+                        phi_9003_ = _e807;
                     }
-                    let _e1095 = phi_8997_;
+                    let _e1095 = phi_9003_;
                     if (_e1092 > _e1095) {
-                        phi_9002_ = _e1092;
+                        phi_9008_ = _e1092;
                     } else {
-                        phi_9002_ = _e1095;
+                        phi_9008_ = _e1095;
                     }
-                    let _e1098 = phi_9002_;
+                    let _e1098 = phi_9008_;
                     let _e1104 = -(_e1098);
                     if (_e1089 > _e1104) {
-                        phi_9013_ = _e1089;
+                        phi_9019_ = _e1089;
                     } else {
-                        phi_9013_ = _e1104;
+                        phi_9019_ = _e1104;
                     }
-                    let _e1107 = phi_9013_;
+                    let _e1107 = phi_9019_;
                     if ((_e1107 - (_e1077 + ((_e663 * (((_e1057 + (_e984 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1063 * f64(6f)) * (_e926 + _e980))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e981 + _e926) * (_e981 + _e980))))) * f64((3f * 1.0001f))))) > _e663) {
-                        phi_16007_ = type_46(0u, type_46().member_1);
-                        phi_16008_ = type_46();
-                        phi_16009_ = true;
+                        phi_16013_ = type_46(0u, type_46().member_1);
+                        phi_16014_ = type_46();
+                        phi_16015_ = true;
                     } else {
                         if (_e761 < 0.0lf) {
-                            phi_9027_ = -(_e761);
+                            phi_9033_ = -(_e761);
                         } else {
-                            phi_9027_ = _e761;
+                            phi_9033_ = _e761;
                         }
-                        let _e1115 = phi_9027_;
+                        let _e1115 = phi_9033_;
                         if (_e784 < 0.0lf) {
-                            phi_9033_ = -(_e784);
+                            phi_9039_ = -(_e784);
                         } else {
-                            phi_9033_ = _e784;
+                            phi_9039_ = _e784;
                         }
-                        let _e1119 = phi_9033_;
+                        let _e1119 = phi_9039_;
                         if (_e1115 > _e1119) {
-                            phi_9038_ = _e1115;
+                            phi_9044_ = _e1115;
                         } else {
-                            phi_9038_ = _e1119;
+                            phi_9044_ = _e1119;
                         }
-                        let _e1122 = phi_9038_;
+                        let _e1122 = phi_9044_;
                         if (_e807 < 0.0lf) {
-                            phi_9044_ = -(_e807);
+                            phi_9050_ = -(_e807);
                         } else {
-                            phi_9044_ = _e807;
+                            phi_9050_ = _e807;
                         }
-                        let _e1126 = phi_9044_;
+                        let _e1126 = phi_9050_;
                         if (_e818 < 0.0lf) {
-                            phi_9050_ = -(_e818);
+                            phi_9056_ = -(_e818);
                         } else {
-                            phi_9050_ = _e818;
+                            phi_9056_ = _e818;
                         }
-                        let _e1130 = phi_9050_;
+                        let _e1130 = phi_9056_;
                         if (_e1126 > _e1130) {
-                            phi_9055_ = _e1126;
+                            phi_9061_ = _e1126;
                         } else {
-                            phi_9055_ = _e1130;
+                            phi_9061_ = _e1130;
                         }
-                        let _e1133 = phi_9055_;
+                        let _e1133 = phi_9061_;
                         if (_e1122 > _e1133) {
-                            phi_9060_ = _e1122;
+                            phi_9066_ = _e1122;
                         } else {
-                            phi_9060_ = _e1133;
+                            phi_9066_ = _e1133;
                         }
-                        let _e1136 = phi_9060_;
+                        let _e1136 = phi_9066_;
                         let _e1138 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e1139 = f64(1f);
                         if (_e1136 >= _e1138) {
-                            phi_9070_ = (_e1136 <= (_e1139 / _e1138));
+                            phi_9076_ = (_e1136 <= (_e1139 / _e1138));
                         } else {
-                            phi_9070_ = false;
+                            phi_9076_ = false;
                         }
-                        let _e1144 = phi_9070_;
+                        let _e1144 = phi_9076_;
                         if _e1144 {
-                            phi_9077_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_9083_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_9077_ = f64(2f);
+                            phi_9083_ = f64(2f);
                         }
-                        let _e1149 = phi_9077_;
+                        let _e1149 = phi_9083_;
                         let _e1151 = ((_e1077 * f64(0.34f)) + (_e1136 * _e1149));
                         if _e1144 {
-                            phi_9085_ = (_e1139 / _e1136);
+                            phi_9091_ = (_e1139 / _e1136);
                         } else {
-                            phi_9085_ = f64(0f);
+                            phi_9091_ = f64(0f);
                         }
-                        let _e1155 = phi_9085_;
+                        let _e1155 = phi_9091_;
                         let _e1156 = f64(0.00000000000022737368f);
                         let _e1158 = (_e401 * f64(0.0625f));
                         if (_e1156 < _e1158) {
-                            phi_9093_ = _e1156;
+                            phi_9099_ = _e1156;
                         } else {
-                            phi_9093_ = _e1158;
+                            phi_9099_ = _e1158;
                         }
-                        let _e1161 = phi_9093_;
+                        let _e1161 = phi_9099_;
                         let _e1163 = (f64(1f) - _e410);
                         let _e1174 = ((((_e761 * _e1163) + (_e784 * _e410)) * (_e1163 * _e1163)) + (((_e807 * _e1163) + (_e818 * _e410)) * (_e410 * _e410)));
                         if (_e1174 < 0.0lf) {
-                            phi_9112_ = -(_e1174);
+                            phi_9118_ = -(_e1174);
                         } else {
-                            phi_9112_ = _e1174;
+                            phi_9118_ = _e1174;
                         }
-                        let _e1178 = phi_9112_;
+                        let _e1178 = phi_9118_;
                         if !((_e1178 > _e1151)) {
                             let _e1181 = f64(0f);
                             let _e1184 = local_18.member[0u];
@@ -7382,210 +7389,210 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1229 = (_e1208[2] - _e1220[2]);
                             let _e1232 = local_18.member[0u];
                             if (_e1232[0] < 0.0lf) {
-                                phi_9261_ = -(_e1232[0]);
+                                phi_9267_ = -(_e1232[0]);
                             } else {
-                                phi_9261_ = _e1232[0];
+                                phi_9267_ = _e1232[0];
                             }
-                            let _e1239 = phi_9261_;
+                            let _e1239 = phi_9267_;
                             if (_e1232[1] < 0.0lf) {
-                                phi_9268_ = -(_e1232[1]);
+                                phi_9274_ = -(_e1232[1]);
                             } else {
-                                phi_9268_ = _e1232[1];
+                                phi_9274_ = _e1232[1];
                             }
-                            let _e1243 = phi_9268_;
+                            let _e1243 = phi_9274_;
                             if (_e1239 > _e1243) {
-                                phi_9273_ = _e1239;
+                                phi_9279_ = _e1239;
                             } else {
-                                phi_9273_ = _e1243;
+                                phi_9279_ = _e1243;
                             }
-                            let _e1246 = phi_9273_;
+                            let _e1246 = phi_9279_;
                             if (_e1232[2] < 0.0lf) {
-                                phi_9280_ = -(_e1232[2]);
+                                phi_9286_ = -(_e1232[2]);
                             } else {
-                                phi_9280_ = _e1232[2];
+                                phi_9286_ = _e1232[2];
                             }
-                            let _e1250 = phi_9280_;
+                            let _e1250 = phi_9286_;
                             if (_e1246 > _e1250) {
-                                phi_9285_ = _e1246;
+                                phi_9291_ = _e1246;
                             } else {
-                                phi_9285_ = _e1250;
+                                phi_9291_ = _e1250;
                             }
-                            let _e1253 = phi_9285_;
+                            let _e1253 = phi_9291_;
                             let _e1256 = local_18.member[1u];
                             if (_e1256[0] < 0.0lf) {
-                                phi_9298_ = -(_e1256[0]);
+                                phi_9304_ = -(_e1256[0]);
                             } else {
-                                phi_9298_ = _e1256[0];
+                                phi_9304_ = _e1256[0];
                             }
-                            let _e1263 = phi_9298_;
+                            let _e1263 = phi_9304_;
                             if (_e1256[1] < 0.0lf) {
-                                phi_9305_ = -(_e1256[1]);
+                                phi_9311_ = -(_e1256[1]);
                             } else {
-                                phi_9305_ = _e1256[1];
+                                phi_9311_ = _e1256[1];
                             }
-                            let _e1267 = phi_9305_;
+                            let _e1267 = phi_9311_;
                             if (_e1263 > _e1267) {
-                                phi_9310_ = _e1263;
+                                phi_9316_ = _e1263;
                             } else {
-                                phi_9310_ = _e1267;
+                                phi_9316_ = _e1267;
                             }
-                            let _e1270 = phi_9310_;
+                            let _e1270 = phi_9316_;
                             if (_e1256[2] < 0.0lf) {
-                                phi_9317_ = -(_e1256[2]);
+                                phi_9323_ = -(_e1256[2]);
                             } else {
-                                phi_9317_ = _e1256[2];
+                                phi_9323_ = _e1256[2];
                             }
-                            let _e1274 = phi_9317_;
+                            let _e1274 = phi_9323_;
                             if (_e1270 > _e1274) {
-                                phi_9322_ = _e1270;
+                                phi_9328_ = _e1270;
                             } else {
-                                phi_9322_ = _e1274;
+                                phi_9328_ = _e1274;
                             }
-                            let _e1277 = phi_9322_;
+                            let _e1277 = phi_9328_;
                             if (_e1253 > _e1277) {
-                                phi_9327_ = _e1253;
+                                phi_9333_ = _e1253;
                             } else {
-                                phi_9327_ = _e1277;
+                                phi_9333_ = _e1277;
                             }
-                            let _e1280 = phi_9327_;
+                            let _e1280 = phi_9333_;
                             let _e1282 = local_18.member_3;
                             let _e1286 = local_18.member_1[0u];
                             if (_e1286[0] < 0.0lf) {
-                                phi_9344_ = -(_e1286[0]);
+                                phi_9350_ = -(_e1286[0]);
                             } else {
-                                phi_9344_ = _e1286[0];
+                                phi_9350_ = _e1286[0];
                             }
-                            let _e1293 = phi_9344_;
+                            let _e1293 = phi_9350_;
                             if (_e1286[1] < 0.0lf) {
-                                phi_9351_ = -(_e1286[1]);
+                                phi_9357_ = -(_e1286[1]);
                             } else {
-                                phi_9351_ = _e1286[1];
+                                phi_9357_ = _e1286[1];
                             }
-                            let _e1297 = phi_9351_;
+                            let _e1297 = phi_9357_;
                             if (_e1293 > _e1297) {
-                                phi_9356_ = _e1293;
+                                phi_9362_ = _e1293;
                             } else {
-                                phi_9356_ = _e1297;
+                                phi_9362_ = _e1297;
                             }
-                            let _e1300 = phi_9356_;
+                            let _e1300 = phi_9362_;
                             if (_e1286[2] < 0.0lf) {
-                                phi_9363_ = -(_e1286[2]);
+                                phi_9369_ = -(_e1286[2]);
                             } else {
-                                phi_9363_ = _e1286[2];
+                                phi_9369_ = _e1286[2];
                             }
-                            let _e1304 = phi_9363_;
+                            let _e1304 = phi_9369_;
                             if (_e1300 > _e1304) {
-                                phi_9368_ = _e1300;
+                                phi_9374_ = _e1300;
                             } else {
-                                phi_9368_ = _e1304;
+                                phi_9374_ = _e1304;
                             }
-                            let _e1307 = phi_9368_;
+                            let _e1307 = phi_9374_;
                             let _e1310 = local_18.member_1[1u];
                             if (_e1310[0] < 0.0lf) {
-                                phi_9382_ = -(_e1310[0]);
+                                phi_9388_ = -(_e1310[0]);
                             } else {
-                                phi_9382_ = _e1310[0];
+                                phi_9388_ = _e1310[0];
                             }
-                            let _e1317 = phi_9382_;
+                            let _e1317 = phi_9388_;
                             if (_e1310[1] < 0.0lf) {
-                                phi_9389_ = -(_e1310[1]);
+                                phi_9395_ = -(_e1310[1]);
                             } else {
-                                phi_9389_ = _e1310[1];
+                                phi_9395_ = _e1310[1];
                             }
-                            let _e1321 = phi_9389_;
+                            let _e1321 = phi_9395_;
                             if (_e1317 > _e1321) {
-                                phi_9394_ = _e1317;
+                                phi_9400_ = _e1317;
                             } else {
-                                phi_9394_ = _e1321;
+                                phi_9400_ = _e1321;
                             }
-                            let _e1324 = phi_9394_;
+                            let _e1324 = phi_9400_;
                             if (_e1310[2] < 0.0lf) {
-                                phi_9401_ = -(_e1310[2]);
+                                phi_9407_ = -(_e1310[2]);
                             } else {
-                                phi_9401_ = _e1310[2];
+                                phi_9407_ = _e1310[2];
                             }
-                            let _e1328 = phi_9401_;
+                            let _e1328 = phi_9407_;
                             if (_e1324 > _e1328) {
-                                phi_9406_ = _e1324;
+                                phi_9412_ = _e1324;
                             } else {
-                                phi_9406_ = _e1328;
+                                phi_9412_ = _e1328;
                             }
-                            let _e1331 = phi_9406_;
+                            let _e1331 = phi_9412_;
                             if (_e1307 > _e1331) {
-                                phi_9411_ = _e1307;
+                                phi_9417_ = _e1307;
                             } else {
-                                phi_9411_ = _e1331;
+                                phi_9417_ = _e1331;
                             }
-                            let _e1334 = phi_9411_;
+                            let _e1334 = phi_9417_;
                             let _e1336 = local_18.member_3;
                             let _e1340 = local_18.member_2[0u];
                             if (_e1340[0] < 0.0lf) {
-                                phi_9428_ = -(_e1340[0]);
+                                phi_9434_ = -(_e1340[0]);
                             } else {
-                                phi_9428_ = _e1340[0];
+                                phi_9434_ = _e1340[0];
                             }
-                            let _e1347 = phi_9428_;
+                            let _e1347 = phi_9434_;
                             if (_e1340[1] < 0.0lf) {
-                                phi_9435_ = -(_e1340[1]);
+                                phi_9441_ = -(_e1340[1]);
                             } else {
-                                phi_9435_ = _e1340[1];
+                                phi_9441_ = _e1340[1];
                             }
-                            let _e1351 = phi_9435_;
+                            let _e1351 = phi_9441_;
                             if (_e1347 > _e1351) {
-                                phi_9440_ = _e1347;
+                                phi_9446_ = _e1347;
                             } else {
-                                phi_9440_ = _e1351;
+                                phi_9446_ = _e1351;
                             }
-                            let _e1354 = phi_9440_;
+                            let _e1354 = phi_9446_;
                             if (_e1340[2] < 0.0lf) {
-                                phi_9447_ = -(_e1340[2]);
+                                phi_9453_ = -(_e1340[2]);
                             } else {
-                                phi_9447_ = _e1340[2];
+                                phi_9453_ = _e1340[2];
                             }
-                            let _e1358 = phi_9447_;
+                            let _e1358 = phi_9453_;
                             if (_e1354 > _e1358) {
-                                phi_9452_ = _e1354;
+                                phi_9458_ = _e1354;
                             } else {
-                                phi_9452_ = _e1358;
+                                phi_9458_ = _e1358;
                             }
-                            let _e1361 = phi_9452_;
+                            let _e1361 = phi_9458_;
                             let _e1364 = local_18.member_2[1u];
                             if (_e1364[0] < 0.0lf) {
-                                phi_9466_ = -(_e1364[0]);
+                                phi_9472_ = -(_e1364[0]);
                             } else {
-                                phi_9466_ = _e1364[0];
+                                phi_9472_ = _e1364[0];
                             }
-                            let _e1371 = phi_9466_;
+                            let _e1371 = phi_9472_;
                             if (_e1364[1] < 0.0lf) {
-                                phi_9473_ = -(_e1364[1]);
+                                phi_9479_ = -(_e1364[1]);
                             } else {
-                                phi_9473_ = _e1364[1];
+                                phi_9479_ = _e1364[1];
                             }
-                            let _e1375 = phi_9473_;
+                            let _e1375 = phi_9479_;
                             if (_e1371 > _e1375) {
-                                phi_9478_ = _e1371;
+                                phi_9484_ = _e1371;
                             } else {
-                                phi_9478_ = _e1375;
+                                phi_9484_ = _e1375;
                             }
-                            let _e1378 = phi_9478_;
+                            let _e1378 = phi_9484_;
                             if (_e1364[2] < 0.0lf) {
-                                phi_9485_ = -(_e1364[2]);
+                                phi_9491_ = -(_e1364[2]);
                             } else {
-                                phi_9485_ = _e1364[2];
+                                phi_9491_ = _e1364[2];
                             }
-                            let _e1382 = phi_9485_;
+                            let _e1382 = phi_9491_;
                             if (_e1378 > _e1382) {
-                                phi_9490_ = _e1378;
+                                phi_9496_ = _e1378;
                             } else {
-                                phi_9490_ = _e1382;
+                                phi_9496_ = _e1382;
                             }
-                            let _e1385 = phi_9490_;
+                            let _e1385 = phi_9496_;
                             if (_e1361 > _e1385) {
-                                phi_9495_ = _e1361;
+                                phi_9501_ = _e1361;
                             } else {
-                                phi_9495_ = _e1385;
+                                phi_9501_ = _e1385;
                             }
-                            let _e1388 = phi_9495_;
+                            let _e1388 = phi_9501_;
                             let _e1390 = local_18.member_3;
                             let _e1398 = local_18.member_3;
                             let _e1404 = ((((((_e1280 + _e1282) + (_e1334 + _e1336)) + (_e1388 + _e1390)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1398 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f)));
@@ -7597,23 +7604,23 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1457 = local_18.member_2[1u];
                             let _e1471 = function_3(array<f64, 3>((_e1407[0] + ((_e1413[0] - _e1407[0]) * _e410)), (_e1407[1] + ((_e1413[1] - _e1407[1]) * _e410)), (_e1407[2] + ((_e1413[2] - _e1407[2]) * _e410))), array<f64, 3>((_e1429[0] + ((_e1435[0] - _e1429[0]) * _e410)), (_e1429[1] + ((_e1435[1] - _e1429[1]) * _e410)), (_e1429[2] + ((_e1435[2] - _e1429[2]) * _e410))), array<f64, 3>((_e1451[0] + ((_e1457[0] - _e1451[0]) * _e410)), (_e1451[1] + ((_e1457[1] - _e1451[1]) * _e410)), (_e1451[2] + ((_e1457[2] - _e1451[2]) * _e410))), 0u);
                             if (_e1471[0] < 0.0lf) {
-                                phi_9616_ = -(_e1471[0]);
+                                phi_9622_ = -(_e1471[0]);
                             } else {
-                                phi_9616_ = _e1471[0];
+                                phi_9622_ = _e1471[0];
                             }
-                            let _e1476 = phi_9616_;
+                            let _e1476 = phi_9622_;
                             if (_e1471[1] < 0.0lf) {
-                                phi_9623_ = -(_e1471[1]);
+                                phi_9629_ = -(_e1471[1]);
                             } else {
-                                phi_9623_ = _e1471[1];
+                                phi_9629_ = _e1471[1];
                             }
-                            let _e1481 = phi_9623_;
+                            let _e1481 = phi_9629_;
                             if (_e1471[2] < 0.0lf) {
-                                phi_9631_ = -(_e1471[2]);
+                                phi_9637_ = -(_e1471[2]);
                             } else {
-                                phi_9631_ = _e1471[2];
+                                phi_9637_ = _e1471[2];
                             }
-                            let _e1487 = phi_9631_;
+                            let _e1487 = phi_9637_;
                             let _e1488 = ((_e1476 + _e1481) + _e1487);
                             if (_e1488 > f64(0f)) {
                                 if ((bitcast<u64>(_e1488) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -7624,59 +7631,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1506 = (((_e1497 * _e1497) + (_e1499 * _e1499)) + (_e1501 * _e1501));
                                     if (_e1506 <= 2.2250738585072014e-308lf) {
                                         if (_e1506 > 0.0lf) {
-                                            phi_9670_ = (1.464336215552873e-154lf * 2.0lf);
+                                            phi_9676_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_9670_ = 0.0lf;
+                                            phi_9676_ = 0.0lf;
                                         }
-                                        let _e1558 = phi_9670_;
-                                        phi_9734_ = _e1558;
+                                        let _e1558 = phi_9676_;
+                                        phi_9740_ = _e1558;
                                     } else {
-                                        phi_9677_ = type_16(0i, 5i);
-                                        phi_9680_ = bitcast<f64>(((bitcast<u64>(_e1506) / 2lu) + 2303426169912950784lu));
+                                        phi_9683_ = type_16(0i, 5i);
+                                        phi_9686_ = bitcast<f64>(((bitcast<u64>(_e1506) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1513 = phi_9677_;
-                                            let _e1515 = phi_9680_;
+                                            let _e1513 = phi_9683_;
+                                            let _e1515 = phi_9686_;
                                             local_19 = _e1515;
                                             if (_e1513.member < _e1513.member_1) {
                                                 let _e1522 = (_e1513.member + 1i);
                                                 if ((false == (_e1522 > _e1513.member)) != false) {
-                                                    phi_9701_ = true;
+                                                    phi_9707_ = true;
                                                 } else {
-                                                    phi_9701_ = false;
+                                                    phi_9707_ = false;
                                                 }
-                                                let _e1527 = phi_9701_;
+                                                let _e1527 = phi_9707_;
                                                 if _e1527 {
-                                                    phi_9707_ = type_17(0u, type_17().member_1);
+                                                    phi_9713_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_9707_ = type_17(1u, _e1522);
+                                                    phi_9713_ = type_17(1u, _e1522);
                                                 }
-                                                let _e1532 = phi_9707_;
-                                                phi_9678_ = type_16(_e1532.member_1, _e1513.member_1);
-                                                phi_9721_ = type_17(1u, _e1513.member);
+                                                let _e1532 = phi_9713_;
+                                                phi_9684_ = type_16(_e1532.member_1, _e1513.member_1);
+                                                phi_9727_ = type_17(1u, _e1513.member);
                                             } else {
-                                                phi_9678_ = _e1513;
-                                                phi_9721_ = type_17(0u, type_17().member_1);
+                                                phi_9684_ = _e1513;
+                                                phi_9727_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e1538 = phi_9678_;
-                                            let _e1540 = phi_9721_;
+                                            let _e1538 = phi_9684_;
+                                            let _e1540 = phi_9727_;
                                             let _e1543 = (bitcast<i32>(_e1540.member) != 0i);
                                             if _e1543 {
-                                                phi_9681_ = (0.5lf * (_e1515 + (_e1506 / _e1515)));
+                                                phi_9687_ = (0.5lf * (_e1515 + (_e1506 / _e1515)));
                                             } else {
-                                                phi_9681_ = f64();
+                                                phi_9687_ = f64();
                                             }
-                                            let _e1548 = phi_9681_;
+                                            let _e1548 = phi_9687_;
                                             continue;
                                             continuing {
-                                                phi_9677_ = _e1538;
-                                                phi_9680_ = _e1548;
+                                                phi_9683_ = _e1538;
+                                                phi_9686_ = _e1548;
                                                 break if !(_e1543);
                                             }
                                         }
                                         let _e1553 = local_19;
-                                        phi_9734_ = (_e1553 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        phi_9740_ = (_e1553 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e1560 = phi_9734_;
+                                    let _e1560 = phi_9740_;
                                     let _e1562 = (1.1102230246251565e-16lf * f64(12f));
                                     let _e1569 = ((_e1404 * f64(1.01f)) + ((_e1181 * _e1560) * (f64(1f) + _e1562)));
                                     let _e1574 = (((_e1497 * _e1184[0]) + (_e1499 * _e1184[1])) + (_e1501 * _e1184[2]));
@@ -7688,77 +7695,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1605 = (((_e1497 * _e1227) + (_e1499 * _e1228)) + (_e1501 * _e1229));
                                     let _e1610 = (((_e1497 * _e1208[0]) + (_e1499 * _e1208[1])) + (_e1501 * _e1208[2]));
                                     if (_e1574 < 0.0lf) {
-                                        phi_9803_ = -(_e1574);
+                                        phi_9809_ = -(_e1574);
                                     } else {
-                                        phi_9803_ = _e1574;
+                                        phi_9809_ = _e1574;
                                     }
-                                    let _e1615 = phi_9803_;
+                                    let _e1615 = phi_9809_;
                                     if (_e1595 < 0.0lf) {
-                                        phi_9809_ = -(_e1595);
+                                        phi_9815_ = -(_e1595);
                                     } else {
-                                        phi_9809_ = _e1595;
+                                        phi_9815_ = _e1595;
                                     }
-                                    let _e1619 = phi_9809_;
+                                    let _e1619 = phi_9815_;
                                     if (_e1579 < 0.0lf) {
-                                        phi_9818_ = -(_e1579);
+                                        phi_9824_ = -(_e1579);
                                     } else {
-                                        phi_9818_ = _e1579;
+                                        phi_9824_ = _e1579;
                                     }
-                                    let _e1626 = phi_9818_;
+                                    let _e1626 = phi_9824_;
                                     if (_e1600 < 0.0lf) {
-                                        phi_9824_ = -(_e1600);
+                                        phi_9830_ = -(_e1600);
                                     } else {
-                                        phi_9824_ = _e1600;
+                                        phi_9830_ = _e1600;
                                     }
-                                    let _e1630 = phi_9824_;
+                                    let _e1630 = phi_9830_;
                                     if (_e1584 < 0.0lf) {
-                                        phi_9833_ = -(_e1584);
+                                        phi_9839_ = -(_e1584);
                                     } else {
-                                        phi_9833_ = _e1584;
+                                        phi_9839_ = _e1584;
                                     }
-                                    let _e1637 = phi_9833_;
+                                    let _e1637 = phi_9839_;
                                     if (_e1605 < 0.0lf) {
-                                        phi_9839_ = -(_e1605);
+                                        phi_9845_ = -(_e1605);
                                     } else {
-                                        phi_9839_ = _e1605;
+                                        phi_9845_ = _e1605;
                                     }
-                                    let _e1641 = phi_9839_;
+                                    let _e1641 = phi_9845_;
                                     if (_e1589 < 0.0lf) {
-                                        phi_9848_ = -(_e1589);
+                                        phi_9854_ = -(_e1589);
                                     } else {
-                                        phi_9848_ = _e1589;
+                                        phi_9854_ = _e1589;
                                     }
-                                    let _e1648 = phi_9848_;
+                                    let _e1648 = phi_9854_;
                                     if (_e1610 < 0.0lf) {
-                                        phi_9854_ = -(_e1610);
+                                        phi_9860_ = -(_e1610);
                                     } else {
-                                        phi_9854_ = _e1610;
+                                        phi_9860_ = _e1610;
                                     }
-                                    let _e1652 = phi_9854_;
-                                    phi_9860_ = type_38(array<f64, 4>(_e1574, _e1579, _e1584, _e1589), array<f64, 4>(_e1595, _e1600, _e1605, _e1610), array<f64, 4>((_e1569 + ((_e1615 + _e1619) * _e1562)), (_e1569 + ((_e1626 + _e1630) * _e1562)), (_e1569 + ((_e1637 + _e1641) * _e1562)), (_e1569 + ((_e1648 + _e1652) * _e1562))));
-                                    phi_9861_ = false;
+                                    let _e1652 = phi_9860_;
+                                    phi_9866_ = type_38(array<f64, 4>(_e1574, _e1579, _e1584, _e1589), array<f64, 4>(_e1595, _e1600, _e1605, _e1610), array<f64, 4>((_e1569 + ((_e1615 + _e1619) * _e1562)), (_e1569 + ((_e1626 + _e1630) * _e1562)), (_e1569 + ((_e1637 + _e1641) * _e1562)), (_e1569 + ((_e1648 + _e1652) * _e1562))));
+                                    phi_9867_ = false;
                                 } else {
-                                    phi_9860_ = type_38();
-                                    phi_9861_ = true;
+                                    phi_9866_ = type_38();
+                                    phi_9867_ = true;
                                 }
-                                let _e1659 = phi_9860_;
-                                let _e1661 = phi_9861_;
-                                phi_9862_ = _e1659;
-                                phi_9863_ = _e1661;
+                                let _e1659 = phi_9866_;
+                                let _e1661 = phi_9867_;
+                                phi_9868_ = _e1659;
+                                phi_9869_ = _e1661;
                             } else {
-                                phi_9862_ = type_38();
-                                phi_9863_ = true;
+                                phi_9868_ = type_38();
+                                phi_9869_ = true;
                             }
-                            let _e1663 = phi_9862_;
-                            let _e1665 = phi_9863_;
+                            let _e1663 = phi_9868_;
+                            let _e1665 = phi_9869_;
                             if _e1665 {
                                 let _e1666 = f64(0f);
                                 let _e1667 = f64(1f);
-                                phi_9873_ = type_38(array<f64, 4>(_e1666, _e1666, _e1666, _e1666), array<f64, 4>(_e1666, _e1666, _e1666, _e1666), array<f64, 4>(_e1667, _e1667, _e1667, _e1667));
+                                phi_9879_ = type_38(array<f64, 4>(_e1666, _e1666, _e1666, _e1666), array<f64, 4>(_e1666, _e1666, _e1666, _e1666), array<f64, 4>(_e1667, _e1667, _e1667, _e1667));
                             } else {
-                                phi_9873_ = _e1663;
+                                phi_9879_ = _e1663;
                             }
-                            let _e1673 = phi_9873_;
+                            let _e1673 = phi_9879_;
                             local_8 = type_38(array<f64, 4>(_e1673.member[0], _e1673.member[1], _e1673.member[2], _e1673.member[3]), array<f64, 4>(_e1673.member_1[0], _e1673.member_1[1], _e1673.member_1[2], _e1673.member_1[3]), array<f64, 4>(_e1673.member_2[0], _e1673.member_2[1], _e1673.member_2[2], _e1673.member_2[3]));
                             let _e1693 = f64(0f);
                             let _e1696 = local_8.member[0u];
@@ -7780,59 +7787,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1750 = local_8.member_1[3u];
                                         let _e1753 = local_8.member[3u];
                                         let _e1759 = local_8.member_2[3u];
-                                        phi_10043_ = (((_e1747 + ((_e1750 - _e1753) * _e410)) - _e1759) > _e1693);
-                                        phi_10044_ = false;
+                                        phi_10049_ = (((_e1747 + ((_e1750 - _e1753) * _e410)) - _e1759) > _e1693);
+                                        phi_10050_ = false;
                                     } else {
-                                        phi_10043_ = bool();
-                                        phi_10044_ = true;
+                                        phi_10049_ = bool();
+                                        phi_10050_ = true;
                                     }
-                                    let _e1763 = phi_10043_;
-                                    let _e1765 = phi_10044_;
-                                    phi_10045_ = _e1763;
-                                    phi_10046_ = _e1765;
+                                    let _e1763 = phi_10049_;
+                                    let _e1765 = phi_10050_;
+                                    phi_10051_ = _e1763;
+                                    phi_10052_ = _e1765;
                                 } else {
-                                    phi_10045_ = bool();
-                                    phi_10046_ = true;
+                                    phi_10051_ = bool();
+                                    phi_10052_ = true;
                                 }
-                                let _e1767 = phi_10045_;
-                                let _e1769 = phi_10046_;
-                                phi_10047_ = _e1767;
-                                phi_10048_ = _e1769;
+                                let _e1767 = phi_10051_;
+                                let _e1769 = phi_10052_;
+                                phi_10053_ = _e1767;
+                                phi_10054_ = _e1769;
                             } else {
-                                phi_10047_ = bool();
-                                phi_10048_ = true;
+                                phi_10053_ = bool();
+                                phi_10054_ = true;
                             }
-                            let _e1771 = phi_10047_;
-                            let _e1773 = phi_10048_;
+                            let _e1771 = phi_10053_;
+                            let _e1773 = phi_10054_;
                             if _e1773 {
-                                phi_10052_ = false;
+                                phi_10058_ = false;
                             } else {
-                                phi_10052_ = _e1771;
+                                phi_10058_ = _e1771;
                             }
-                            let _e1775 = phi_10052_;
+                            let _e1775 = phi_10058_;
                             if _e1775 {
-                                phi_11433_ = bool();
-                                phi_11434_ = true;
+                                phi_11439_ = bool();
+                                phi_11440_ = true;
                             } else {
                                 let _e1776 = f64(0f);
                                 if (_e1471[0] < 0.0lf) {
-                                    phi_10080_ = -(_e1471[0]);
+                                    phi_10086_ = -(_e1471[0]);
                                 } else {
-                                    phi_10080_ = _e1471[0];
+                                    phi_10086_ = _e1471[0];
                                 }
-                                let _e1781 = phi_10080_;
+                                let _e1781 = phi_10086_;
                                 if (_e1776 < 0.0lf) {
-                                    phi_10086_ = -(_e1776);
+                                    phi_10092_ = -(_e1776);
                                 } else {
-                                    phi_10086_ = _e1776;
+                                    phi_10092_ = _e1776;
                                 }
-                                let _e1785 = phi_10086_;
+                                let _e1785 = phi_10092_;
                                 if (_e1776 < 0.0lf) {
-                                    phi_10093_ = -(_e1776);
+                                    phi_10099_ = -(_e1776);
                                 } else {
-                                    phi_10093_ = _e1776;
+                                    phi_10099_ = _e1776;
                                 }
-                                let _e1790 = phi_10093_;
+                                let _e1790 = phi_10099_;
                                 let _e1791 = ((_e1781 + _e1785) + _e1790);
                                 if (_e1791 > f64(0f)) {
                                     if ((bitcast<u64>(_e1791) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -7843,59 +7850,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1806 = (((_e1799 * _e1799) + (_e1800 * _e1800)) + (_e1801 * _e1801));
                                         if (_e1806 <= 2.2250738585072014e-308lf) {
                                             if (_e1806 > 0.0lf) {
-                                                phi_10129_ = (1.464336215552873e-154lf * 2.0lf);
+                                                phi_10135_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_10129_ = 0.0lf;
+                                                phi_10135_ = 0.0lf;
                                             }
-                                            let _e1858 = phi_10129_;
-                                            phi_10193_ = _e1858;
+                                            let _e1858 = phi_10135_;
+                                            phi_10199_ = _e1858;
                                         } else {
-                                            phi_10136_ = type_16(0i, 5i);
-                                            phi_10139_ = bitcast<f64>(((bitcast<u64>(_e1806) / 2lu) + 2303426169912950784lu));
+                                            phi_10142_ = type_16(0i, 5i);
+                                            phi_10145_ = bitcast<f64>(((bitcast<u64>(_e1806) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e1813 = phi_10136_;
-                                                let _e1815 = phi_10139_;
+                                                let _e1813 = phi_10142_;
+                                                let _e1815 = phi_10145_;
                                                 local_20 = _e1815;
                                                 if (_e1813.member < _e1813.member_1) {
                                                     let _e1822 = (_e1813.member + 1i);
                                                     if ((false == (_e1822 > _e1813.member)) != false) {
-                                                        phi_10160_ = true;
+                                                        phi_10166_ = true;
                                                     } else {
-                                                        phi_10160_ = false;
+                                                        phi_10166_ = false;
                                                     }
-                                                    let _e1827 = phi_10160_;
+                                                    let _e1827 = phi_10166_;
                                                     if _e1827 {
-                                                        phi_10166_ = type_17(0u, type_17().member_1);
+                                                        phi_10172_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_10166_ = type_17(1u, _e1822);
+                                                        phi_10172_ = type_17(1u, _e1822);
                                                     }
-                                                    let _e1832 = phi_10166_;
-                                                    phi_10137_ = type_16(_e1832.member_1, _e1813.member_1);
-                                                    phi_10180_ = type_17(1u, _e1813.member);
+                                                    let _e1832 = phi_10172_;
+                                                    phi_10143_ = type_16(_e1832.member_1, _e1813.member_1);
+                                                    phi_10186_ = type_17(1u, _e1813.member);
                                                 } else {
-                                                    phi_10137_ = _e1813;
-                                                    phi_10180_ = type_17(0u, type_17().member_1);
+                                                    phi_10143_ = _e1813;
+                                                    phi_10186_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e1838 = phi_10137_;
-                                                let _e1840 = phi_10180_;
+                                                let _e1838 = phi_10143_;
+                                                let _e1840 = phi_10186_;
                                                 let _e1843 = (bitcast<i32>(_e1840.member) != 0i);
                                                 if _e1843 {
-                                                    phi_10140_ = (0.5lf * (_e1815 + (_e1806 / _e1815)));
+                                                    phi_10146_ = (0.5lf * (_e1815 + (_e1806 / _e1815)));
                                                 } else {
-                                                    phi_10140_ = f64();
+                                                    phi_10146_ = f64();
                                                 }
-                                                let _e1848 = phi_10140_;
+                                                let _e1848 = phi_10146_;
                                                 continue;
                                                 continuing {
-                                                    phi_10136_ = _e1838;
-                                                    phi_10139_ = _e1848;
+                                                    phi_10142_ = _e1838;
+                                                    phi_10145_ = _e1848;
                                                     break if !(_e1843);
                                                 }
                                             }
                                             let _e1853 = local_20;
-                                            phi_10193_ = (_e1853 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            phi_10199_ = (_e1853 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e1860 = phi_10193_;
+                                        let _e1860 = phi_10199_;
                                         let _e1862 = (1.1102230246251565e-16lf * f64(12f));
                                         let _e1869 = ((_e1404 * f64(1.01f)) + ((_e1181 * _e1860) * (f64(1f) + _e1862)));
                                         let _e1874 = (((_e1799 * _e1184[0]) + (_e1800 * _e1184[1])) + (_e1801 * _e1184[2]));
@@ -7907,77 +7914,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e1905 = (((_e1799 * _e1227) + (_e1800 * _e1228)) + (_e1801 * _e1229));
                                         let _e1910 = (((_e1799 * _e1208[0]) + (_e1800 * _e1208[1])) + (_e1801 * _e1208[2]));
                                         if (_e1874 < 0.0lf) {
-                                            phi_10262_ = -(_e1874);
+                                            phi_10268_ = -(_e1874);
                                         } else {
-                                            phi_10262_ = _e1874;
+                                            phi_10268_ = _e1874;
                                         }
-                                        let _e1915 = phi_10262_;
+                                        let _e1915 = phi_10268_;
                                         if (_e1895 < 0.0lf) {
-                                            phi_10268_ = -(_e1895);
+                                            phi_10274_ = -(_e1895);
                                         } else {
-                                            phi_10268_ = _e1895;
+                                            phi_10274_ = _e1895;
                                         }
-                                        let _e1919 = phi_10268_;
+                                        let _e1919 = phi_10274_;
                                         if (_e1879 < 0.0lf) {
-                                            phi_10277_ = -(_e1879);
+                                            phi_10283_ = -(_e1879);
                                         } else {
-                                            phi_10277_ = _e1879;
+                                            phi_10283_ = _e1879;
                                         }
-                                        let _e1926 = phi_10277_;
+                                        let _e1926 = phi_10283_;
                                         if (_e1900 < 0.0lf) {
-                                            phi_10283_ = -(_e1900);
+                                            phi_10289_ = -(_e1900);
                                         } else {
-                                            phi_10283_ = _e1900;
+                                            phi_10289_ = _e1900;
                                         }
-                                        let _e1930 = phi_10283_;
+                                        let _e1930 = phi_10289_;
                                         if (_e1884 < 0.0lf) {
-                                            phi_10292_ = -(_e1884);
+                                            phi_10298_ = -(_e1884);
                                         } else {
-                                            phi_10292_ = _e1884;
+                                            phi_10298_ = _e1884;
                                         }
-                                        let _e1937 = phi_10292_;
+                                        let _e1937 = phi_10298_;
                                         if (_e1905 < 0.0lf) {
-                                            phi_10298_ = -(_e1905);
+                                            phi_10304_ = -(_e1905);
                                         } else {
-                                            phi_10298_ = _e1905;
+                                            phi_10304_ = _e1905;
                                         }
-                                        let _e1941 = phi_10298_;
+                                        let _e1941 = phi_10304_;
                                         if (_e1889 < 0.0lf) {
-                                            phi_10307_ = -(_e1889);
+                                            phi_10313_ = -(_e1889);
                                         } else {
-                                            phi_10307_ = _e1889;
+                                            phi_10313_ = _e1889;
                                         }
-                                        let _e1948 = phi_10307_;
+                                        let _e1948 = phi_10313_;
                                         if (_e1910 < 0.0lf) {
-                                            phi_10313_ = -(_e1910);
+                                            phi_10319_ = -(_e1910);
                                         } else {
-                                            phi_10313_ = _e1910;
+                                            phi_10319_ = _e1910;
                                         }
-                                        let _e1952 = phi_10313_;
-                                        phi_10319_ = type_38(array<f64, 4>(_e1874, _e1879, _e1884, _e1889), array<f64, 4>(_e1895, _e1900, _e1905, _e1910), array<f64, 4>((_e1869 + ((_e1915 + _e1919) * _e1862)), (_e1869 + ((_e1926 + _e1930) * _e1862)), (_e1869 + ((_e1937 + _e1941) * _e1862)), (_e1869 + ((_e1948 + _e1952) * _e1862))));
-                                        phi_10320_ = false;
+                                        let _e1952 = phi_10319_;
+                                        phi_10325_ = type_38(array<f64, 4>(_e1874, _e1879, _e1884, _e1889), array<f64, 4>(_e1895, _e1900, _e1905, _e1910), array<f64, 4>((_e1869 + ((_e1915 + _e1919) * _e1862)), (_e1869 + ((_e1926 + _e1930) * _e1862)), (_e1869 + ((_e1937 + _e1941) * _e1862)), (_e1869 + ((_e1948 + _e1952) * _e1862))));
+                                        phi_10326_ = false;
                                     } else {
-                                        phi_10319_ = type_38();
-                                        phi_10320_ = true;
+                                        phi_10325_ = type_38();
+                                        phi_10326_ = true;
                                     }
-                                    let _e1959 = phi_10319_;
-                                    let _e1961 = phi_10320_;
-                                    phi_10321_ = _e1959;
-                                    phi_10322_ = _e1961;
+                                    let _e1959 = phi_10325_;
+                                    let _e1961 = phi_10326_;
+                                    phi_10327_ = _e1959;
+                                    phi_10328_ = _e1961;
                                 } else {
-                                    phi_10321_ = type_38();
-                                    phi_10322_ = true;
+                                    phi_10327_ = type_38();
+                                    phi_10328_ = true;
                                 }
-                                let _e1963 = phi_10321_;
-                                let _e1965 = phi_10322_;
+                                let _e1963 = phi_10327_;
+                                let _e1965 = phi_10328_;
                                 if _e1965 {
                                     let _e1966 = f64(0f);
                                     let _e1967 = f64(1f);
-                                    phi_10332_ = type_38(array<f64, 4>(_e1966, _e1966, _e1966, _e1966), array<f64, 4>(_e1966, _e1966, _e1966, _e1966), array<f64, 4>(_e1967, _e1967, _e1967, _e1967));
+                                    phi_10338_ = type_38(array<f64, 4>(_e1966, _e1966, _e1966, _e1966), array<f64, 4>(_e1966, _e1966, _e1966, _e1966), array<f64, 4>(_e1967, _e1967, _e1967, _e1967));
                                 } else {
-                                    phi_10332_ = _e1963;
+                                    phi_10338_ = _e1963;
                                 }
-                                let _e1973 = phi_10332_;
+                                let _e1973 = phi_10338_;
                                 local_9 = type_38(array<f64, 4>(_e1973.member[0], _e1973.member[1], _e1973.member[2], _e1973.member[3]), array<f64, 4>(_e1973.member_1[0], _e1973.member_1[1], _e1973.member_1[2], _e1973.member_1[3]), array<f64, 4>(_e1973.member_2[0], _e1973.member_2[1], _e1973.member_2[2], _e1973.member_2[3]));
                                 let _e1993 = f64(0f);
                                 let _e1996 = local_9.member[0u];
@@ -7999,59 +8006,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2050 = local_9.member_1[3u];
                                             let _e2053 = local_9.member[3u];
                                             let _e2059 = local_9.member_2[3u];
-                                            phi_10502_ = (((_e2047 + ((_e2050 - _e2053) * _e410)) - _e2059) > _e1993);
-                                            phi_10503_ = false;
+                                            phi_10508_ = (((_e2047 + ((_e2050 - _e2053) * _e410)) - _e2059) > _e1993);
+                                            phi_10509_ = false;
                                         } else {
-                                            phi_10502_ = bool();
-                                            phi_10503_ = true;
+                                            phi_10508_ = bool();
+                                            phi_10509_ = true;
                                         }
-                                        let _e2063 = phi_10502_;
-                                        let _e2065 = phi_10503_;
-                                        phi_10504_ = _e2063;
-                                        phi_10505_ = _e2065;
+                                        let _e2063 = phi_10508_;
+                                        let _e2065 = phi_10509_;
+                                        phi_10510_ = _e2063;
+                                        phi_10511_ = _e2065;
                                     } else {
-                                        phi_10504_ = bool();
-                                        phi_10505_ = true;
+                                        phi_10510_ = bool();
+                                        phi_10511_ = true;
                                     }
-                                    let _e2067 = phi_10504_;
-                                    let _e2069 = phi_10505_;
-                                    phi_10506_ = _e2067;
-                                    phi_10507_ = _e2069;
+                                    let _e2067 = phi_10510_;
+                                    let _e2069 = phi_10511_;
+                                    phi_10512_ = _e2067;
+                                    phi_10513_ = _e2069;
                                 } else {
-                                    phi_10506_ = bool();
-                                    phi_10507_ = true;
+                                    phi_10512_ = bool();
+                                    phi_10513_ = true;
                                 }
-                                let _e2071 = phi_10506_;
-                                let _e2073 = phi_10507_;
+                                let _e2071 = phi_10512_;
+                                let _e2073 = phi_10513_;
                                 if _e2073 {
-                                    phi_10511_ = false;
+                                    phi_10517_ = false;
                                 } else {
-                                    phi_10511_ = _e2071;
+                                    phi_10517_ = _e2071;
                                 }
-                                let _e2075 = phi_10511_;
+                                let _e2075 = phi_10517_;
                                 if _e2075 {
-                                    phi_11431_ = bool();
-                                    phi_11432_ = true;
+                                    phi_11437_ = bool();
+                                    phi_11438_ = true;
                                 } else {
                                     let _e2076 = f64(0f);
                                     if (_e2076 < 0.0lf) {
-                                        phi_10539_ = -(_e2076);
+                                        phi_10545_ = -(_e2076);
                                     } else {
-                                        phi_10539_ = _e2076;
+                                        phi_10545_ = _e2076;
                                     }
-                                    let _e2081 = phi_10539_;
+                                    let _e2081 = phi_10545_;
                                     if (_e1471[1] < 0.0lf) {
-                                        phi_10545_ = -(_e1471[1]);
+                                        phi_10551_ = -(_e1471[1]);
                                     } else {
-                                        phi_10545_ = _e1471[1];
+                                        phi_10551_ = _e1471[1];
                                     }
-                                    let _e2085 = phi_10545_;
+                                    let _e2085 = phi_10551_;
                                     if (_e2076 < 0.0lf) {
-                                        phi_10552_ = -(_e2076);
+                                        phi_10558_ = -(_e2076);
                                     } else {
-                                        phi_10552_ = _e2076;
+                                        phi_10558_ = _e2076;
                                     }
-                                    let _e2090 = phi_10552_;
+                                    let _e2090 = phi_10558_;
                                     let _e2091 = ((_e2081 + _e2085) + _e2090);
                                     if (_e2091 > f64(0f)) {
                                         if ((bitcast<u64>(_e2091) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -8062,59 +8069,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2106 = (((_e2099 * _e2099) + (_e2100 * _e2100)) + (_e2101 * _e2101));
                                             if (_e2106 <= 2.2250738585072014e-308lf) {
                                                 if (_e2106 > 0.0lf) {
-                                                    phi_10588_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    phi_10594_ = (1.464336215552873e-154lf * 2.0lf);
                                                 } else {
-                                                    phi_10588_ = 0.0lf;
+                                                    phi_10594_ = 0.0lf;
                                                 }
-                                                let _e2158 = phi_10588_;
-                                                phi_10652_ = _e2158;
+                                                let _e2158 = phi_10594_;
+                                                phi_10658_ = _e2158;
                                             } else {
-                                                phi_10595_ = type_16(0i, 5i);
-                                                phi_10598_ = bitcast<f64>(((bitcast<u64>(_e2106) / 2lu) + 2303426169912950784lu));
+                                                phi_10601_ = type_16(0i, 5i);
+                                                phi_10604_ = bitcast<f64>(((bitcast<u64>(_e2106) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e2113 = phi_10595_;
-                                                    let _e2115 = phi_10598_;
+                                                    let _e2113 = phi_10601_;
+                                                    let _e2115 = phi_10604_;
                                                     local_21 = _e2115;
                                                     if (_e2113.member < _e2113.member_1) {
                                                         let _e2122 = (_e2113.member + 1i);
                                                         if ((false == (_e2122 > _e2113.member)) != false) {
-                                                            phi_10619_ = true;
+                                                            phi_10625_ = true;
                                                         } else {
-                                                            phi_10619_ = false;
+                                                            phi_10625_ = false;
                                                         }
-                                                        let _e2127 = phi_10619_;
+                                                        let _e2127 = phi_10625_;
                                                         if _e2127 {
-                                                            phi_10625_ = type_17(0u, type_17().member_1);
+                                                            phi_10631_ = type_17(0u, type_17().member_1);
                                                         } else {
-                                                            phi_10625_ = type_17(1u, _e2122);
+                                                            phi_10631_ = type_17(1u, _e2122);
                                                         }
-                                                        let _e2132 = phi_10625_;
-                                                        phi_10596_ = type_16(_e2132.member_1, _e2113.member_1);
-                                                        phi_10639_ = type_17(1u, _e2113.member);
+                                                        let _e2132 = phi_10631_;
+                                                        phi_10602_ = type_16(_e2132.member_1, _e2113.member_1);
+                                                        phi_10645_ = type_17(1u, _e2113.member);
                                                     } else {
-                                                        phi_10596_ = _e2113;
-                                                        phi_10639_ = type_17(0u, type_17().member_1);
+                                                        phi_10602_ = _e2113;
+                                                        phi_10645_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e2138 = phi_10596_;
-                                                    let _e2140 = phi_10639_;
+                                                    let _e2138 = phi_10602_;
+                                                    let _e2140 = phi_10645_;
                                                     let _e2143 = (bitcast<i32>(_e2140.member) != 0i);
                                                     if _e2143 {
-                                                        phi_10599_ = (0.5lf * (_e2115 + (_e2106 / _e2115)));
+                                                        phi_10605_ = (0.5lf * (_e2115 + (_e2106 / _e2115)));
                                                     } else {
-                                                        phi_10599_ = f64();
+                                                        phi_10605_ = f64();
                                                     }
-                                                    let _e2148 = phi_10599_;
+                                                    let _e2148 = phi_10605_;
                                                     continue;
                                                     continuing {
-                                                        phi_10595_ = _e2138;
-                                                        phi_10598_ = _e2148;
+                                                        phi_10601_ = _e2138;
+                                                        phi_10604_ = _e2148;
                                                         break if !(_e2143);
                                                     }
                                                 }
                                                 let _e2153 = local_21;
-                                                phi_10652_ = (_e2153 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                phi_10658_ = (_e2153 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e2160 = phi_10652_;
+                                            let _e2160 = phi_10658_;
                                             let _e2162 = (1.1102230246251565e-16lf * f64(12f));
                                             let _e2169 = ((_e1404 * f64(1.01f)) + ((_e1181 * _e2160) * (f64(1f) + _e2162)));
                                             let _e2174 = (((_e2099 * _e1184[0]) + (_e2100 * _e1184[1])) + (_e2101 * _e1184[2]));
@@ -8126,77 +8133,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2205 = (((_e2099 * _e1227) + (_e2100 * _e1228)) + (_e2101 * _e1229));
                                             let _e2210 = (((_e2099 * _e1208[0]) + (_e2100 * _e1208[1])) + (_e2101 * _e1208[2]));
                                             if (_e2174 < 0.0lf) {
-                                                phi_10721_ = -(_e2174);
+                                                phi_10727_ = -(_e2174);
                                             } else {
-                                                phi_10721_ = _e2174;
+                                                phi_10727_ = _e2174;
                                             }
-                                            let _e2215 = phi_10721_;
+                                            let _e2215 = phi_10727_;
                                             if (_e2195 < 0.0lf) {
-                                                phi_10727_ = -(_e2195);
+                                                phi_10733_ = -(_e2195);
                                             } else {
-                                                phi_10727_ = _e2195;
+                                                phi_10733_ = _e2195;
                                             }
-                                            let _e2219 = phi_10727_;
+                                            let _e2219 = phi_10733_;
                                             if (_e2179 < 0.0lf) {
-                                                phi_10736_ = -(_e2179);
+                                                phi_10742_ = -(_e2179);
                                             } else {
-                                                phi_10736_ = _e2179;
+                                                phi_10742_ = _e2179;
                                             }
-                                            let _e2226 = phi_10736_;
+                                            let _e2226 = phi_10742_;
                                             if (_e2200 < 0.0lf) {
-                                                phi_10742_ = -(_e2200);
+                                                phi_10748_ = -(_e2200);
                                             } else {
-                                                phi_10742_ = _e2200;
+                                                phi_10748_ = _e2200;
                                             }
-                                            let _e2230 = phi_10742_;
+                                            let _e2230 = phi_10748_;
                                             if (_e2184 < 0.0lf) {
-                                                phi_10751_ = -(_e2184);
+                                                phi_10757_ = -(_e2184);
                                             } else {
-                                                phi_10751_ = _e2184;
+                                                phi_10757_ = _e2184;
                                             }
-                                            let _e2237 = phi_10751_;
+                                            let _e2237 = phi_10757_;
                                             if (_e2205 < 0.0lf) {
-                                                phi_10757_ = -(_e2205);
+                                                phi_10763_ = -(_e2205);
                                             } else {
-                                                phi_10757_ = _e2205;
+                                                phi_10763_ = _e2205;
                                             }
-                                            let _e2241 = phi_10757_;
+                                            let _e2241 = phi_10763_;
                                             if (_e2189 < 0.0lf) {
-                                                phi_10766_ = -(_e2189);
+                                                phi_10772_ = -(_e2189);
                                             } else {
-                                                phi_10766_ = _e2189;
+                                                phi_10772_ = _e2189;
                                             }
-                                            let _e2248 = phi_10766_;
+                                            let _e2248 = phi_10772_;
                                             if (_e2210 < 0.0lf) {
-                                                phi_10772_ = -(_e2210);
+                                                phi_10778_ = -(_e2210);
                                             } else {
-                                                phi_10772_ = _e2210;
+                                                phi_10778_ = _e2210;
                                             }
-                                            let _e2252 = phi_10772_;
-                                            phi_10778_ = type_38(array<f64, 4>(_e2174, _e2179, _e2184, _e2189), array<f64, 4>(_e2195, _e2200, _e2205, _e2210), array<f64, 4>((_e2169 + ((_e2215 + _e2219) * _e2162)), (_e2169 + ((_e2226 + _e2230) * _e2162)), (_e2169 + ((_e2237 + _e2241) * _e2162)), (_e2169 + ((_e2248 + _e2252) * _e2162))));
-                                            phi_10779_ = false;
+                                            let _e2252 = phi_10778_;
+                                            phi_10784_ = type_38(array<f64, 4>(_e2174, _e2179, _e2184, _e2189), array<f64, 4>(_e2195, _e2200, _e2205, _e2210), array<f64, 4>((_e2169 + ((_e2215 + _e2219) * _e2162)), (_e2169 + ((_e2226 + _e2230) * _e2162)), (_e2169 + ((_e2237 + _e2241) * _e2162)), (_e2169 + ((_e2248 + _e2252) * _e2162))));
+                                            phi_10785_ = false;
                                         } else {
-                                            phi_10778_ = type_38();
-                                            phi_10779_ = true;
+                                            phi_10784_ = type_38();
+                                            phi_10785_ = true;
                                         }
-                                        let _e2259 = phi_10778_;
-                                        let _e2261 = phi_10779_;
-                                        phi_10780_ = _e2259;
-                                        phi_10781_ = _e2261;
+                                        let _e2259 = phi_10784_;
+                                        let _e2261 = phi_10785_;
+                                        phi_10786_ = _e2259;
+                                        phi_10787_ = _e2261;
                                     } else {
-                                        phi_10780_ = type_38();
-                                        phi_10781_ = true;
+                                        phi_10786_ = type_38();
+                                        phi_10787_ = true;
                                     }
-                                    let _e2263 = phi_10780_;
-                                    let _e2265 = phi_10781_;
+                                    let _e2263 = phi_10786_;
+                                    let _e2265 = phi_10787_;
                                     if _e2265 {
                                         let _e2266 = f64(0f);
                                         let _e2267 = f64(1f);
-                                        phi_10791_ = type_38(array<f64, 4>(_e2266, _e2266, _e2266, _e2266), array<f64, 4>(_e2266, _e2266, _e2266, _e2266), array<f64, 4>(_e2267, _e2267, _e2267, _e2267));
+                                        phi_10797_ = type_38(array<f64, 4>(_e2266, _e2266, _e2266, _e2266), array<f64, 4>(_e2266, _e2266, _e2266, _e2266), array<f64, 4>(_e2267, _e2267, _e2267, _e2267));
                                     } else {
-                                        phi_10791_ = _e2263;
+                                        phi_10797_ = _e2263;
                                     }
-                                    let _e2273 = phi_10791_;
+                                    let _e2273 = phi_10797_;
                                     local_10 = type_38(array<f64, 4>(_e2273.member[0], _e2273.member[1], _e2273.member[2], _e2273.member[3]), array<f64, 4>(_e2273.member_1[0], _e2273.member_1[1], _e2273.member_1[2], _e2273.member_1[3]), array<f64, 4>(_e2273.member_2[0], _e2273.member_2[1], _e2273.member_2[2], _e2273.member_2[3]));
                                     let _e2293 = f64(0f);
                                     let _e2296 = local_10.member[0u];
@@ -8218,58 +8225,58 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2350 = local_10.member_1[3u];
                                                 let _e2353 = local_10.member[3u];
                                                 let _e2359 = local_10.member_2[3u];
-                                                phi_10961_ = (((_e2347 + ((_e2350 - _e2353) * _e410)) - _e2359) > _e2293);
-                                                phi_10962_ = false;
+                                                phi_10967_ = (((_e2347 + ((_e2350 - _e2353) * _e410)) - _e2359) > _e2293);
+                                                phi_10968_ = false;
                                             } else {
-                                                phi_10961_ = bool();
-                                                phi_10962_ = true;
+                                                phi_10967_ = bool();
+                                                phi_10968_ = true;
                                             }
-                                            let _e2363 = phi_10961_;
-                                            let _e2365 = phi_10962_;
-                                            phi_10963_ = _e2363;
-                                            phi_10964_ = _e2365;
+                                            let _e2363 = phi_10967_;
+                                            let _e2365 = phi_10968_;
+                                            phi_10969_ = _e2363;
+                                            phi_10970_ = _e2365;
                                         } else {
-                                            phi_10963_ = bool();
-                                            phi_10964_ = true;
+                                            phi_10969_ = bool();
+                                            phi_10970_ = true;
                                         }
-                                        let _e2367 = phi_10963_;
-                                        let _e2369 = phi_10964_;
-                                        phi_10965_ = _e2367;
-                                        phi_10966_ = _e2369;
+                                        let _e2367 = phi_10969_;
+                                        let _e2369 = phi_10970_;
+                                        phi_10971_ = _e2367;
+                                        phi_10972_ = _e2369;
                                     } else {
-                                        phi_10965_ = bool();
-                                        phi_10966_ = true;
+                                        phi_10971_ = bool();
+                                        phi_10972_ = true;
                                     }
-                                    let _e2371 = phi_10965_;
-                                    let _e2373 = phi_10966_;
+                                    let _e2371 = phi_10971_;
+                                    let _e2373 = phi_10972_;
                                     if _e2373 {
-                                        phi_10970_ = false;
+                                        phi_10976_ = false;
                                     } else {
-                                        phi_10970_ = _e2371;
+                                        phi_10976_ = _e2371;
                                     }
-                                    let _e2375 = phi_10970_;
+                                    let _e2375 = phi_10976_;
                                     if _e2375 {
-                                        phi_11430_ = bool();
+                                        phi_11436_ = bool();
                                     } else {
                                         let _e2376 = f64(0f);
-                                        if (_e2376 < 0.0lf) {
-                                            phi_10998_ = -(_e2376);
-                                        } else {
-                                            phi_10998_ = _e2376;
-                                        }
-                                        let _e2381 = phi_10998_;
                                         if (_e2376 < 0.0lf) {
                                             phi_11004_ = -(_e2376);
                                         } else {
                                             phi_11004_ = _e2376;
                                         }
-                                        let _e2385 = phi_11004_;
-                                        if (_e1471[2] < 0.0lf) {
-                                            phi_11011_ = -(_e1471[2]);
+                                        let _e2381 = phi_11004_;
+                                        if (_e2376 < 0.0lf) {
+                                            phi_11010_ = -(_e2376);
                                         } else {
-                                            phi_11011_ = _e1471[2];
+                                            phi_11010_ = _e2376;
                                         }
-                                        let _e2390 = phi_11011_;
+                                        let _e2385 = phi_11010_;
+                                        if (_e1471[2] < 0.0lf) {
+                                            phi_11017_ = -(_e1471[2]);
+                                        } else {
+                                            phi_11017_ = _e1471[2];
+                                        }
+                                        let _e2390 = phi_11017_;
                                         let _e2391 = ((_e2381 + _e2385) + _e2390);
                                         if (_e2391 > f64(0f)) {
                                             if ((bitcast<u64>(_e2391) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -8280,59 +8287,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2406 = (((_e2399 * _e2399) + (_e2400 * _e2400)) + (_e2401 * _e2401));
                                                 if (_e2406 <= 2.2250738585072014e-308lf) {
                                                     if (_e2406 > 0.0lf) {
-                                                        phi_11047_ = (1.464336215552873e-154lf * 2.0lf);
+                                                        phi_11053_ = (1.464336215552873e-154lf * 2.0lf);
                                                     } else {
-                                                        phi_11047_ = 0.0lf;
+                                                        phi_11053_ = 0.0lf;
                                                     }
-                                                    let _e2458 = phi_11047_;
-                                                    phi_11111_ = _e2458;
+                                                    let _e2458 = phi_11053_;
+                                                    phi_11117_ = _e2458;
                                                 } else {
-                                                    phi_11054_ = type_16(0i, 5i);
-                                                    phi_11057_ = bitcast<f64>(((bitcast<u64>(_e2406) / 2lu) + 2303426169912950784lu));
+                                                    phi_11060_ = type_16(0i, 5i);
+                                                    phi_11063_ = bitcast<f64>(((bitcast<u64>(_e2406) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e2413 = phi_11054_;
-                                                        let _e2415 = phi_11057_;
+                                                        let _e2413 = phi_11060_;
+                                                        let _e2415 = phi_11063_;
                                                         local_22 = _e2415;
                                                         if (_e2413.member < _e2413.member_1) {
                                                             let _e2422 = (_e2413.member + 1i);
                                                             if ((false == (_e2422 > _e2413.member)) != false) {
-                                                                phi_11078_ = true;
+                                                                phi_11084_ = true;
                                                             } else {
-                                                                phi_11078_ = false;
+                                                                phi_11084_ = false;
                                                             }
-                                                            let _e2427 = phi_11078_;
+                                                            let _e2427 = phi_11084_;
                                                             if _e2427 {
-                                                                phi_11084_ = type_17(0u, type_17().member_1);
+                                                                phi_11090_ = type_17(0u, type_17().member_1);
                                                             } else {
-                                                                phi_11084_ = type_17(1u, _e2422);
+                                                                phi_11090_ = type_17(1u, _e2422);
                                                             }
-                                                            let _e2432 = phi_11084_;
-                                                            phi_11055_ = type_16(_e2432.member_1, _e2413.member_1);
-                                                            phi_11098_ = type_17(1u, _e2413.member);
+                                                            let _e2432 = phi_11090_;
+                                                            phi_11061_ = type_16(_e2432.member_1, _e2413.member_1);
+                                                            phi_11104_ = type_17(1u, _e2413.member);
                                                         } else {
-                                                            phi_11055_ = _e2413;
-                                                            phi_11098_ = type_17(0u, type_17().member_1);
+                                                            phi_11061_ = _e2413;
+                                                            phi_11104_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e2438 = phi_11055_;
-                                                        let _e2440 = phi_11098_;
+                                                        let _e2438 = phi_11061_;
+                                                        let _e2440 = phi_11104_;
                                                         let _e2443 = (bitcast<i32>(_e2440.member) != 0i);
                                                         if _e2443 {
-                                                            phi_11058_ = (0.5lf * (_e2415 + (_e2406 / _e2415)));
+                                                            phi_11064_ = (0.5lf * (_e2415 + (_e2406 / _e2415)));
                                                         } else {
-                                                            phi_11058_ = f64();
+                                                            phi_11064_ = f64();
                                                         }
-                                                        let _e2448 = phi_11058_;
+                                                        let _e2448 = phi_11064_;
                                                         continue;
                                                         continuing {
-                                                            phi_11054_ = _e2438;
-                                                            phi_11057_ = _e2448;
+                                                            phi_11060_ = _e2438;
+                                                            phi_11063_ = _e2448;
                                                             break if !(_e2443);
                                                         }
                                                     }
                                                     let _e2453 = local_22;
-                                                    phi_11111_ = (_e2453 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    phi_11117_ = (_e2453 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e2460 = phi_11111_;
+                                                let _e2460 = phi_11117_;
                                                 let _e2462 = (1.1102230246251565e-16lf * f64(12f));
                                                 let _e2469 = ((_e1404 * f64(1.01f)) + ((_e1181 * _e2460) * (f64(1f) + _e2462)));
                                                 let _e2474 = (((_e2399 * _e1184[0]) + (_e2400 * _e1184[1])) + (_e2401 * _e1184[2]));
@@ -8344,77 +8351,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e2505 = (((_e2399 * _e1227) + (_e2400 * _e1228)) + (_e2401 * _e1229));
                                                 let _e2510 = (((_e2399 * _e1208[0]) + (_e2400 * _e1208[1])) + (_e2401 * _e1208[2]));
                                                 if (_e2474 < 0.0lf) {
-                                                    phi_11180_ = -(_e2474);
+                                                    phi_11186_ = -(_e2474);
                                                 } else {
-                                                    phi_11180_ = _e2474;
+                                                    phi_11186_ = _e2474;
                                                 }
-                                                let _e2515 = phi_11180_;
+                                                let _e2515 = phi_11186_;
                                                 if (_e2495 < 0.0lf) {
-                                                    phi_11186_ = -(_e2495);
+                                                    phi_11192_ = -(_e2495);
                                                 } else {
-                                                    phi_11186_ = _e2495;
+                                                    phi_11192_ = _e2495;
                                                 }
-                                                let _e2519 = phi_11186_;
+                                                let _e2519 = phi_11192_;
                                                 if (_e2479 < 0.0lf) {
-                                                    phi_11195_ = -(_e2479);
+                                                    phi_11201_ = -(_e2479);
                                                 } else {
-                                                    phi_11195_ = _e2479;
+                                                    phi_11201_ = _e2479;
                                                 }
-                                                let _e2526 = phi_11195_;
+                                                let _e2526 = phi_11201_;
                                                 if (_e2500 < 0.0lf) {
-                                                    phi_11201_ = -(_e2500);
+                                                    phi_11207_ = -(_e2500);
                                                 } else {
-                                                    phi_11201_ = _e2500;
+                                                    phi_11207_ = _e2500;
                                                 }
-                                                let _e2530 = phi_11201_;
+                                                let _e2530 = phi_11207_;
                                                 if (_e2484 < 0.0lf) {
-                                                    phi_11210_ = -(_e2484);
+                                                    phi_11216_ = -(_e2484);
                                                 } else {
-                                                    phi_11210_ = _e2484;
+                                                    phi_11216_ = _e2484;
                                                 }
-                                                let _e2537 = phi_11210_;
+                                                let _e2537 = phi_11216_;
                                                 if (_e2505 < 0.0lf) {
-                                                    phi_11216_ = -(_e2505);
+                                                    phi_11222_ = -(_e2505);
                                                 } else {
-                                                    phi_11216_ = _e2505;
+                                                    phi_11222_ = _e2505;
                                                 }
-                                                let _e2541 = phi_11216_;
+                                                let _e2541 = phi_11222_;
                                                 if (_e2489 < 0.0lf) {
-                                                    phi_11225_ = -(_e2489);
+                                                    phi_11231_ = -(_e2489);
                                                 } else {
-                                                    phi_11225_ = _e2489;
+                                                    phi_11231_ = _e2489;
                                                 }
-                                                let _e2548 = phi_11225_;
+                                                let _e2548 = phi_11231_;
                                                 if (_e2510 < 0.0lf) {
-                                                    phi_11231_ = -(_e2510);
+                                                    phi_11237_ = -(_e2510);
                                                 } else {
-                                                    phi_11231_ = _e2510;
+                                                    phi_11237_ = _e2510;
                                                 }
-                                                let _e2552 = phi_11231_;
-                                                phi_11237_ = type_38(array<f64, 4>(_e2474, _e2479, _e2484, _e2489), array<f64, 4>(_e2495, _e2500, _e2505, _e2510), array<f64, 4>((_e2469 + ((_e2515 + _e2519) * _e2462)), (_e2469 + ((_e2526 + _e2530) * _e2462)), (_e2469 + ((_e2537 + _e2541) * _e2462)), (_e2469 + ((_e2548 + _e2552) * _e2462))));
-                                                phi_11238_ = false;
+                                                let _e2552 = phi_11237_;
+                                                phi_11243_ = type_38(array<f64, 4>(_e2474, _e2479, _e2484, _e2489), array<f64, 4>(_e2495, _e2500, _e2505, _e2510), array<f64, 4>((_e2469 + ((_e2515 + _e2519) * _e2462)), (_e2469 + ((_e2526 + _e2530) * _e2462)), (_e2469 + ((_e2537 + _e2541) * _e2462)), (_e2469 + ((_e2548 + _e2552) * _e2462))));
+                                                phi_11244_ = false;
                                             } else {
-                                                phi_11237_ = type_38();
-                                                phi_11238_ = true;
+                                                phi_11243_ = type_38();
+                                                phi_11244_ = true;
                                             }
-                                            let _e2559 = phi_11237_;
-                                            let _e2561 = phi_11238_;
-                                            phi_11239_ = _e2559;
-                                            phi_11240_ = _e2561;
+                                            let _e2559 = phi_11243_;
+                                            let _e2561 = phi_11244_;
+                                            phi_11245_ = _e2559;
+                                            phi_11246_ = _e2561;
                                         } else {
-                                            phi_11239_ = type_38();
-                                            phi_11240_ = true;
+                                            phi_11245_ = type_38();
+                                            phi_11246_ = true;
                                         }
-                                        let _e2563 = phi_11239_;
-                                        let _e2565 = phi_11240_;
+                                        let _e2563 = phi_11245_;
+                                        let _e2565 = phi_11246_;
                                         if _e2565 {
                                             let _e2566 = f64(0f);
                                             let _e2567 = f64(1f);
-                                            phi_11250_ = type_38(array<f64, 4>(_e2566, _e2566, _e2566, _e2566), array<f64, 4>(_e2566, _e2566, _e2566, _e2566), array<f64, 4>(_e2567, _e2567, _e2567, _e2567));
+                                            phi_11256_ = type_38(array<f64, 4>(_e2566, _e2566, _e2566, _e2566), array<f64, 4>(_e2566, _e2566, _e2566, _e2566), array<f64, 4>(_e2567, _e2567, _e2567, _e2567));
                                         } else {
-                                            phi_11250_ = _e2563;
+                                            phi_11256_ = _e2563;
                                         }
-                                        let _e2573 = phi_11250_;
+                                        let _e2573 = phi_11256_;
                                         local_11 = type_38(array<f64, 4>(_e2573.member[0], _e2573.member[1], _e2573.member[2], _e2573.member[3]), array<f64, 4>(_e2573.member_1[0], _e2573.member_1[1], _e2573.member_1[2], _e2573.member_1[3]), array<f64, 4>(_e2573.member_2[0], _e2573.member_2[1], _e2573.member_2[2], _e2573.member_2[3]));
                                         let _e2593 = f64(0f);
                                         let _e2596 = local_11.member[0u];
@@ -8436,72 +8443,72 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e2650 = local_11.member_1[3u];
                                                     let _e2653 = local_11.member[3u];
                                                     let _e2659 = local_11.member_2[3u];
-                                                    phi_11420_ = (((_e2647 + ((_e2650 - _e2653) * _e410)) - _e2659) > _e2593);
-                                                    phi_11421_ = false;
+                                                    phi_11426_ = (((_e2647 + ((_e2650 - _e2653) * _e410)) - _e2659) > _e2593);
+                                                    phi_11427_ = false;
                                                 } else {
-                                                    phi_11420_ = bool();
-                                                    phi_11421_ = true;
+                                                    phi_11426_ = bool();
+                                                    phi_11427_ = true;
                                                 }
-                                                let _e2663 = phi_11420_;
-                                                let _e2665 = phi_11421_;
-                                                phi_11422_ = _e2663;
-                                                phi_11423_ = _e2665;
+                                                let _e2663 = phi_11426_;
+                                                let _e2665 = phi_11427_;
+                                                phi_11428_ = _e2663;
+                                                phi_11429_ = _e2665;
                                             } else {
-                                                phi_11422_ = bool();
-                                                phi_11423_ = true;
+                                                phi_11428_ = bool();
+                                                phi_11429_ = true;
                                             }
-                                            let _e2667 = phi_11422_;
-                                            let _e2669 = phi_11423_;
-                                            phi_11424_ = _e2667;
-                                            phi_11425_ = _e2669;
+                                            let _e2667 = phi_11428_;
+                                            let _e2669 = phi_11429_;
+                                            phi_11430_ = _e2667;
+                                            phi_11431_ = _e2669;
                                         } else {
-                                            phi_11424_ = bool();
-                                            phi_11425_ = true;
+                                            phi_11430_ = bool();
+                                            phi_11431_ = true;
                                         }
-                                        let _e2671 = phi_11424_;
-                                        let _e2673 = phi_11425_;
+                                        let _e2671 = phi_11430_;
+                                        let _e2673 = phi_11431_;
                                         if _e2673 {
-                                            phi_11429_ = false;
+                                            phi_11435_ = false;
                                         } else {
-                                            phi_11429_ = _e2671;
+                                            phi_11435_ = _e2671;
                                         }
-                                        let _e2675 = phi_11429_;
-                                        phi_11430_ = _e2675;
+                                        let _e2675 = phi_11435_;
+                                        phi_11436_ = _e2675;
                                     }
-                                    let _e2677 = phi_11430_;
-                                    phi_11431_ = _e2677;
-                                    phi_11432_ = _e2375;
+                                    let _e2677 = phi_11436_;
+                                    phi_11437_ = _e2677;
+                                    phi_11438_ = _e2375;
                                 }
-                                let _e2679 = phi_11431_;
-                                let _e2681 = phi_11432_;
-                                phi_11433_ = _e2679;
-                                phi_11434_ = _e2681;
+                                let _e2679 = phi_11437_;
+                                let _e2681 = phi_11438_;
+                                phi_11439_ = _e2679;
+                                phi_11440_ = _e2681;
                             }
-                            let _e2683 = phi_11433_;
-                            let _e2685 = phi_11434_;
+                            let _e2683 = phi_11439_;
+                            let _e2685 = phi_11440_;
                             if _e2685 {
-                                phi_11438_ = true;
+                                phi_11444_ = true;
                             } else {
-                                phi_11438_ = _e2683;
+                                phi_11444_ = _e2683;
                             }
-                            let _e2687 = phi_11438_;
+                            let _e2687 = phi_11444_;
                             if !(_e2687) {
-                                phi_11444_ = type_46(2u, _e410);
-                                phi_11445_ = false;
+                                phi_11450_ = type_46(2u, _e410);
+                                phi_11451_ = false;
                             } else {
-                                phi_11444_ = type_46();
-                                phi_11445_ = true;
+                                phi_11450_ = type_46();
+                                phi_11451_ = true;
                             }
-                            let _e2691 = phi_11444_;
-                            let _e2693 = phi_11445_;
-                            phi_11446_ = _e2691;
-                            phi_11447_ = _e2693;
+                            let _e2691 = phi_11450_;
+                            let _e2693 = phi_11451_;
+                            phi_11452_ = _e2691;
+                            phi_11453_ = _e2693;
                         } else {
-                            phi_11446_ = type_46();
-                            phi_11447_ = true;
+                            phi_11452_ = type_46();
+                            phi_11453_ = true;
                         }
-                        let _e2695 = phi_11446_;
-                        let _e2697 = phi_11447_;
+                        let _e2695 = phi_11452_;
+                        let _e2697 = phi_11453_;
                         if _e2697 {
                             let _e2698 = f64(0f);
                             let _e2699 = f64(1f);
@@ -8517,65 +8524,65 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             if (_e2715 > _e2698) {
                                 if (_e2715 <= 2.2250738585072014e-308lf) {
                                     if (_e2715 > 0.0lf) {
-                                        phi_11486_ = (1.464336215552873e-154lf * 2.0lf);
+                                        phi_11492_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_11486_ = 0.0lf;
+                                        phi_11492_ = 0.0lf;
                                     }
-                                    let _e2768 = phi_11486_;
-                                    phi_11550_ = _e2768;
+                                    let _e2768 = phi_11492_;
+                                    phi_11556_ = _e2768;
                                 } else {
-                                    phi_11493_ = type_16(0i, 5i);
-                                    phi_11496_ = bitcast<f64>(((bitcast<u64>(_e2715) / 2lu) + 2303426169912950784lu));
+                                    phi_11499_ = type_16(0i, 5i);
+                                    phi_11502_ = bitcast<f64>(((bitcast<u64>(_e2715) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2723 = phi_11493_;
-                                        let _e2725 = phi_11496_;
+                                        let _e2723 = phi_11499_;
+                                        let _e2725 = phi_11502_;
                                         local_23 = _e2725;
                                         if (_e2723.member < _e2723.member_1) {
                                             let _e2732 = (_e2723.member + 1i);
                                             if ((false == (_e2732 > _e2723.member)) != false) {
-                                                phi_11517_ = true;
+                                                phi_11523_ = true;
                                             } else {
-                                                phi_11517_ = false;
+                                                phi_11523_ = false;
                                             }
-                                            let _e2737 = phi_11517_;
+                                            let _e2737 = phi_11523_;
                                             if _e2737 {
-                                                phi_11523_ = type_17(0u, type_17().member_1);
+                                                phi_11529_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_11523_ = type_17(1u, _e2732);
+                                                phi_11529_ = type_17(1u, _e2732);
                                             }
-                                            let _e2742 = phi_11523_;
-                                            phi_11494_ = type_16(_e2742.member_1, _e2723.member_1);
-                                            phi_11537_ = type_17(1u, _e2723.member);
+                                            let _e2742 = phi_11529_;
+                                            phi_11500_ = type_16(_e2742.member_1, _e2723.member_1);
+                                            phi_11543_ = type_17(1u, _e2723.member);
                                         } else {
-                                            phi_11494_ = _e2723;
-                                            phi_11537_ = type_17(0u, type_17().member_1);
+                                            phi_11500_ = _e2723;
+                                            phi_11543_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2748 = phi_11494_;
-                                        let _e2750 = phi_11537_;
+                                        let _e2748 = phi_11500_;
+                                        let _e2750 = phi_11543_;
                                         let _e2753 = (bitcast<i32>(_e2750.member) != 0i);
                                         if _e2753 {
-                                            phi_11497_ = (0.5lf * (_e2725 + (_e2715 / _e2725)));
+                                            phi_11503_ = (0.5lf * (_e2725 + (_e2715 / _e2725)));
                                         } else {
-                                            phi_11497_ = f64();
+                                            phi_11503_ = f64();
                                         }
-                                        let _e2758 = phi_11497_;
+                                        let _e2758 = phi_11503_;
                                         continue;
                                         continuing {
-                                            phi_11493_ = _e2748;
-                                            phi_11496_ = _e2758;
+                                            phi_11499_ = _e2748;
+                                            phi_11502_ = _e2758;
                                             break if !(_e2753);
                                         }
                                     }
                                     let _e2763 = local_23;
-                                    phi_11550_ = (_e2763 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    phi_11556_ = (_e2763 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2770 = phi_11550_;
+                                let _e2770 = phi_11556_;
                                 if (_e2707 < _e2698) {
-                                    phi_11556_ = -(_e2770);
+                                    phi_11562_ = -(_e2770);
                                 } else {
-                                    phi_11556_ = _e2770;
+                                    phi_11562_ = _e2770;
                                 }
-                                let _e2774 = phi_11556_;
+                                let _e2774 = phi_11562_;
                                 let _e2776 = -((_e2707 + _e2774));
                                 local_7[0u] = (_e2776 / (_e2776 + _e2708));
                                 local_7[1u] = (_e2706 / (_e2706 + _e2776));
@@ -8587,21 +8594,21 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     local_7[0u] = _e2789;
                                     local_7[1u] = _e2791;
                                 }
-                                phi_11581_ = type_12(0u, 2u);
-                                phi_11584_ = 1u;
+                                phi_11587_ = type_12(0u, 2u);
+                                phi_11590_ = 1u;
                                 loop {
-                                    let _e2795 = phi_11581_;
-                                    let _e2797 = phi_11584_;
+                                    let _e2795 = phi_11587_;
+                                    let _e2797 = phi_11590_;
                                     local_64 = _e2797;
                                     if (_e2795.member < _e2795.member_1) {
-                                        phi_11582_ = type_12((_e2795.member + 1u), _e2795.member_1);
-                                        phi_11607_ = type_12(1u, _e2795.member);
+                                        phi_11588_ = type_12((_e2795.member + 1u), _e2795.member_1);
+                                        phi_11613_ = type_12(1u, _e2795.member);
                                     } else {
-                                        phi_11582_ = _e2795;
-                                        phi_11607_ = type_12(0u, type_12().member_1);
+                                        phi_11588_ = _e2795;
+                                        phi_11613_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e2809 = phi_11582_;
-                                    let _e2811 = phi_11607_;
+                                    let _e2809 = phi_11588_;
+                                    let _e2811 = phi_11613_;
                                     let _e2815 = (bitcast<i32>(_e2811.member) != 0i);
                                     if _e2815 {
                                         let _e2817 = local_7[_e2811.member_1];
@@ -8610,391 +8617,391 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e2820 < _e2699) {
                                                 let _e2823 = local_7[_e2811.member_1];
                                                 local_6[_e2797] = _e2823;
-                                                phi_11651_ = (_e2797 + 1u);
+                                                phi_11657_ = (_e2797 + 1u);
                                             } else {
-                                                phi_11651_ = _e2797;
+                                                phi_11657_ = _e2797;
                                             }
-                                            let _e2827 = phi_11651_;
-                                            phi_11652_ = _e2827;
+                                            let _e2827 = phi_11657_;
+                                            phi_11658_ = _e2827;
                                         } else {
-                                            phi_11652_ = _e2797;
+                                            phi_11658_ = _e2797;
                                         }
-                                        let _e2829 = phi_11652_;
-                                        phi_11585_ = _e2829;
+                                        let _e2829 = phi_11658_;
+                                        phi_11591_ = _e2829;
                                     } else {
-                                        phi_11585_ = u32();
+                                        phi_11591_ = u32();
                                     }
-                                    let _e2831 = phi_11585_;
+                                    let _e2831 = phi_11591_;
                                     continue;
                                     continuing {
-                                        phi_11581_ = _e2809;
-                                        phi_11584_ = _e2831;
+                                        phi_11587_ = _e2809;
+                                        phi_11590_ = _e2831;
                                         break if !(_e2815);
                                     }
                                 }
-                                let _e10866 = local_64;
-                                phi_11653_ = _e10866;
+                                let _e10870 = local_64;
+                                phi_11659_ = _e10870;
                             } else {
-                                phi_11653_ = 1u;
+                                phi_11659_ = 1u;
                             }
-                            let _e2834 = phi_11653_;
+                            let _e2834 = phi_11659_;
                             local_6[_e2834] = _e2699;
                             let _e2836 = local_6;
                             local_12 = _e2836;
-                            phi_11673_ = type_12(0u, _e2834);
+                            phi_11679_ = type_12(0u, _e2834);
                             loop {
-                                let _e2839 = phi_11673_;
+                                let _e2839 = phi_11679_;
                                 if (_e2839.member < _e2839.member_1) {
-                                    phi_11674_ = type_12((_e2839.member + 1u), _e2839.member_1);
-                                    phi_11697_ = type_12(1u, _e2839.member);
+                                    phi_11680_ = type_12((_e2839.member + 1u), _e2839.member_1);
+                                    phi_11703_ = type_12(1u, _e2839.member);
                                 } else {
-                                    phi_11674_ = _e2839;
-                                    phi_11697_ = type_12(0u, type_12().member_1);
+                                    phi_11680_ = _e2839;
+                                    phi_11703_ = type_12(0u, type_12().member_1);
                                 }
-                                let _e2851 = phi_11674_;
-                                let _e2853 = phi_11697_;
+                                let _e2851 = phi_11680_;
+                                let _e2853 = phi_11703_;
                                 if (bitcast<i32>(_e2853.member) != 0i) {
                                     let _e2859 = local_12[_e2853.member_1];
                                     if (_e2859 > _e410) {
-                                        phi_11716_ = _e2859;
+                                        phi_11722_ = _e2859;
                                     } else {
-                                        phi_11716_ = _e410;
+                                        phi_11722_ = _e410;
                                     }
-                                    let _e2862 = phi_11716_;
+                                    let _e2862 = phi_11722_;
                                     let _e2865 = local_12[(_e2853.member_1 + 1u)];
                                     if (_e2865 < _e419) {
-                                        phi_11729_ = _e2865;
+                                        phi_11735_ = _e2865;
                                     } else {
-                                        phi_11729_ = _e419;
+                                        phi_11735_ = _e419;
                                     }
-                                    let _e2868 = phi_11729_;
+                                    let _e2868 = phi_11735_;
                                     if (_e2862 <= _e2868) {
                                         let _e2871 = (f64(1f) - _e2862);
                                         let _e2882 = ((((_e761 * _e2871) + (_e784 * _e2862)) * (_e2871 * _e2871)) + (((_e807 * _e2871) + (_e818 * _e2862)) * (_e2862 * _e2862)));
                                         let _e2884 = (f64(1f) - _e2868);
                                         let _e2895 = ((((_e761 * _e2884) + (_e784 * _e2868)) * (_e2884 * _e2884)) + (((_e807 * _e2884) + (_e818 * _e2868)) * (_e2868 * _e2868)));
                                         if (_e2882 < 0.0lf) {
-                                            phi_11765_ = -(_e2882);
+                                            phi_11771_ = -(_e2882);
                                         } else {
-                                            phi_11765_ = _e2882;
+                                            phi_11771_ = _e2882;
                                         }
-                                        let _e2899 = phi_11765_;
+                                        let _e2899 = phi_11771_;
                                         let _e2900 = (_e2899 > _e1151);
                                         if (_e2895 < 0.0lf) {
-                                            phi_11772_ = -(_e2895);
+                                            phi_11778_ = -(_e2895);
                                         } else {
-                                            phi_11772_ = _e2895;
+                                            phi_11778_ = _e2895;
                                         }
-                                        let _e2904 = phi_11772_;
+                                        let _e2904 = phi_11778_;
                                         let _e2905 = (_e2904 > _e1151);
                                         let _e2906 = f64(0f);
                                         if _e2900 {
                                             if _e2905 {
-                                                phi_11784_ = ((_e2882 > _e2906) != (_e2895 > _e2906));
-                                                phi_11785_ = false;
+                                                phi_11790_ = ((_e2882 > _e2906) != (_e2895 > _e2906));
+                                                phi_11791_ = false;
                                             } else {
-                                                phi_11784_ = bool();
-                                                phi_11785_ = true;
+                                                phi_11790_ = bool();
+                                                phi_11791_ = true;
                                             }
-                                            let _e2911 = phi_11784_;
-                                            let _e2913 = phi_11785_;
-                                            phi_11786_ = _e2911;
-                                            phi_11787_ = _e2913;
+                                            let _e2911 = phi_11790_;
+                                            let _e2913 = phi_11791_;
+                                            phi_11792_ = _e2911;
+                                            phi_11793_ = _e2913;
                                         } else {
-                                            phi_11786_ = bool();
-                                            phi_11787_ = true;
+                                            phi_11792_ = bool();
+                                            phi_11793_ = true;
                                         }
-                                        let _e2915 = phi_11786_;
-                                        let _e2917 = phi_11787_;
+                                        let _e2915 = phi_11792_;
+                                        let _e2917 = phi_11793_;
                                         if _e2917 {
-                                            phi_11791_ = false;
+                                            phi_11797_ = false;
                                         } else {
-                                            phi_11791_ = _e2915;
+                                            phi_11797_ = _e2915;
                                         }
-                                        let _e2919 = phi_11791_;
+                                        let _e2919 = phi_11797_;
                                         if _e2900 {
                                             if _e2905 {
                                                 if _e2919 {
-                                                    phi_11803_ = type_49();
+                                                    phi_11809_ = type_49();
                                                 } else {
-                                                    phi_11803_ = type_49(f64(1f), _e2906, _e2919);
+                                                    phi_11809_ = type_49(f64(1f), _e2906, _e2919);
                                                 }
-                                                let _e2923 = phi_11803_;
-                                                phi_11804_ = _e2923;
-                                                phi_11805_ = _e2919;
+                                                let _e2923 = phi_11809_;
+                                                phi_11810_ = _e2923;
+                                                phi_11811_ = _e2919;
                                             } else {
-                                                phi_11804_ = type_49();
-                                                phi_11805_ = true;
+                                                phi_11810_ = type_49();
+                                                phi_11811_ = true;
                                             }
-                                            let _e2925 = phi_11804_;
-                                            let _e2927 = phi_11805_;
-                                            phi_11806_ = _e2925;
-                                            phi_11807_ = _e2927;
+                                            let _e2925 = phi_11810_;
+                                            let _e2927 = phi_11811_;
+                                            phi_11812_ = _e2925;
+                                            phi_11813_ = _e2927;
                                         } else {
-                                            phi_11806_ = type_49();
-                                            phi_11807_ = true;
+                                            phi_11812_ = type_49();
+                                            phi_11813_ = true;
                                         }
-                                        let _e2929 = phi_11806_;
-                                        let _e2931 = phi_11807_;
+                                        let _e2929 = phi_11812_;
+                                        let _e2931 = phi_11813_;
                                         if _e2931 {
                                             if _e2900 {
                                                 if (_e2882 < _e2906) {
-                                                    phi_11820_ = f64(-1f);
+                                                    phi_11826_ = f64(-1f);
                                                 } else {
-                                                    phi_11820_ = f64(1f);
+                                                    phi_11826_ = f64(1f);
                                                 }
-                                                let _e2936 = phi_11820_;
+                                                let _e2936 = phi_11826_;
                                                 let _e2937 = f64(0.5f);
                                                 let _e2938 = f64(3f);
                                                 let _e2941 = (_e807 - _e784);
-                                                phi_11832_ = type_12(0u, 64u);
-                                                phi_11835_ = _e2868;
-                                                phi_11837_ = _e2862;
-                                                phi_11839_ = (_e2937 * (_e2862 + _e2868));
+                                                phi_11838_ = type_12(0u, 64u);
+                                                phi_11841_ = _e2868;
+                                                phi_11843_ = _e2862;
+                                                phi_11845_ = (_e2937 * (_e2862 + _e2868));
                                                 loop {
-                                                    let _e2947 = phi_11832_;
-                                                    let _e2949 = phi_11835_;
-                                                    let _e2951 = phi_11837_;
-                                                    let _e2953 = phi_11839_;
+                                                    let _e2947 = phi_11838_;
+                                                    let _e2949 = phi_11841_;
+                                                    let _e2951 = phi_11843_;
+                                                    let _e2953 = phi_11845_;
                                                     local_66 = _e2951;
                                                     if (_e2947.member < _e2947.member_1) {
-                                                        phi_11833_ = type_12((_e2947.member + 1u), _e2947.member_1);
-                                                        phi_11862_ = type_12(1u, _e2947.member);
+                                                        phi_11839_ = type_12((_e2947.member + 1u), _e2947.member_1);
+                                                        phi_11868_ = type_12(1u, _e2947.member);
                                                     } else {
-                                                        phi_11833_ = _e2947;
-                                                        phi_11862_ = type_12(0u, type_12().member_1);
+                                                        phi_11839_ = _e2947;
+                                                        phi_11868_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e2965 = phi_11833_;
-                                                    let _e2967 = phi_11862_;
+                                                    let _e2965 = phi_11839_;
+                                                    let _e2967 = phi_11868_;
                                                     if (bitcast<i32>(_e2967.member) != 0i) {
                                                         let _e2972 = (f64(1f) - _e2953);
                                                         let _e2985 = ((_e2936 * ((((_e761 * _e2972) + (_e784 * _e2953)) * (_e2972 * _e2972)) + (((_e807 * _e2972) + (_e818 * _e2953)) * (_e2953 * _e2953)))) - _e1151);
                                                         if (_e2985 > f64(0f)) {
-                                                            phi_11889_ = _e2949;
-                                                            phi_11890_ = _e2953;
+                                                            phi_11895_ = _e2949;
+                                                            phi_11896_ = _e2953;
                                                         } else {
-                                                            phi_11889_ = _e2953;
-                                                            phi_11890_ = _e2951;
+                                                            phi_11895_ = _e2953;
+                                                            phi_11896_ = _e2951;
                                                         }
-                                                        let _e2989 = phi_11889_;
-                                                        let _e2991 = phi_11890_;
+                                                        let _e2989 = phi_11895_;
+                                                        let _e2991 = phi_11896_;
                                                         let _e2993 = ((_e2989 - _e2991) > _e1161);
                                                         if _e2993 {
                                                             let _e2995 = (f64(1f) - _e2953);
                                                             let _e3007 = (-(_e2985) / (_e2936 * (((((_e784 - (_e2938 * _e761)) * _e2995) + (_e2941 * _e2953)) * _e2995) + (((_e2941 * _e2995) + (((_e2938 * _e818) - _e807) * _e2953)) * _e2953))));
                                                             if (_e2985 > f64(0f)) {
-                                                                phi_11918_ = (_e2937 * _e1161);
+                                                                phi_11924_ = (_e2937 * _e1161);
                                                             } else {
-                                                                phi_11918_ = -((_e2937 * _e1161));
+                                                                phi_11924_ = -((_e2937 * _e1161));
                                                             }
-                                                            let _e3014 = phi_11918_;
+                                                            let _e3014 = phi_11924_;
                                                             let _e3016 = ((_e2953 + _e3007) + _e3014);
                                                             if (_e3016 > _e2991) {
                                                                 if (_e3016 < _e2989) {
                                                                     if (_e3007 < 0.0lf) {
-                                                                        phi_11934_ = -(_e3007);
+                                                                        phi_11940_ = -(_e3007);
                                                                     } else {
-                                                                        phi_11934_ = _e3007;
+                                                                        phi_11940_ = _e3007;
                                                                     }
-                                                                    let _e3022 = phi_11934_;
+                                                                    let _e3022 = phi_11940_;
                                                                     if (_e3022 < (_e2937 * (_e2989 - _e2991))) {
-                                                                        phi_11941_ = false;
+                                                                        phi_11947_ = false;
                                                                     } else {
-                                                                        phi_11941_ = true;
+                                                                        phi_11947_ = true;
                                                                     }
-                                                                    let _e3027 = phi_11941_;
-                                                                    phi_11942_ = _e3027;
+                                                                    let _e3027 = phi_11947_;
+                                                                    phi_11948_ = _e3027;
                                                                 } else {
-                                                                    phi_11942_ = true;
+                                                                    phi_11948_ = true;
                                                                 }
-                                                                let _e3029 = phi_11942_;
-                                                                phi_11943_ = _e3029;
+                                                                let _e3029 = phi_11948_;
+                                                                phi_11949_ = _e3029;
                                                             } else {
-                                                                phi_11943_ = true;
+                                                                phi_11949_ = true;
                                                             }
-                                                            let _e3031 = phi_11943_;
+                                                            let _e3031 = phi_11949_;
                                                             if _e3031 {
-                                                                phi_11949_ = (_e2937 * (_e2991 + _e2989));
+                                                                phi_11955_ = (_e2937 * (_e2991 + _e2989));
                                                             } else {
-                                                                phi_11949_ = _e3016;
+                                                                phi_11955_ = _e3016;
                                                             }
-                                                            let _e3035 = phi_11949_;
-                                                            phi_11950_ = _e3035;
-                                                            phi_11951_ = false;
+                                                            let _e3035 = phi_11955_;
+                                                            phi_11956_ = _e3035;
+                                                            phi_11957_ = false;
                                                         } else {
-                                                            phi_11950_ = f64();
-                                                            phi_11951_ = true;
+                                                            phi_11956_ = f64();
+                                                            phi_11957_ = true;
                                                         }
-                                                        let _e3037 = phi_11950_;
-                                                        let _e3039 = phi_11951_;
-                                                        phi_11836_ = _e2989;
-                                                        phi_11838_ = _e2991;
-                                                        phi_11840_ = _e3037;
-                                                        phi_11952_ = _e2991;
-                                                        phi_11953_ = _e2993;
-                                                        phi_11954_ = _e3039;
+                                                        let _e3037 = phi_11956_;
+                                                        let _e3039 = phi_11957_;
+                                                        phi_11842_ = _e2989;
+                                                        phi_11844_ = _e2991;
+                                                        phi_11846_ = _e3037;
+                                                        phi_11958_ = _e2991;
+                                                        phi_11959_ = _e2993;
+                                                        phi_11960_ = _e3039;
                                                     } else {
-                                                        phi_11836_ = f64();
-                                                        phi_11838_ = f64();
-                                                        phi_11840_ = f64();
-                                                        phi_11952_ = f64();
-                                                        phi_11953_ = false;
-                                                        phi_11954_ = false;
+                                                        phi_11842_ = f64();
+                                                        phi_11844_ = f64();
+                                                        phi_11846_ = f64();
+                                                        phi_11958_ = f64();
+                                                        phi_11959_ = false;
+                                                        phi_11960_ = false;
                                                     }
-                                                    let _e3041 = phi_11836_;
-                                                    let _e3043 = phi_11838_;
-                                                    let _e3045 = phi_11840_;
-                                                    let _e3047 = phi_11952_;
-                                                    let _e3049 = phi_11953_;
-                                                    let _e3051 = phi_11954_;
+                                                    let _e3041 = phi_11842_;
+                                                    let _e3043 = phi_11844_;
+                                                    let _e3045 = phi_11846_;
+                                                    let _e3047 = phi_11958_;
+                                                    let _e3049 = phi_11959_;
+                                                    let _e3051 = phi_11960_;
                                                     local_24 = _e3051;
                                                     local_65 = _e3047;
                                                     continue;
                                                     continuing {
-                                                        phi_11832_ = _e2965;
-                                                        phi_11835_ = _e3041;
-                                                        phi_11837_ = _e3043;
-                                                        phi_11839_ = _e3045;
+                                                        phi_11838_ = _e2965;
+                                                        phi_11841_ = _e3041;
+                                                        phi_11843_ = _e3043;
+                                                        phi_11845_ = _e3045;
                                                         break if !(_e3049);
                                                     }
                                                 }
                                                 let _e3054 = local_24;
                                                 if _e3054 {
-                                                    let _e10910 = local_65;
-                                                    phi_11958_ = _e10910;
+                                                    let _e10914 = local_65;
+                                                    phi_11964_ = _e10914;
                                                 } else {
-                                                    let _e10912 = local_66;
-                                                    phi_11958_ = _e10912;
+                                                    let _e10916 = local_66;
+                                                    phi_11964_ = _e10916;
                                                 }
-                                                let _e3056 = phi_11958_;
-                                                phi_11959_ = _e3056;
+                                                let _e3056 = phi_11964_;
+                                                phi_11965_ = _e3056;
                                             } else {
-                                                phi_11959_ = _e2862;
+                                                phi_11965_ = _e2862;
                                             }
-                                            let _e3058 = phi_11959_;
+                                            let _e3058 = phi_11965_;
                                             if _e2905 {
                                                 if (_e2895 < _e2906) {
-                                                    phi_11969_ = f64(-1f);
+                                                    phi_11975_ = f64(-1f);
                                                 } else {
-                                                    phi_11969_ = f64(1f);
+                                                    phi_11975_ = f64(1f);
                                                 }
-                                                let _e3063 = phi_11969_;
-                                                phi_11973_ = type_12(0u, 64u);
-                                                phi_11976_ = (_e1161 + _e1161);
+                                                let _e3063 = phi_11975_;
+                                                phi_11979_ = type_12(0u, 64u);
+                                                phi_11982_ = (_e1161 + _e1161);
                                                 loop {
-                                                    let _e3066 = phi_11973_;
-                                                    let _e3068 = phi_11976_;
+                                                    let _e3066 = phi_11979_;
+                                                    let _e3068 = phi_11982_;
                                                     if (_e3066.member < _e3066.member_1) {
-                                                        phi_11974_ = type_12((_e3066.member + 1u), _e3066.member_1);
-                                                        phi_11999_ = type_12(1u, _e3066.member);
+                                                        phi_11980_ = type_12((_e3066.member + 1u), _e3066.member_1);
+                                                        phi_12005_ = type_12(1u, _e3066.member);
                                                     } else {
-                                                        phi_11974_ = _e3066;
-                                                        phi_11999_ = type_12(0u, type_12().member_1);
+                                                        phi_11980_ = _e3066;
+                                                        phi_12005_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e3080 = phi_11974_;
-                                                    let _e3082 = phi_11999_;
+                                                    let _e3080 = phi_11980_;
+                                                    let _e3082 = phi_12005_;
                                                     if (bitcast<i32>(_e3082.member) != 0i) {
                                                         let _e3086 = (_e3058 + _e3068);
                                                         if (_e3086 < _e2868) {
                                                             let _e3089 = (f64(1f) - _e3086);
                                                             let _e3102 = ((_e3063 * ((((_e761 * _e3089) + (_e784 * _e3086)) * (_e3089 * _e3089)) + (((_e807 * _e3089) + (_e818 * _e3086)) * (_e3086 * _e3086)))) > _e1151);
                                                             if _e3102 {
-                                                                phi_12030_ = f64();
-                                                                phi_12031_ = false;
+                                                                phi_12036_ = f64();
+                                                                phi_12037_ = false;
                                                             } else {
-                                                                phi_12030_ = (_e3068 + _e3068);
-                                                                phi_12031_ = true;
+                                                                phi_12036_ = (_e3068 + _e3068);
+                                                                phi_12037_ = true;
                                                             }
-                                                            let _e3105 = phi_12030_;
-                                                            let _e3107 = phi_12031_;
-                                                            phi_12032_ = _e3105;
-                                                            phi_12033_ = _e3107;
-                                                            phi_12034_ = _e3102;
-                                                            phi_12035_ = false;
+                                                            let _e3105 = phi_12036_;
+                                                            let _e3107 = phi_12037_;
+                                                            phi_12038_ = _e3105;
+                                                            phi_12039_ = _e3107;
+                                                            phi_12040_ = _e3102;
+                                                            phi_12041_ = false;
                                                         } else {
-                                                            phi_12032_ = f64();
-                                                            phi_12033_ = false;
-                                                            phi_12034_ = false;
-                                                            phi_12035_ = true;
+                                                            phi_12038_ = f64();
+                                                            phi_12039_ = false;
+                                                            phi_12040_ = false;
+                                                            phi_12041_ = true;
                                                         }
-                                                        let _e3109 = phi_12032_;
-                                                        let _e3111 = phi_12033_;
-                                                        let _e3113 = phi_12034_;
-                                                        let _e3115 = phi_12035_;
-                                                        phi_12036_ = _e3086;
-                                                        phi_11977_ = _e3109;
-                                                        phi_12037_ = _e3111;
-                                                        phi_12038_ = _e3113;
-                                                        phi_12039_ = _e3115;
-                                                        phi_12040_ = false;
+                                                        let _e3109 = phi_12038_;
+                                                        let _e3111 = phi_12039_;
+                                                        let _e3113 = phi_12040_;
+                                                        let _e3115 = phi_12041_;
+                                                        phi_12042_ = _e3086;
+                                                        phi_11983_ = _e3109;
+                                                        phi_12043_ = _e3111;
+                                                        phi_12044_ = _e3113;
+                                                        phi_12045_ = _e3115;
+                                                        phi_12046_ = false;
                                                     } else {
-                                                        phi_12036_ = f64();
-                                                        phi_11977_ = f64();
-                                                        phi_12037_ = false;
-                                                        phi_12038_ = false;
-                                                        phi_12039_ = false;
-                                                        phi_12040_ = true;
+                                                        phi_12042_ = f64();
+                                                        phi_11983_ = f64();
+                                                        phi_12043_ = false;
+                                                        phi_12044_ = false;
+                                                        phi_12045_ = false;
+                                                        phi_12046_ = true;
                                                     }
-                                                    let _e3117 = phi_12036_;
-                                                    let _e3119 = phi_11977_;
-                                                    let _e3121 = phi_12037_;
-                                                    let _e3123 = phi_12038_;
-                                                    let _e3125 = phi_12039_;
-                                                    let _e3127 = phi_12040_;
+                                                    let _e3117 = phi_12042_;
+                                                    let _e3119 = phi_11983_;
+                                                    let _e3121 = phi_12043_;
+                                                    let _e3123 = phi_12044_;
+                                                    let _e3125 = phi_12045_;
+                                                    let _e3127 = phi_12046_;
                                                     local_25 = _e3123;
                                                     local_67 = _e3125;
                                                     local_68 = _e3127;
                                                     local_69 = _e3117;
                                                     continue;
                                                     continuing {
-                                                        phi_11973_ = _e3080;
-                                                        phi_11976_ = _e3119;
+                                                        phi_11979_ = _e3080;
+                                                        phi_11982_ = _e3119;
                                                         break if !(_e3121);
                                                     }
                                                 }
                                                 let _e3130 = local_25;
                                                 if _e3130 {
-                                                    phi_12044_ = false;
-                                                    phi_12045_ = false;
+                                                    phi_12050_ = false;
+                                                    phi_12051_ = false;
                                                 } else {
-                                                    let _e10934 = local_67;
-                                                    phi_12044_ = _e10934;
-                                                    let _e10937 = local_68;
-                                                    phi_12045_ = _e10937;
+                                                    let _e10938 = local_67;
+                                                    phi_12050_ = _e10938;
+                                                    let _e10941 = local_68;
+                                                    phi_12051_ = _e10941;
                                                 }
-                                                let _e3132 = phi_12044_;
-                                                let _e3134 = phi_12045_;
+                                                let _e3132 = phi_12050_;
+                                                let _e3134 = phi_12051_;
                                                 if _e3132 {
-                                                    phi_12049_ = true;
+                                                    phi_12055_ = true;
                                                 } else {
-                                                    phi_12049_ = _e3134;
+                                                    phi_12055_ = _e3134;
                                                 }
-                                                let _e3136 = phi_12049_;
+                                                let _e3136 = phi_12055_;
                                                 if _e3136 {
-                                                    phi_12053_ = _e2868;
+                                                    phi_12059_ = _e2868;
                                                 } else {
-                                                    let _e10941 = local_69;
-                                                    phi_12053_ = _e10941;
+                                                    let _e10945 = local_69;
+                                                    phi_12059_ = _e10945;
                                                 }
-                                                let _e3138 = phi_12053_;
-                                                phi_12054_ = _e3138;
+                                                let _e3138 = phi_12059_;
+                                                phi_12060_ = _e3138;
                                             } else {
-                                                phi_12054_ = _e2868;
+                                                phi_12060_ = _e2868;
                                             }
-                                            let _e3140 = phi_12054_;
-                                            phi_12056_ = type_49(_e3058, _e3140, _e2919);
+                                            let _e3140 = phi_12060_;
+                                            phi_12062_ = type_49(_e3058, _e3140, _e2919);
                                         } else {
-                                            phi_12056_ = _e2929;
+                                            phi_12062_ = _e2929;
                                         }
-                                        let _e3143 = phi_12056_;
+                                        let _e3143 = phi_12062_;
                                         if (_e3143.member > _e3143.member_1) {
-                                            phi_15923_ = bool();
-                                            phi_15924_ = f64();
-                                            phi_15925_ = f64();
-                                            phi_15926_ = true;
-                                            phi_15927_ = false;
-                                            phi_15928_ = false;
-                                            phi_15929_ = false;
+                                            phi_15929_ = bool();
+                                            phi_15930_ = f64();
+                                            phi_15931_ = f64();
+                                            phi_15932_ = true;
+                                            phi_15933_ = false;
+                                            phi_15934_ = false;
+                                            phi_15935_ = false;
                                         } else {
                                             let _e3151 = ((_e3143.member_1 - _e3143.member) * f64(0.5f));
                                             let _e3152 = (_e3143.member + _e3151);
@@ -9002,72 +9009,72 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3157 = local_18.member_3;
                                             let _e3160 = local_18.member[0u];
                                             if (_e3160[0] < 0.0lf) {
-                                                phi_12087_ = -(_e3160[0]);
+                                                phi_12093_ = -(_e3160[0]);
                                             } else {
-                                                phi_12087_ = _e3160[0];
+                                                phi_12093_ = _e3160[0];
                                             }
-                                            let _e3167 = phi_12087_;
+                                            let _e3167 = phi_12093_;
                                             if (_e3160[1] < 0.0lf) {
-                                                phi_12094_ = -(_e3160[1]);
+                                                phi_12100_ = -(_e3160[1]);
                                             } else {
-                                                phi_12094_ = _e3160[1];
+                                                phi_12100_ = _e3160[1];
                                             }
-                                            let _e3171 = phi_12094_;
+                                            let _e3171 = phi_12100_;
                                             if (_e3167 > _e3171) {
-                                                phi_12099_ = _e3167;
+                                                phi_12105_ = _e3167;
                                             } else {
-                                                phi_12099_ = _e3171;
+                                                phi_12105_ = _e3171;
                                             }
-                                            let _e3174 = phi_12099_;
+                                            let _e3174 = phi_12105_;
                                             if (_e3160[2] < 0.0lf) {
-                                                phi_12106_ = -(_e3160[2]);
+                                                phi_12112_ = -(_e3160[2]);
                                             } else {
-                                                phi_12106_ = _e3160[2];
+                                                phi_12112_ = _e3160[2];
                                             }
-                                            let _e3178 = phi_12106_;
+                                            let _e3178 = phi_12112_;
                                             if (_e3174 > _e3178) {
-                                                phi_12111_ = _e3174;
+                                                phi_12117_ = _e3174;
                                             } else {
-                                                phi_12111_ = _e3178;
+                                                phi_12117_ = _e3178;
                                             }
-                                            let _e3181 = phi_12111_;
+                                            let _e3181 = phi_12117_;
                                             let _e3183 = local_18.member[1u];
                                             if (_e3183[0] < 0.0lf) {
-                                                phi_12124_ = -(_e3183[0]);
+                                                phi_12130_ = -(_e3183[0]);
                                             } else {
-                                                phi_12124_ = _e3183[0];
+                                                phi_12130_ = _e3183[0];
                                             }
-                                            let _e3190 = phi_12124_;
+                                            let _e3190 = phi_12130_;
                                             if (_e3183[1] < 0.0lf) {
-                                                phi_12131_ = -(_e3183[1]);
+                                                phi_12137_ = -(_e3183[1]);
                                             } else {
-                                                phi_12131_ = _e3183[1];
+                                                phi_12137_ = _e3183[1];
                                             }
-                                            let _e3194 = phi_12131_;
+                                            let _e3194 = phi_12137_;
                                             if (_e3190 > _e3194) {
-                                                phi_12136_ = _e3190;
+                                                phi_12142_ = _e3190;
                                             } else {
-                                                phi_12136_ = _e3194;
+                                                phi_12142_ = _e3194;
                                             }
-                                            let _e3197 = phi_12136_;
+                                            let _e3197 = phi_12142_;
                                             if (_e3183[2] < 0.0lf) {
-                                                phi_12143_ = -(_e3183[2]);
+                                                phi_12149_ = -(_e3183[2]);
                                             } else {
-                                                phi_12143_ = _e3183[2];
+                                                phi_12149_ = _e3183[2];
                                             }
-                                            let _e3201 = phi_12143_;
+                                            let _e3201 = phi_12149_;
                                             if (_e3197 > _e3201) {
-                                                phi_12148_ = _e3197;
+                                                phi_12154_ = _e3197;
                                             } else {
-                                                phi_12148_ = _e3201;
+                                                phi_12154_ = _e3201;
                                             }
-                                            let _e3204 = phi_12148_;
+                                            let _e3204 = phi_12154_;
                                             if (_e3181 > _e3204) {
-                                                phi_12153_ = _e3181;
+                                                phi_12159_ = _e3181;
                                             } else {
-                                                phi_12153_ = _e3204;
+                                                phi_12159_ = _e3204;
                                             }
-                                            let _e3207 = phi_12153_;
+                                            let _e3207 = phi_12159_;
                                             let _e3210 = local_18.member[0u];
                                             let _e3215 = local_18.member[1u];
                                             let _e3225 = (_e3210[0] + ((_e3215[0] - _e3210[0]) * _e3152));
@@ -9079,136 +9086,136 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3239 = (_e3229[1] - _e3234[1]);
                                             let _e3240 = (_e3229[2] - _e3234[2]);
                                             if (_e3238 < 0.0lf) {
-                                                phi_12212_ = -(_e3238);
+                                                phi_12218_ = -(_e3238);
                                             } else {
-                                                phi_12212_ = _e3238;
+                                                phi_12218_ = _e3238;
                                             }
-                                            let _e3244 = phi_12212_;
+                                            let _e3244 = phi_12218_;
                                             if (_e3239 < 0.0lf) {
-                                                phi_12218_ = -(_e3239);
+                                                phi_12224_ = -(_e3239);
                                             } else {
-                                                phi_12218_ = _e3239;
+                                                phi_12224_ = _e3239;
                                             }
-                                            let _e3248 = phi_12218_;
+                                            let _e3248 = phi_12224_;
                                             if (_e3244 > _e3248) {
-                                                phi_12223_ = _e3244;
+                                                phi_12229_ = _e3244;
                                             } else {
-                                                phi_12223_ = _e3248;
+                                                phi_12229_ = _e3248;
                                             }
-                                            let _e3251 = phi_12223_;
+                                            let _e3251 = phi_12229_;
                                             if (_e3240 < 0.0lf) {
-                                                phi_12229_ = -(_e3240);
+                                                phi_12235_ = -(_e3240);
                                             } else {
-                                                phi_12229_ = _e3240;
+                                                phi_12235_ = _e3240;
                                             }
-                                            let _e3255 = phi_12229_;
+                                            let _e3255 = phi_12235_;
                                             if (_e3251 > _e3255) {
-                                                phi_12234_ = _e3251;
+                                                phi_12240_ = _e3251;
                                             } else {
-                                                phi_12234_ = _e3255;
+                                                phi_12240_ = _e3255;
                                             }
-                                            let _e3258 = phi_12234_;
+                                            let _e3258 = phi_12240_;
                                             let _e3266 = ((((_e3155 * _e3258) * f64(1.01f)) + ((_e3207 + _e3157) * (1.1102230246251565e-16lf * f64(8f)))) + _e3157);
                                             if (_e3225 < 0.0lf) {
-                                                phi_12248_ = -(_e3225);
+                                                phi_12254_ = -(_e3225);
                                             } else {
-                                                phi_12248_ = _e3225;
+                                                phi_12254_ = _e3225;
                                             }
-                                            let _e3270 = phi_12248_;
+                                            let _e3270 = phi_12254_;
                                             if (_e3226 < 0.0lf) {
-                                                phi_12254_ = -(_e3226);
+                                                phi_12260_ = -(_e3226);
                                             } else {
-                                                phi_12254_ = _e3226;
+                                                phi_12260_ = _e3226;
                                             }
-                                            let _e3274 = phi_12254_;
+                                            let _e3274 = phi_12260_;
                                             if (_e3270 > _e3274) {
-                                                phi_12259_ = _e3270;
+                                                phi_12265_ = _e3270;
                                             } else {
-                                                phi_12259_ = _e3274;
+                                                phi_12265_ = _e3274;
                                             }
-                                            let _e3277 = phi_12259_;
+                                            let _e3277 = phi_12265_;
                                             if (_e3227 < 0.0lf) {
-                                                phi_12265_ = -(_e3227);
+                                                phi_12271_ = -(_e3227);
                                             } else {
-                                                phi_12265_ = _e3227;
+                                                phi_12271_ = _e3227;
                                             }
-                                            let _e3281 = phi_12265_;
+                                            let _e3281 = phi_12271_;
                                             if (_e3277 > _e3281) {
-                                                phi_12270_ = _e3277;
+                                                phi_12276_ = _e3277;
                                             } else {
-                                                phi_12270_ = _e3281;
+                                                phi_12276_ = _e3281;
                                             }
-                                            let _e3284 = phi_12270_;
+                                            let _e3284 = phi_12276_;
                                             local_2 = type_39(array<f64, 3>(_e3225, _e3226, _e3227), _e3266, (_e3284 + _e3266));
                                             let _e3290 = local_18.member_3;
                                             let _e3292 = local_18.member_1[0u];
                                             if (_e3292[0] < 0.0lf) {
-                                                phi_12296_ = -(_e3292[0]);
+                                                phi_12302_ = -(_e3292[0]);
                                             } else {
-                                                phi_12296_ = _e3292[0];
+                                                phi_12302_ = _e3292[0];
                                             }
-                                            let _e3299 = phi_12296_;
+                                            let _e3299 = phi_12302_;
                                             if (_e3292[1] < 0.0lf) {
-                                                phi_12303_ = -(_e3292[1]);
+                                                phi_12309_ = -(_e3292[1]);
                                             } else {
-                                                phi_12303_ = _e3292[1];
+                                                phi_12309_ = _e3292[1];
                                             }
-                                            let _e3303 = phi_12303_;
+                                            let _e3303 = phi_12309_;
                                             if (_e3299 > _e3303) {
-                                                phi_12308_ = _e3299;
+                                                phi_12314_ = _e3299;
                                             } else {
-                                                phi_12308_ = _e3303;
+                                                phi_12314_ = _e3303;
                                             }
-                                            let _e3306 = phi_12308_;
+                                            let _e3306 = phi_12314_;
                                             if (_e3292[2] < 0.0lf) {
-                                                phi_12315_ = -(_e3292[2]);
+                                                phi_12321_ = -(_e3292[2]);
                                             } else {
-                                                phi_12315_ = _e3292[2];
+                                                phi_12321_ = _e3292[2];
                                             }
-                                            let _e3310 = phi_12315_;
+                                            let _e3310 = phi_12321_;
                                             if (_e3306 > _e3310) {
-                                                phi_12320_ = _e3306;
+                                                phi_12326_ = _e3306;
                                             } else {
-                                                phi_12320_ = _e3310;
+                                                phi_12326_ = _e3310;
                                             }
-                                            let _e3313 = phi_12320_;
+                                            let _e3313 = phi_12326_;
                                             let _e3315 = local_18.member_1[1u];
                                             if (_e3315[0] < 0.0lf) {
-                                                phi_12333_ = -(_e3315[0]);
+                                                phi_12339_ = -(_e3315[0]);
                                             } else {
-                                                phi_12333_ = _e3315[0];
+                                                phi_12339_ = _e3315[0];
                                             }
-                                            let _e3322 = phi_12333_;
+                                            let _e3322 = phi_12339_;
                                             if (_e3315[1] < 0.0lf) {
-                                                phi_12340_ = -(_e3315[1]);
+                                                phi_12346_ = -(_e3315[1]);
                                             } else {
-                                                phi_12340_ = _e3315[1];
+                                                phi_12346_ = _e3315[1];
                                             }
-                                            let _e3326 = phi_12340_;
+                                            let _e3326 = phi_12346_;
                                             if (_e3322 > _e3326) {
-                                                phi_12345_ = _e3322;
+                                                phi_12351_ = _e3322;
                                             } else {
-                                                phi_12345_ = _e3326;
+                                                phi_12351_ = _e3326;
                                             }
-                                            let _e3329 = phi_12345_;
+                                            let _e3329 = phi_12351_;
                                             if (_e3315[2] < 0.0lf) {
-                                                phi_12352_ = -(_e3315[2]);
+                                                phi_12358_ = -(_e3315[2]);
                                             } else {
-                                                phi_12352_ = _e3315[2];
+                                                phi_12358_ = _e3315[2];
                                             }
-                                            let _e3333 = phi_12352_;
+                                            let _e3333 = phi_12358_;
                                             if (_e3329 > _e3333) {
-                                                phi_12357_ = _e3329;
+                                                phi_12363_ = _e3329;
                                             } else {
-                                                phi_12357_ = _e3333;
+                                                phi_12363_ = _e3333;
                                             }
-                                            let _e3336 = phi_12357_;
+                                            let _e3336 = phi_12363_;
                                             if (_e3313 > _e3336) {
-                                                phi_12362_ = _e3313;
+                                                phi_12368_ = _e3313;
                                             } else {
-                                                phi_12362_ = _e3336;
+                                                phi_12368_ = _e3336;
                                             }
-                                            let _e3339 = phi_12362_;
+                                            let _e3339 = phi_12368_;
                                             let _e3342 = local_18.member_1[0u];
                                             let _e3347 = local_18.member_1[1u];
                                             let _e3357 = (_e3342[0] + ((_e3347[0] - _e3342[0]) * _e3152));
@@ -9220,136 +9227,136 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3371 = (_e3361[1] - _e3366[1]);
                                             let _e3372 = (_e3361[2] - _e3366[2]);
                                             if (_e3370 < 0.0lf) {
-                                                phi_12421_ = -(_e3370);
+                                                phi_12427_ = -(_e3370);
                                             } else {
-                                                phi_12421_ = _e3370;
+                                                phi_12427_ = _e3370;
                                             }
-                                            let _e3376 = phi_12421_;
+                                            let _e3376 = phi_12427_;
                                             if (_e3371 < 0.0lf) {
-                                                phi_12427_ = -(_e3371);
+                                                phi_12433_ = -(_e3371);
                                             } else {
-                                                phi_12427_ = _e3371;
+                                                phi_12433_ = _e3371;
                                             }
-                                            let _e3380 = phi_12427_;
+                                            let _e3380 = phi_12433_;
                                             if (_e3376 > _e3380) {
-                                                phi_12432_ = _e3376;
+                                                phi_12438_ = _e3376;
                                             } else {
-                                                phi_12432_ = _e3380;
+                                                phi_12438_ = _e3380;
                                             }
-                                            let _e3383 = phi_12432_;
+                                            let _e3383 = phi_12438_;
                                             if (_e3372 < 0.0lf) {
-                                                phi_12438_ = -(_e3372);
+                                                phi_12444_ = -(_e3372);
                                             } else {
-                                                phi_12438_ = _e3372;
+                                                phi_12444_ = _e3372;
                                             }
-                                            let _e3387 = phi_12438_;
+                                            let _e3387 = phi_12444_;
                                             if (_e3383 > _e3387) {
-                                                phi_12443_ = _e3383;
+                                                phi_12449_ = _e3383;
                                             } else {
-                                                phi_12443_ = _e3387;
+                                                phi_12449_ = _e3387;
                                             }
-                                            let _e3390 = phi_12443_;
+                                            let _e3390 = phi_12449_;
                                             let _e3398 = ((((_e3155 * _e3390) * f64(1.01f)) + ((_e3339 + _e3290) * (1.1102230246251565e-16lf * f64(8f)))) + _e3290);
                                             if (_e3357 < 0.0lf) {
-                                                phi_12457_ = -(_e3357);
+                                                phi_12463_ = -(_e3357);
                                             } else {
-                                                phi_12457_ = _e3357;
+                                                phi_12463_ = _e3357;
                                             }
-                                            let _e3402 = phi_12457_;
+                                            let _e3402 = phi_12463_;
                                             if (_e3358 < 0.0lf) {
-                                                phi_12463_ = -(_e3358);
+                                                phi_12469_ = -(_e3358);
                                             } else {
-                                                phi_12463_ = _e3358;
+                                                phi_12469_ = _e3358;
                                             }
-                                            let _e3406 = phi_12463_;
+                                            let _e3406 = phi_12469_;
                                             if (_e3402 > _e3406) {
-                                                phi_12468_ = _e3402;
+                                                phi_12474_ = _e3402;
                                             } else {
-                                                phi_12468_ = _e3406;
+                                                phi_12474_ = _e3406;
                                             }
-                                            let _e3409 = phi_12468_;
+                                            let _e3409 = phi_12474_;
                                             if (_e3359 < 0.0lf) {
-                                                phi_12474_ = -(_e3359);
+                                                phi_12480_ = -(_e3359);
                                             } else {
-                                                phi_12474_ = _e3359;
+                                                phi_12480_ = _e3359;
                                             }
-                                            let _e3413 = phi_12474_;
+                                            let _e3413 = phi_12480_;
                                             if (_e3409 > _e3413) {
-                                                phi_12479_ = _e3409;
+                                                phi_12485_ = _e3409;
                                             } else {
-                                                phi_12479_ = _e3413;
+                                                phi_12485_ = _e3413;
                                             }
-                                            let _e3416 = phi_12479_;
+                                            let _e3416 = phi_12485_;
                                             local_3 = type_39(array<f64, 3>(_e3357, _e3358, _e3359), _e3398, (_e3416 + _e3398));
                                             let _e3422 = local_18.member_3;
                                             let _e3424 = local_18.member_2[0u];
                                             if (_e3424[0] < 0.0lf) {
-                                                phi_12505_ = -(_e3424[0]);
+                                                phi_12511_ = -(_e3424[0]);
                                             } else {
-                                                phi_12505_ = _e3424[0];
+                                                phi_12511_ = _e3424[0];
                                             }
-                                            let _e3431 = phi_12505_;
+                                            let _e3431 = phi_12511_;
                                             if (_e3424[1] < 0.0lf) {
-                                                phi_12512_ = -(_e3424[1]);
+                                                phi_12518_ = -(_e3424[1]);
                                             } else {
-                                                phi_12512_ = _e3424[1];
+                                                phi_12518_ = _e3424[1];
                                             }
-                                            let _e3435 = phi_12512_;
+                                            let _e3435 = phi_12518_;
                                             if (_e3431 > _e3435) {
-                                                phi_12517_ = _e3431;
+                                                phi_12523_ = _e3431;
                                             } else {
-                                                phi_12517_ = _e3435;
+                                                phi_12523_ = _e3435;
                                             }
-                                            let _e3438 = phi_12517_;
+                                            let _e3438 = phi_12523_;
                                             if (_e3424[2] < 0.0lf) {
-                                                phi_12524_ = -(_e3424[2]);
+                                                phi_12530_ = -(_e3424[2]);
                                             } else {
-                                                phi_12524_ = _e3424[2];
+                                                phi_12530_ = _e3424[2];
                                             }
-                                            let _e3442 = phi_12524_;
+                                            let _e3442 = phi_12530_;
                                             if (_e3438 > _e3442) {
-                                                phi_12529_ = _e3438;
+                                                phi_12535_ = _e3438;
                                             } else {
-                                                phi_12529_ = _e3442;
+                                                phi_12535_ = _e3442;
                                             }
-                                            let _e3445 = phi_12529_;
+                                            let _e3445 = phi_12535_;
                                             let _e3447 = local_18.member_2[1u];
                                             if (_e3447[0] < 0.0lf) {
-                                                phi_12542_ = -(_e3447[0]);
+                                                phi_12548_ = -(_e3447[0]);
                                             } else {
-                                                phi_12542_ = _e3447[0];
+                                                phi_12548_ = _e3447[0];
                                             }
-                                            let _e3454 = phi_12542_;
+                                            let _e3454 = phi_12548_;
                                             if (_e3447[1] < 0.0lf) {
-                                                phi_12549_ = -(_e3447[1]);
+                                                phi_12555_ = -(_e3447[1]);
                                             } else {
-                                                phi_12549_ = _e3447[1];
+                                                phi_12555_ = _e3447[1];
                                             }
-                                            let _e3458 = phi_12549_;
+                                            let _e3458 = phi_12555_;
                                             if (_e3454 > _e3458) {
-                                                phi_12554_ = _e3454;
+                                                phi_12560_ = _e3454;
                                             } else {
-                                                phi_12554_ = _e3458;
+                                                phi_12560_ = _e3458;
                                             }
-                                            let _e3461 = phi_12554_;
+                                            let _e3461 = phi_12560_;
                                             if (_e3447[2] < 0.0lf) {
-                                                phi_12561_ = -(_e3447[2]);
+                                                phi_12567_ = -(_e3447[2]);
                                             } else {
-                                                phi_12561_ = _e3447[2];
+                                                phi_12567_ = _e3447[2];
                                             }
-                                            let _e3465 = phi_12561_;
+                                            let _e3465 = phi_12567_;
                                             if (_e3461 > _e3465) {
-                                                phi_12566_ = _e3461;
+                                                phi_12572_ = _e3461;
                                             } else {
-                                                phi_12566_ = _e3465;
+                                                phi_12572_ = _e3465;
                                             }
-                                            let _e3468 = phi_12566_;
+                                            let _e3468 = phi_12572_;
                                             if (_e3445 > _e3468) {
-                                                phi_12571_ = _e3445;
+                                                phi_12577_ = _e3445;
                                             } else {
-                                                phi_12571_ = _e3468;
+                                                phi_12577_ = _e3468;
                                             }
-                                            let _e3471 = phi_12571_;
+                                            let _e3471 = phi_12577_;
                                             let _e3474 = local_18.member_2[0u];
                                             let _e3479 = local_18.member_2[1u];
                                             let _e3489 = (_e3474[0] + ((_e3479[0] - _e3474[0]) * _e3152));
@@ -9361,66 +9368,66 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3503 = (_e3493[1] - _e3498[1]);
                                             let _e3504 = (_e3493[2] - _e3498[2]);
                                             if (_e3502 < 0.0lf) {
-                                                phi_12630_ = -(_e3502);
+                                                phi_12636_ = -(_e3502);
                                             } else {
-                                                phi_12630_ = _e3502;
+                                                phi_12636_ = _e3502;
                                             }
-                                            let _e3508 = phi_12630_;
+                                            let _e3508 = phi_12636_;
                                             if (_e3503 < 0.0lf) {
-                                                phi_12636_ = -(_e3503);
+                                                phi_12642_ = -(_e3503);
                                             } else {
-                                                phi_12636_ = _e3503;
+                                                phi_12642_ = _e3503;
                                             }
-                                            let _e3512 = phi_12636_;
+                                            let _e3512 = phi_12642_;
                                             if (_e3508 > _e3512) {
-                                                phi_12641_ = _e3508;
+                                                phi_12647_ = _e3508;
                                             } else {
-                                                phi_12641_ = _e3512;
+                                                phi_12647_ = _e3512;
                                             }
-                                            let _e3515 = phi_12641_;
+                                            let _e3515 = phi_12647_;
                                             if (_e3504 < 0.0lf) {
-                                                phi_12647_ = -(_e3504);
+                                                phi_12653_ = -(_e3504);
                                             } else {
-                                                phi_12647_ = _e3504;
+                                                phi_12653_ = _e3504;
                                             }
-                                            let _e3519 = phi_12647_;
+                                            let _e3519 = phi_12653_;
                                             if (_e3515 > _e3519) {
-                                                phi_12652_ = _e3515;
+                                                phi_12658_ = _e3515;
                                             } else {
-                                                phi_12652_ = _e3519;
+                                                phi_12658_ = _e3519;
                                             }
-                                            let _e3522 = phi_12652_;
+                                            let _e3522 = phi_12658_;
                                             let _e3530 = ((((_e3155 * _e3522) * f64(1.01f)) + ((_e3471 + _e3422) * (1.1102230246251565e-16lf * f64(8f)))) + _e3422);
                                             if (_e3489 < 0.0lf) {
-                                                phi_12666_ = -(_e3489);
+                                                phi_12672_ = -(_e3489);
                                             } else {
-                                                phi_12666_ = _e3489;
+                                                phi_12672_ = _e3489;
                                             }
-                                            let _e3534 = phi_12666_;
+                                            let _e3534 = phi_12672_;
                                             if (_e3490 < 0.0lf) {
-                                                phi_12672_ = -(_e3490);
+                                                phi_12678_ = -(_e3490);
                                             } else {
-                                                phi_12672_ = _e3490;
+                                                phi_12678_ = _e3490;
                                             }
-                                            let _e3538 = phi_12672_;
+                                            let _e3538 = phi_12678_;
                                             if (_e3534 > _e3538) {
-                                                phi_12677_ = _e3534;
+                                                phi_12683_ = _e3534;
                                             } else {
-                                                phi_12677_ = _e3538;
+                                                phi_12683_ = _e3538;
                                             }
-                                            let _e3541 = phi_12677_;
+                                            let _e3541 = phi_12683_;
                                             if (_e3491 < 0.0lf) {
-                                                phi_12683_ = -(_e3491);
+                                                phi_12689_ = -(_e3491);
                                             } else {
-                                                phi_12683_ = _e3491;
+                                                phi_12689_ = _e3491;
                                             }
-                                            let _e3545 = phi_12683_;
+                                            let _e3545 = phi_12689_;
                                             if (_e3541 > _e3545) {
-                                                phi_12688_ = _e3541;
+                                                phi_12694_ = _e3541;
                                             } else {
-                                                phi_12688_ = _e3545;
+                                                phi_12694_ = _e3545;
                                             }
-                                            let _e3548 = phi_12688_;
+                                            let _e3548 = phi_12694_;
                                             local_4 = type_39(array<f64, 3>(_e3489, _e3490, _e3491), _e3530, (_e3548 + _e3530));
                                             let _e3553 = local_3.member;
                                             let _e3558 = local_4.member;
@@ -9428,68 +9435,68 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3567 = ((_e3553[2] * _e3558[0]) - (_e3553[0] * _e3558[2]));
                                             let _e3570 = ((_e3553[0] * _e3558[1]) - (_e3553[1] * _e3558[0]));
                                             if (_e3564 < 0.0lf) {
-                                                phi_12737_ = -(_e3564);
+                                                phi_12743_ = -(_e3564);
                                             } else {
-                                                phi_12737_ = _e3564;
+                                                phi_12743_ = _e3564;
                                             }
-                                            let _e3574 = phi_12737_;
+                                            let _e3574 = phi_12743_;
                                             if (_e3567 < 0.0lf) {
-                                                phi_12743_ = -(_e3567);
+                                                phi_12749_ = -(_e3567);
                                             } else {
-                                                phi_12743_ = _e3567;
+                                                phi_12749_ = _e3567;
                                             }
-                                            let _e3578 = phi_12743_;
+                                            let _e3578 = phi_12749_;
                                             if (_e3574 > _e3578) {
                                                 if (_e3564 < 0.0lf) {
-                                                    phi_12753_ = -(_e3564);
+                                                    phi_12759_ = -(_e3564);
                                                 } else {
-                                                    phi_12753_ = _e3564;
+                                                    phi_12759_ = _e3564;
                                                 }
-                                                let _e3596 = phi_12753_;
+                                                let _e3596 = phi_12759_;
                                                 if (_e3570 < 0.0lf) {
-                                                    phi_12759_ = -(_e3570);
+                                                    phi_12765_ = -(_e3570);
                                                 } else {
-                                                    phi_12759_ = _e3570;
+                                                    phi_12765_ = _e3570;
                                                 }
-                                                let _e3600 = phi_12759_;
+                                                let _e3600 = phi_12765_;
                                                 if (_e3596 > _e3600) {
-                                                    phi_12764_ = 2u;
-                                                    phi_12765_ = 1u;
+                                                    phi_12770_ = 2u;
+                                                    phi_12771_ = 1u;
                                                 } else {
-                                                    phi_12764_ = 1u;
-                                                    phi_12765_ = 0u;
+                                                    phi_12770_ = 1u;
+                                                    phi_12771_ = 0u;
                                                 }
-                                                let _e3603 = phi_12764_;
-                                                let _e3605 = phi_12765_;
-                                                phi_12784_ = _e3603;
-                                                phi_12785_ = _e3605;
+                                                let _e3603 = phi_12770_;
+                                                let _e3605 = phi_12771_;
+                                                phi_12790_ = _e3603;
+                                                phi_12791_ = _e3605;
                                             } else {
                                                 if (_e3567 < 0.0lf) {
-                                                    phi_12771_ = -(_e3567);
+                                                    phi_12777_ = -(_e3567);
                                                 } else {
-                                                    phi_12771_ = _e3567;
+                                                    phi_12777_ = _e3567;
                                                 }
-                                                let _e3583 = phi_12771_;
+                                                let _e3583 = phi_12777_;
                                                 if (_e3570 < 0.0lf) {
-                                                    phi_12777_ = -(_e3570);
+                                                    phi_12783_ = -(_e3570);
                                                 } else {
-                                                    phi_12777_ = _e3570;
+                                                    phi_12783_ = _e3570;
                                                 }
-                                                let _e3587 = phi_12777_;
+                                                let _e3587 = phi_12783_;
                                                 if (_e3583 > _e3587) {
-                                                    phi_12782_ = 0u;
-                                                    phi_12783_ = 2u;
+                                                    phi_12788_ = 0u;
+                                                    phi_12789_ = 2u;
                                                 } else {
-                                                    phi_12782_ = 1u;
-                                                    phi_12783_ = 0u;
+                                                    phi_12788_ = 1u;
+                                                    phi_12789_ = 0u;
                                                 }
-                                                let _e3590 = phi_12782_;
-                                                let _e3592 = phi_12783_;
-                                                phi_12784_ = _e3590;
-                                                phi_12785_ = _e3592;
+                                                let _e3590 = phi_12788_;
+                                                let _e3592 = phi_12789_;
+                                                phi_12790_ = _e3590;
+                                                phi_12791_ = _e3592;
                                             }
-                                            let _e3607 = phi_12784_;
-                                            let _e3609 = phi_12785_;
+                                            let _e3607 = phi_12790_;
+                                            let _e3609 = phi_12791_;
                                             let _e3612 = local_3.member[_e3609];
                                             let _e3615 = local_4.member[_e3607];
                                             let _e3619 = local_3.member[_e3607];
@@ -9507,18 +9514,18 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e3656 = local_4.member_2;
                                             let _e3660 = (((((_e3628 * _e3630) + (_e3633 * _e3635)) * f64(2.01f)) + (((_e3641 * _e3626) * (_e3644 * _e3626)) * (1.1102230246251565e-16lf * _e3626))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e3625 + _e3653) * (_e3625 + _e3656))));
                                             if (_e3624 < 0.0lf) {
-                                                phi_12858_ = -(_e3624);
+                                                phi_12864_ = -(_e3624);
                                             } else {
-                                                phi_12858_ = _e3624;
+                                                phi_12864_ = _e3624;
                                             }
-                                            let _e3664 = phi_12858_;
+                                            let _e3664 = phi_12864_;
                                             if (_e3664 > _e3660) {
                                                 if (_e3624 < f64(0f)) {
-                                                    phi_12870_ = f64(-1f);
+                                                    phi_12876_ = f64(-1f);
                                                 } else {
-                                                    phi_12870_ = f64(1f);
+                                                    phi_12876_ = f64(1f);
                                                 }
-                                                let _e3671 = phi_12870_;
+                                                let _e3671 = phi_12876_;
                                                 let _e3674 = local_2.member[_e3609];
                                                 let _e3677 = local_4.member[_e3607];
                                                 let _e3681 = local_2.member[_e3607];
@@ -9553,141 +9560,141 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e3775 = (((_e3674 * _e3677) - (_e3681 * _e3684)) * _e3671);
                                                 let _e3776 = (((_e3725 * _e3728) - (_e3732 * _e3735)) * _e3671);
                                                 if (_e3774 < 0.0lf) {
-                                                    phi_13013_ = -(_e3774);
+                                                    phi_13019_ = -(_e3774);
                                                 } else {
-                                                    phi_13013_ = _e3774;
+                                                    phi_13019_ = _e3774;
                                                 }
-                                                let _e3780 = phi_13013_;
+                                                let _e3780 = phi_13019_;
                                                 if (_e3775 < 0.0lf) {
-                                                    phi_13019_ = -(_e3775);
+                                                    phi_13025_ = -(_e3775);
                                                 } else {
-                                                    phi_13019_ = _e3775;
+                                                    phi_13025_ = _e3775;
                                                 }
-                                                let _e3784 = phi_13019_;
+                                                let _e3784 = phi_13025_;
                                                 if (_e3776 < 0.0lf) {
-                                                    phi_13026_ = -(_e3776);
+                                                    phi_13032_ = -(_e3776);
                                                 } else {
-                                                    phi_13026_ = _e3776;
+                                                    phi_13032_ = _e3776;
                                                 }
-                                                let _e3789 = phi_13026_;
+                                                let _e3789 = phi_13032_;
                                                 let _e3795 = ((_e3774 - _e3775) - _e3776);
                                                 let _e3798 = (((_e3660 + _e3722) + _e3773) + (((_e3780 + _e3784) + _e3789) * (1.1102230246251565e-16lf * f64(4f))));
                                                 local_5 = array<type_40, 4>(type_40(_e3775, _e3722), type_40(_e3776, _e3773), type_40(_e3795, _e3798), type_40(_e3795, _e3798));
-                                                phi_13082_ = type_12(0u, 4u);
-                                                phi_13085_ = true;
+                                                phi_13088_ = type_12(0u, 4u);
+                                                phi_13091_ = true;
                                                 loop {
-                                                    let _e3805 = phi_13082_;
-                                                    let _e3807 = phi_13085_;
+                                                    let _e3805 = phi_13088_;
+                                                    let _e3807 = phi_13091_;
                                                     local_27 = _e3807;
                                                     if (_e3805.member < _e3805.member_1) {
-                                                        phi_13083_ = type_12((_e3805.member + 1u), _e3805.member_1);
-                                                        phi_13108_ = type_12(1u, _e3805.member);
+                                                        phi_13089_ = type_12((_e3805.member + 1u), _e3805.member_1);
+                                                        phi_13114_ = type_12(1u, _e3805.member);
                                                     } else {
-                                                        phi_13083_ = _e3805;
-                                                        phi_13108_ = type_12(0u, type_12().member_1);
+                                                        phi_13089_ = _e3805;
+                                                        phi_13114_ = type_12(0u, type_12().member_1);
                                                     }
-                                                    let _e3819 = phi_13083_;
-                                                    let _e3821 = phi_13108_;
+                                                    let _e3819 = phi_13089_;
+                                                    let _e3821 = phi_13114_;
                                                     if (bitcast<i32>(_e3821.member) != 0i) {
                                                         let _e3828 = local_5[_e3821.member_1].member;
                                                         let _e3831 = local_5[_e3821.member_1].member_1;
                                                         let _e3833 = (_e3828 < -(_e3831));
                                                         if _e3833 {
-                                                            phi_13135_ = bool();
-                                                            phi_13136_ = false;
+                                                            phi_13141_ = bool();
+                                                            phi_13142_ = false;
                                                         } else {
-                                                            phi_13135_ = (_e3807 && (_e3828 > _e3831));
-                                                            phi_13136_ = true;
+                                                            phi_13141_ = (_e3807 && (_e3828 > _e3831));
+                                                            phi_13142_ = true;
                                                         }
-                                                        let _e3837 = phi_13135_;
-                                                        let _e3839 = phi_13136_;
-                                                        phi_13086_ = _e3837;
-                                                        phi_13137_ = _e3839;
-                                                        phi_13138_ = _e3833;
+                                                        let _e3837 = phi_13141_;
+                                                        let _e3839 = phi_13142_;
+                                                        phi_13092_ = _e3837;
+                                                        phi_13143_ = _e3839;
+                                                        phi_13144_ = _e3833;
                                                     } else {
-                                                        phi_13086_ = bool();
-                                                        phi_13137_ = false;
-                                                        phi_13138_ = false;
+                                                        phi_13092_ = bool();
+                                                        phi_13143_ = false;
+                                                        phi_13144_ = false;
                                                     }
-                                                    let _e3841 = phi_13086_;
-                                                    let _e3843 = phi_13137_;
-                                                    let _e3845 = phi_13138_;
+                                                    let _e3841 = phi_13092_;
+                                                    let _e3843 = phi_13143_;
+                                                    let _e3845 = phi_13144_;
                                                     local_26 = _e3845;
                                                     continue;
                                                     continuing {
-                                                        phi_13082_ = _e3819;
-                                                        phi_13085_ = _e3841;
+                                                        phi_13088_ = _e3819;
+                                                        phi_13091_ = _e3841;
                                                         break if !(_e3843);
                                                     }
                                                 }
                                                 let _e3848 = local_26;
                                                 if _e3848 {
-                                                    phi_13142_ = false;
+                                                    phi_13148_ = false;
                                                 } else {
-                                                    phi_13142_ = true;
+                                                    phi_13148_ = true;
                                                 }
-                                                let _e3850 = phi_13142_;
+                                                let _e3850 = phi_13148_;
                                                 if _e3850 {
                                                     let _e3852 = local_27;
                                                     if _e3852 {
-                                                        phi_13149_ = 1u;
+                                                        phi_13155_ = 1u;
                                                     } else {
-                                                        phi_13149_ = 2u;
+                                                        phi_13155_ = 2u;
                                                     }
-                                                    let _e3854 = phi_13149_;
-                                                    phi_13150_ = _e3854;
-                                                    phi_13151_ = false;
+                                                    let _e3854 = phi_13155_;
+                                                    phi_13156_ = _e3854;
+                                                    phi_13157_ = false;
                                                 } else {
-                                                    phi_13150_ = u32();
-                                                    phi_13151_ = true;
+                                                    phi_13156_ = u32();
+                                                    phi_13157_ = true;
                                                 }
-                                                let _e3856 = phi_13150_;
-                                                let _e3858 = phi_13151_;
-                                                phi_13152_ = _e3856;
-                                                phi_13153_ = 0u;
-                                                phi_13154_ = _e3858;
+                                                let _e3856 = phi_13156_;
+                                                let _e3858 = phi_13157_;
+                                                phi_13158_ = _e3856;
+                                                phi_13159_ = 0u;
+                                                phi_13160_ = _e3858;
                                             } else {
-                                                phi_13152_ = u32();
-                                                phi_13153_ = 2u;
-                                                phi_13154_ = true;
+                                                phi_13158_ = u32();
+                                                phi_13159_ = 2u;
+                                                phi_13160_ = true;
                                             }
-                                            let _e3860 = phi_13152_;
-                                            let _e3862 = phi_13153_;
-                                            let _e3864 = phi_13154_;
+                                            let _e3860 = phi_13158_;
+                                            let _e3862 = phi_13159_;
+                                            let _e3864 = phi_13160_;
                                             if _e3864 {
-                                                phi_13158_ = _e3862;
+                                                phi_13164_ = _e3862;
                                             } else {
-                                                phi_13158_ = _e3860;
+                                                phi_13164_ = _e3860;
                                             }
-                                            let _e3866 = phi_13158_;
+                                            let _e3866 = phi_13164_;
                                             let _e3867 = (_e3866 == 0u);
                                             if _e3867 {
-                                                phi_15917_ = bool();
-                                                phi_15918_ = f64();
-                                                phi_15919_ = f64();
-                                                phi_15920_ = false;
-                                                phi_15921_ = false;
-                                                phi_15922_ = false;
+                                                phi_15923_ = bool();
+                                                phi_15924_ = f64();
+                                                phi_15925_ = f64();
+                                                phi_15926_ = false;
+                                                phi_15927_ = false;
+                                                phi_15928_ = false;
                                             } else {
                                                 if (_e3866 == 1u) {
-                                                    phi_13168_ = _e3143.member_2;
+                                                    phi_13174_ = _e3143.member_2;
                                                 } else {
-                                                    phi_13168_ = false;
+                                                    phi_13174_ = false;
                                                 }
-                                                let _e3871 = phi_13168_;
+                                                let _e3871 = phi_13174_;
                                                 let _e3873 = (_e401 * f64(0.99f));
                                                 if _e3871 {
                                                     if ((_e3143.member_1 - _e3143.member) <= _e3873) {
-                                                        phi_13181_ = false;
+                                                        phi_13187_ = false;
                                                     } else {
-                                                        phi_13181_ = true;
+                                                        phi_13187_ = true;
                                                     }
-                                                    let _e3879 = phi_13181_;
-                                                    phi_13182_ = _e3879;
+                                                    let _e3879 = phi_13187_;
+                                                    phi_13188_ = _e3879;
                                                 } else {
-                                                    phi_13182_ = true;
+                                                    phi_13188_ = true;
                                                 }
-                                                let _e3881 = phi_13182_;
+                                                let _e3881 = phi_13188_;
                                                 if _e3881 {
                                                     let _e3886 = local_18.member[0u];
                                                     let _e3892 = local_18.member_1[0u];
@@ -9697,242 +9704,242 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e3922 = local_18.member_2[1u];
                                                     let _e3934 = local_18.member[0u];
                                                     if (_e3934[0] < 0.0lf) {
-                                                        phi_13330_ = -(_e3934[0]);
+                                                        phi_13336_ = -(_e3934[0]);
                                                     } else {
-                                                        phi_13330_ = _e3934[0];
+                                                        phi_13336_ = _e3934[0];
                                                     }
-                                                    let _e3941 = phi_13330_;
+                                                    let _e3941 = phi_13336_;
                                                     if (_e3934[1] < 0.0lf) {
-                                                        phi_13337_ = -(_e3934[1]);
+                                                        phi_13343_ = -(_e3934[1]);
                                                     } else {
-                                                        phi_13337_ = _e3934[1];
+                                                        phi_13343_ = _e3934[1];
                                                     }
-                                                    let _e3945 = phi_13337_;
+                                                    let _e3945 = phi_13343_;
                                                     if (_e3941 > _e3945) {
-                                                        phi_13342_ = _e3941;
+                                                        phi_13348_ = _e3941;
                                                     } else {
-                                                        phi_13342_ = _e3945;
+                                                        phi_13348_ = _e3945;
                                                     }
-                                                    let _e3948 = phi_13342_;
+                                                    let _e3948 = phi_13348_;
                                                     if (_e3934[2] < 0.0lf) {
-                                                        phi_13349_ = -(_e3934[2]);
+                                                        phi_13355_ = -(_e3934[2]);
                                                     } else {
-                                                        phi_13349_ = _e3934[2];
+                                                        phi_13355_ = _e3934[2];
                                                     }
-                                                    let _e3952 = phi_13349_;
+                                                    let _e3952 = phi_13355_;
                                                     if (_e3948 > _e3952) {
-                                                        phi_13354_ = _e3948;
+                                                        phi_13360_ = _e3948;
                                                     } else {
-                                                        phi_13354_ = _e3952;
+                                                        phi_13360_ = _e3952;
                                                     }
-                                                    let _e3955 = phi_13354_;
+                                                    let _e3955 = phi_13360_;
                                                     let _e3958 = local_18.member[1u];
                                                     if (_e3958[0] < 0.0lf) {
-                                                        phi_13367_ = -(_e3958[0]);
+                                                        phi_13373_ = -(_e3958[0]);
                                                     } else {
-                                                        phi_13367_ = _e3958[0];
+                                                        phi_13373_ = _e3958[0];
                                                     }
-                                                    let _e3965 = phi_13367_;
+                                                    let _e3965 = phi_13373_;
                                                     if (_e3958[1] < 0.0lf) {
-                                                        phi_13374_ = -(_e3958[1]);
+                                                        phi_13380_ = -(_e3958[1]);
                                                     } else {
-                                                        phi_13374_ = _e3958[1];
+                                                        phi_13380_ = _e3958[1];
                                                     }
-                                                    let _e3969 = phi_13374_;
+                                                    let _e3969 = phi_13380_;
                                                     if (_e3965 > _e3969) {
-                                                        phi_13379_ = _e3965;
+                                                        phi_13385_ = _e3965;
                                                     } else {
-                                                        phi_13379_ = _e3969;
+                                                        phi_13385_ = _e3969;
                                                     }
-                                                    let _e3972 = phi_13379_;
+                                                    let _e3972 = phi_13385_;
                                                     if (_e3958[2] < 0.0lf) {
-                                                        phi_13386_ = -(_e3958[2]);
+                                                        phi_13392_ = -(_e3958[2]);
                                                     } else {
-                                                        phi_13386_ = _e3958[2];
+                                                        phi_13392_ = _e3958[2];
                                                     }
-                                                    let _e3976 = phi_13386_;
+                                                    let _e3976 = phi_13392_;
                                                     if (_e3972 > _e3976) {
-                                                        phi_13391_ = _e3972;
+                                                        phi_13397_ = _e3972;
                                                     } else {
-                                                        phi_13391_ = _e3976;
+                                                        phi_13397_ = _e3976;
                                                     }
-                                                    let _e3979 = phi_13391_;
+                                                    let _e3979 = phi_13397_;
                                                     if (_e3955 > _e3979) {
-                                                        phi_13396_ = _e3955;
+                                                        phi_13402_ = _e3955;
                                                     } else {
-                                                        phi_13396_ = _e3979;
+                                                        phi_13402_ = _e3979;
                                                     }
-                                                    let _e3982 = phi_13396_;
+                                                    let _e3982 = phi_13402_;
                                                     let _e3984 = local_18.member_3;
                                                     let _e3988 = local_18.member_1[0u];
                                                     if (_e3988[0] < 0.0lf) {
-                                                        phi_13413_ = -(_e3988[0]);
+                                                        phi_13419_ = -(_e3988[0]);
                                                     } else {
-                                                        phi_13413_ = _e3988[0];
+                                                        phi_13419_ = _e3988[0];
                                                     }
-                                                    let _e3995 = phi_13413_;
+                                                    let _e3995 = phi_13419_;
                                                     if (_e3988[1] < 0.0lf) {
-                                                        phi_13420_ = -(_e3988[1]);
+                                                        phi_13426_ = -(_e3988[1]);
                                                     } else {
-                                                        phi_13420_ = _e3988[1];
+                                                        phi_13426_ = _e3988[1];
                                                     }
-                                                    let _e3999 = phi_13420_;
+                                                    let _e3999 = phi_13426_;
                                                     if (_e3995 > _e3999) {
-                                                        phi_13425_ = _e3995;
+                                                        phi_13431_ = _e3995;
                                                     } else {
-                                                        phi_13425_ = _e3999;
+                                                        phi_13431_ = _e3999;
                                                     }
-                                                    let _e4002 = phi_13425_;
+                                                    let _e4002 = phi_13431_;
                                                     if (_e3988[2] < 0.0lf) {
-                                                        phi_13432_ = -(_e3988[2]);
+                                                        phi_13438_ = -(_e3988[2]);
                                                     } else {
-                                                        phi_13432_ = _e3988[2];
+                                                        phi_13438_ = _e3988[2];
                                                     }
-                                                    let _e4006 = phi_13432_;
+                                                    let _e4006 = phi_13438_;
                                                     if (_e4002 > _e4006) {
-                                                        phi_13437_ = _e4002;
+                                                        phi_13443_ = _e4002;
                                                     } else {
-                                                        phi_13437_ = _e4006;
+                                                        phi_13443_ = _e4006;
                                                     }
-                                                    let _e4009 = phi_13437_;
+                                                    let _e4009 = phi_13443_;
                                                     let _e4012 = local_18.member_1[1u];
                                                     if (_e4012[0] < 0.0lf) {
-                                                        phi_13451_ = -(_e4012[0]);
+                                                        phi_13457_ = -(_e4012[0]);
                                                     } else {
-                                                        phi_13451_ = _e4012[0];
+                                                        phi_13457_ = _e4012[0];
                                                     }
-                                                    let _e4019 = phi_13451_;
+                                                    let _e4019 = phi_13457_;
                                                     if (_e4012[1] < 0.0lf) {
-                                                        phi_13458_ = -(_e4012[1]);
+                                                        phi_13464_ = -(_e4012[1]);
                                                     } else {
-                                                        phi_13458_ = _e4012[1];
+                                                        phi_13464_ = _e4012[1];
                                                     }
-                                                    let _e4023 = phi_13458_;
+                                                    let _e4023 = phi_13464_;
                                                     if (_e4019 > _e4023) {
-                                                        phi_13463_ = _e4019;
+                                                        phi_13469_ = _e4019;
                                                     } else {
-                                                        phi_13463_ = _e4023;
+                                                        phi_13469_ = _e4023;
                                                     }
-                                                    let _e4026 = phi_13463_;
+                                                    let _e4026 = phi_13469_;
                                                     if (_e4012[2] < 0.0lf) {
-                                                        phi_13470_ = -(_e4012[2]);
+                                                        phi_13476_ = -(_e4012[2]);
                                                     } else {
-                                                        phi_13470_ = _e4012[2];
+                                                        phi_13476_ = _e4012[2];
                                                     }
-                                                    let _e4030 = phi_13470_;
+                                                    let _e4030 = phi_13476_;
                                                     if (_e4026 > _e4030) {
-                                                        phi_13475_ = _e4026;
+                                                        phi_13481_ = _e4026;
                                                     } else {
-                                                        phi_13475_ = _e4030;
+                                                        phi_13481_ = _e4030;
                                                     }
-                                                    let _e4033 = phi_13475_;
+                                                    let _e4033 = phi_13481_;
                                                     if (_e4009 > _e4033) {
-                                                        phi_13480_ = _e4009;
+                                                        phi_13486_ = _e4009;
                                                     } else {
-                                                        phi_13480_ = _e4033;
+                                                        phi_13486_ = _e4033;
                                                     }
-                                                    let _e4036 = phi_13480_;
+                                                    let _e4036 = phi_13486_;
                                                     let _e4038 = local_18.member_3;
                                                     let _e4042 = local_18.member_2[0u];
                                                     if (_e4042[0] < 0.0lf) {
-                                                        phi_13497_ = -(_e4042[0]);
+                                                        phi_13503_ = -(_e4042[0]);
                                                     } else {
-                                                        phi_13497_ = _e4042[0];
+                                                        phi_13503_ = _e4042[0];
                                                     }
-                                                    let _e4049 = phi_13497_;
+                                                    let _e4049 = phi_13503_;
                                                     if (_e4042[1] < 0.0lf) {
-                                                        phi_13504_ = -(_e4042[1]);
+                                                        phi_13510_ = -(_e4042[1]);
                                                     } else {
-                                                        phi_13504_ = _e4042[1];
+                                                        phi_13510_ = _e4042[1];
                                                     }
-                                                    let _e4053 = phi_13504_;
+                                                    let _e4053 = phi_13510_;
                                                     if (_e4049 > _e4053) {
-                                                        phi_13509_ = _e4049;
+                                                        phi_13515_ = _e4049;
                                                     } else {
-                                                        phi_13509_ = _e4053;
+                                                        phi_13515_ = _e4053;
                                                     }
-                                                    let _e4056 = phi_13509_;
+                                                    let _e4056 = phi_13515_;
                                                     if (_e4042[2] < 0.0lf) {
-                                                        phi_13516_ = -(_e4042[2]);
+                                                        phi_13522_ = -(_e4042[2]);
                                                     } else {
-                                                        phi_13516_ = _e4042[2];
+                                                        phi_13522_ = _e4042[2];
                                                     }
-                                                    let _e4060 = phi_13516_;
+                                                    let _e4060 = phi_13522_;
                                                     if (_e4056 > _e4060) {
-                                                        phi_13521_ = _e4056;
+                                                        phi_13527_ = _e4056;
                                                     } else {
-                                                        phi_13521_ = _e4060;
+                                                        phi_13527_ = _e4060;
                                                     }
-                                                    let _e4063 = phi_13521_;
+                                                    let _e4063 = phi_13527_;
                                                     let _e4066 = local_18.member_2[1u];
                                                     if (_e4066[0] < 0.0lf) {
-                                                        phi_13535_ = -(_e4066[0]);
+                                                        phi_13541_ = -(_e4066[0]);
                                                     } else {
-                                                        phi_13535_ = _e4066[0];
+                                                        phi_13541_ = _e4066[0];
                                                     }
-                                                    let _e4073 = phi_13535_;
+                                                    let _e4073 = phi_13541_;
                                                     if (_e4066[1] < 0.0lf) {
-                                                        phi_13542_ = -(_e4066[1]);
+                                                        phi_13548_ = -(_e4066[1]);
                                                     } else {
-                                                        phi_13542_ = _e4066[1];
+                                                        phi_13548_ = _e4066[1];
                                                     }
-                                                    let _e4077 = phi_13542_;
+                                                    let _e4077 = phi_13548_;
                                                     if (_e4073 > _e4077) {
-                                                        phi_13547_ = _e4073;
+                                                        phi_13553_ = _e4073;
                                                     } else {
-                                                        phi_13547_ = _e4077;
+                                                        phi_13553_ = _e4077;
                                                     }
-                                                    let _e4080 = phi_13547_;
+                                                    let _e4080 = phi_13553_;
                                                     if (_e4066[2] < 0.0lf) {
-                                                        phi_13554_ = -(_e4066[2]);
+                                                        phi_13560_ = -(_e4066[2]);
                                                     } else {
-                                                        phi_13554_ = _e4066[2];
+                                                        phi_13560_ = _e4066[2];
                                                     }
-                                                    let _e4084 = phi_13554_;
+                                                    let _e4084 = phi_13560_;
                                                     if (_e4080 > _e4084) {
-                                                        phi_13559_ = _e4080;
+                                                        phi_13565_ = _e4080;
                                                     } else {
-                                                        phi_13559_ = _e4084;
+                                                        phi_13565_ = _e4084;
                                                     }
-                                                    let _e4087 = phi_13559_;
+                                                    let _e4087 = phi_13565_;
                                                     if (_e4063 > _e4087) {
-                                                        phi_13564_ = _e4063;
+                                                        phi_13570_ = _e4063;
                                                     } else {
-                                                        phi_13564_ = _e4087;
+                                                        phi_13570_ = _e4087;
                                                     }
-                                                    let _e4090 = phi_13564_;
+                                                    let _e4090 = phi_13570_;
                                                     let _e4092 = local_18.member_3;
                                                     let _e4100 = local_18.member_3;
                                                     let _e4108 = (_e401 * f64(0.00390625f));
                                                     let _e4109 = f64(0f);
                                                     let _e4110 = f64(1f);
                                                     local = type_38(array<f64, 4>(_e4109, _e4109, _e4109, _e4109), array<f64, 4>(_e4109, _e4109, _e4109, _e4109), array<f64, 4>(_e4110, _e4110, _e4110, _e4110));
-                                                    phi_13611_ = type_12(0u, 96u);
-                                                    phi_13614_ = _e3143.member;
-                                                    phi_13616_ = _e3143.member;
-                                                    phi_13618_ = (_e3143.member_1 - _e3143.member);
+                                                    phi_13617_ = type_12(0u, 96u);
                                                     phi_13620_ = _e3143.member;
-                                                    phi_13622_ = false;
-                                                    phi_13624_ = 0u;
+                                                    phi_13622_ = _e3143.member;
+                                                    phi_13624_ = (_e3143.member_1 - _e3143.member);
+                                                    phi_13626_ = _e3143.member;
+                                                    phi_13628_ = false;
+                                                    phi_13630_ = 0u;
                                                     loop {
-                                                        let _e4117 = phi_13611_;
-                                                        let _e4119 = phi_13614_;
-                                                        let _e4121 = phi_13616_;
-                                                        let _e4123 = phi_13618_;
-                                                        let _e4125 = phi_13620_;
-                                                        let _e4127 = phi_13622_;
-                                                        let _e4129 = phi_13624_;
+                                                        let _e4117 = phi_13617_;
+                                                        let _e4119 = phi_13620_;
+                                                        let _e4121 = phi_13622_;
+                                                        let _e4123 = phi_13624_;
+                                                        let _e4125 = phi_13626_;
+                                                        let _e4127 = phi_13628_;
+                                                        let _e4129 = phi_13630_;
                                                         local_31 = _e4119;
                                                         local_78 = _e4121;
                                                         if (_e4117.member < _e4117.member_1) {
-                                                            phi_13612_ = type_12((_e4117.member + 1u), _e4117.member_1);
-                                                            phi_13647_ = type_12(1u, _e4117.member);
+                                                            phi_13618_ = type_12((_e4117.member + 1u), _e4117.member_1);
+                                                            phi_13653_ = type_12(1u, _e4117.member);
                                                         } else {
-                                                            phi_13612_ = _e4117;
-                                                            phi_13647_ = type_12(0u, type_12().member_1);
+                                                            phi_13618_ = _e4117;
+                                                            phi_13653_ = type_12(0u, type_12().member_1);
                                                         }
-                                                        let _e4141 = phi_13612_;
-                                                        let _e4143 = phi_13647_;
+                                                        let _e4141 = phi_13618_;
+                                                        let _e4143 = phi_13653_;
                                                         if (bitcast<i32>(_e4143.member) != 0i) {
                                                             let _e4149 = local_18.member[0u];
                                                             let _e4155 = local_18.member[1u];
@@ -9942,48 +9949,48 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             let _e4199 = local_18.member_2[1u];
                                                             let _e4213 = function_3(array<f64, 3>((_e4149[0] + ((_e4155[0] - _e4149[0]) * _e4119)), (_e4149[1] + ((_e4155[1] - _e4149[1]) * _e4119)), (_e4149[2] + ((_e4155[2] - _e4149[2]) * _e4119))), array<f64, 3>((_e4171[0] + ((_e4177[0] - _e4171[0]) * _e4119)), (_e4171[1] + ((_e4177[1] - _e4171[1]) * _e4119)), (_e4171[2] + ((_e4177[2] - _e4171[2]) * _e4119))), array<f64, 3>((_e4193[0] + ((_e4199[0] - _e4193[0]) * _e4119)), (_e4193[1] + ((_e4199[1] - _e4193[1]) * _e4119)), (_e4193[2] + ((_e4199[2] - _e4193[2]) * _e4119))), 0u);
                                                             if (_e4129 == 0u) {
-                                                                phi_13776_ = _e4213;
+                                                                phi_13782_ = _e4213;
                                                             } else {
                                                                 let _e4215 = f64(0f);
                                                                 if (_e4129 == 1u) {
-                                                                    phi_13762_ = _e4213[0];
-                                                                } else {
-                                                                    phi_13762_ = _e4215;
-                                                                }
-                                                                let _e4219 = phi_13762_;
-                                                                if (_e4129 == 2u) {
-                                                                    phi_13768_ = _e4213[1];
+                                                                    phi_13768_ = _e4213[0];
                                                                 } else {
                                                                     phi_13768_ = _e4215;
                                                                 }
-                                                                let _e4223 = phi_13768_;
-                                                                if (_e4129 == 3u) {
-                                                                    phi_13774_ = _e4213[2];
+                                                                let _e4219 = phi_13768_;
+                                                                if (_e4129 == 2u) {
+                                                                    phi_13774_ = _e4213[1];
                                                                 } else {
                                                                     phi_13774_ = _e4215;
                                                                 }
-                                                                let _e4227 = phi_13774_;
-                                                                phi_13776_ = array<f64, 3>(_e4219, _e4223, _e4227);
+                                                                let _e4223 = phi_13774_;
+                                                                if (_e4129 == 3u) {
+                                                                    phi_13780_ = _e4213[2];
+                                                                } else {
+                                                                    phi_13780_ = _e4215;
+                                                                }
+                                                                let _e4227 = phi_13780_;
+                                                                phi_13782_ = array<f64, 3>(_e4219, _e4223, _e4227);
                                                             }
-                                                            let _e4230 = phi_13776_;
+                                                            let _e4230 = phi_13782_;
                                                             if (_e4230[0] < 0.0lf) {
-                                                                phi_13783_ = -(_e4230[0]);
+                                                                phi_13789_ = -(_e4230[0]);
                                                             } else {
-                                                                phi_13783_ = _e4230[0];
+                                                                phi_13789_ = _e4230[0];
                                                             }
-                                                            let _e4235 = phi_13783_;
+                                                            let _e4235 = phi_13789_;
                                                             if (_e4230[1] < 0.0lf) {
-                                                                phi_13790_ = -(_e4230[1]);
+                                                                phi_13796_ = -(_e4230[1]);
                                                             } else {
-                                                                phi_13790_ = _e4230[1];
+                                                                phi_13796_ = _e4230[1];
                                                             }
-                                                            let _e4240 = phi_13790_;
+                                                            let _e4240 = phi_13796_;
                                                             if (_e4230[2] < 0.0lf) {
-                                                                phi_13798_ = -(_e4230[2]);
+                                                                phi_13804_ = -(_e4230[2]);
                                                             } else {
-                                                                phi_13798_ = _e4230[2];
+                                                                phi_13804_ = _e4230[2];
                                                             }
-                                                            let _e4246 = phi_13798_;
+                                                            let _e4246 = phi_13804_;
                                                             let _e4247 = ((_e4235 + _e4240) + _e4246);
                                                             if (_e4247 > f64(0f)) {
                                                                 if ((bitcast<u64>(_e4247) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -9994,59 +10001,59 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e4265 = (((_e4256 * _e4256) + (_e4258 * _e4258)) + (_e4260 * _e4260));
                                                                     if (_e4265 <= 2.2250738585072014e-308lf) {
                                                                         if (_e4265 > 0.0lf) {
-                                                                            phi_13837_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                            phi_13843_ = (1.464336215552873e-154lf * 2.0lf);
                                                                         } else {
-                                                                            phi_13837_ = 0.0lf;
+                                                                            phi_13843_ = 0.0lf;
                                                                         }
-                                                                        let _e4317 = phi_13837_;
-                                                                        phi_13901_ = _e4317;
+                                                                        let _e4317 = phi_13843_;
+                                                                        phi_13907_ = _e4317;
                                                                     } else {
-                                                                        phi_13844_ = type_16(0i, 5i);
-                                                                        phi_13847_ = bitcast<f64>(((bitcast<u64>(_e4265) / 2lu) + 2303426169912950784lu));
+                                                                        phi_13850_ = type_16(0i, 5i);
+                                                                        phi_13853_ = bitcast<f64>(((bitcast<u64>(_e4265) / 2lu) + 2303426169912950784lu));
                                                                         loop {
-                                                                            let _e4272 = phi_13844_;
-                                                                            let _e4274 = phi_13847_;
+                                                                            let _e4272 = phi_13850_;
+                                                                            let _e4274 = phi_13853_;
                                                                             local_28 = _e4274;
                                                                             if (_e4272.member < _e4272.member_1) {
                                                                                 let _e4281 = (_e4272.member + 1i);
                                                                                 if ((false == (_e4281 > _e4272.member)) != false) {
-                                                                                    phi_13868_ = true;
+                                                                                    phi_13874_ = true;
                                                                                 } else {
-                                                                                    phi_13868_ = false;
+                                                                                    phi_13874_ = false;
                                                                                 }
-                                                                                let _e4286 = phi_13868_;
+                                                                                let _e4286 = phi_13874_;
                                                                                 if _e4286 {
-                                                                                    phi_13874_ = type_17(0u, type_17().member_1);
+                                                                                    phi_13880_ = type_17(0u, type_17().member_1);
                                                                                 } else {
-                                                                                    phi_13874_ = type_17(1u, _e4281);
+                                                                                    phi_13880_ = type_17(1u, _e4281);
                                                                                 }
-                                                                                let _e4291 = phi_13874_;
-                                                                                phi_13845_ = type_16(_e4291.member_1, _e4272.member_1);
-                                                                                phi_13888_ = type_17(1u, _e4272.member);
+                                                                                let _e4291 = phi_13880_;
+                                                                                phi_13851_ = type_16(_e4291.member_1, _e4272.member_1);
+                                                                                phi_13894_ = type_17(1u, _e4272.member);
                                                                             } else {
-                                                                                phi_13845_ = _e4272;
-                                                                                phi_13888_ = type_17(0u, type_17().member_1);
+                                                                                phi_13851_ = _e4272;
+                                                                                phi_13894_ = type_17(0u, type_17().member_1);
                                                                             }
-                                                                            let _e4297 = phi_13845_;
-                                                                            let _e4299 = phi_13888_;
+                                                                            let _e4297 = phi_13851_;
+                                                                            let _e4299 = phi_13894_;
                                                                             let _e4302 = (bitcast<i32>(_e4299.member) != 0i);
                                                                             if _e4302 {
-                                                                                phi_13848_ = (0.5lf * (_e4274 + (_e4265 / _e4274)));
+                                                                                phi_13854_ = (0.5lf * (_e4274 + (_e4265 / _e4274)));
                                                                             } else {
-                                                                                phi_13848_ = f64();
+                                                                                phi_13854_ = f64();
                                                                             }
-                                                                            let _e4307 = phi_13848_;
+                                                                            let _e4307 = phi_13854_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_13844_ = _e4297;
-                                                                                phi_13847_ = _e4307;
+                                                                                phi_13850_ = _e4297;
+                                                                                phi_13853_ = _e4307;
                                                                                 break if !(_e4302);
                                                                             }
                                                                         }
                                                                         let _e4312 = local_28;
-                                                                        phi_13901_ = (_e4312 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                        phi_13907_ = (_e4312 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                     }
-                                                                    let _e4319 = phi_13901_;
+                                                                    let _e4319 = phi_13907_;
                                                                     let _e4321 = (1.1102230246251565e-16lf * f64(12f));
                                                                     let _e4328 = ((((((((_e3982 + _e3984) + (_e4036 + _e4038)) + (_e4090 + _e4092)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4100 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e663 * _e4319) * (f64(1f) + _e4321)));
                                                                     let _e4333 = (((_e4256 * _e3886[0]) + (_e4258 * _e3886[1])) + (_e4260 * _e3886[2]));
@@ -10058,77 +10065,77 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e4364 = (((_e4256 * (_e3910[0] - _e3922[0])) + (_e4258 * (_e3910[1] - _e3922[1]))) + (_e4260 * (_e3910[2] - _e3922[2])));
                                                                     let _e4369 = (((_e4256 * _e3910[0]) + (_e4258 * _e3910[1])) + (_e4260 * _e3910[2]));
                                                                     if (_e4333 < 0.0lf) {
-                                                                        phi_13970_ = -(_e4333);
+                                                                        phi_13976_ = -(_e4333);
                                                                     } else {
-                                                                        phi_13970_ = _e4333;
+                                                                        phi_13976_ = _e4333;
                                                                     }
-                                                                    let _e4374 = phi_13970_;
+                                                                    let _e4374 = phi_13976_;
                                                                     if (_e4354 < 0.0lf) {
-                                                                        phi_13976_ = -(_e4354);
+                                                                        phi_13982_ = -(_e4354);
                                                                     } else {
-                                                                        phi_13976_ = _e4354;
+                                                                        phi_13982_ = _e4354;
                                                                     }
-                                                                    let _e4378 = phi_13976_;
+                                                                    let _e4378 = phi_13982_;
                                                                     if (_e4338 < 0.0lf) {
-                                                                        phi_13985_ = -(_e4338);
+                                                                        phi_13991_ = -(_e4338);
                                                                     } else {
-                                                                        phi_13985_ = _e4338;
+                                                                        phi_13991_ = _e4338;
                                                                     }
-                                                                    let _e4385 = phi_13985_;
+                                                                    let _e4385 = phi_13991_;
                                                                     if (_e4359 < 0.0lf) {
-                                                                        phi_13991_ = -(_e4359);
+                                                                        phi_13997_ = -(_e4359);
                                                                     } else {
-                                                                        phi_13991_ = _e4359;
+                                                                        phi_13997_ = _e4359;
                                                                     }
-                                                                    let _e4389 = phi_13991_;
+                                                                    let _e4389 = phi_13997_;
                                                                     if (_e4343 < 0.0lf) {
-                                                                        phi_14000_ = -(_e4343);
+                                                                        phi_14006_ = -(_e4343);
                                                                     } else {
-                                                                        phi_14000_ = _e4343;
+                                                                        phi_14006_ = _e4343;
                                                                     }
-                                                                    let _e4396 = phi_14000_;
+                                                                    let _e4396 = phi_14006_;
                                                                     if (_e4364 < 0.0lf) {
-                                                                        phi_14006_ = -(_e4364);
+                                                                        phi_14012_ = -(_e4364);
                                                                     } else {
-                                                                        phi_14006_ = _e4364;
+                                                                        phi_14012_ = _e4364;
                                                                     }
-                                                                    let _e4400 = phi_14006_;
+                                                                    let _e4400 = phi_14012_;
                                                                     if (_e4348 < 0.0lf) {
-                                                                        phi_14015_ = -(_e4348);
+                                                                        phi_14021_ = -(_e4348);
                                                                     } else {
-                                                                        phi_14015_ = _e4348;
+                                                                        phi_14021_ = _e4348;
                                                                     }
-                                                                    let _e4407 = phi_14015_;
+                                                                    let _e4407 = phi_14021_;
                                                                     if (_e4369 < 0.0lf) {
-                                                                        phi_14021_ = -(_e4369);
+                                                                        phi_14027_ = -(_e4369);
                                                                     } else {
-                                                                        phi_14021_ = _e4369;
+                                                                        phi_14027_ = _e4369;
                                                                     }
-                                                                    let _e4411 = phi_14021_;
-                                                                    phi_14027_ = type_38(array<f64, 4>(_e4333, _e4338, _e4343, _e4348), array<f64, 4>(_e4354, _e4359, _e4364, _e4369), array<f64, 4>((_e4328 + ((_e4374 + _e4378) * _e4321)), (_e4328 + ((_e4385 + _e4389) * _e4321)), (_e4328 + ((_e4396 + _e4400) * _e4321)), (_e4328 + ((_e4407 + _e4411) * _e4321))));
-                                                                    phi_14028_ = false;
+                                                                    let _e4411 = phi_14027_;
+                                                                    phi_14033_ = type_38(array<f64, 4>(_e4333, _e4338, _e4343, _e4348), array<f64, 4>(_e4354, _e4359, _e4364, _e4369), array<f64, 4>((_e4328 + ((_e4374 + _e4378) * _e4321)), (_e4328 + ((_e4385 + _e4389) * _e4321)), (_e4328 + ((_e4396 + _e4400) * _e4321)), (_e4328 + ((_e4407 + _e4411) * _e4321))));
+                                                                    phi_14034_ = false;
                                                                 } else {
-                                                                    phi_14027_ = type_38();
-                                                                    phi_14028_ = true;
+                                                                    phi_14033_ = type_38();
+                                                                    phi_14034_ = true;
                                                                 }
-                                                                let _e4418 = phi_14027_;
-                                                                let _e4420 = phi_14028_;
-                                                                phi_14029_ = _e4418;
-                                                                phi_14030_ = _e4420;
+                                                                let _e4418 = phi_14033_;
+                                                                let _e4420 = phi_14034_;
+                                                                phi_14035_ = _e4418;
+                                                                phi_14036_ = _e4420;
                                                             } else {
-                                                                phi_14029_ = type_38();
-                                                                phi_14030_ = true;
+                                                                phi_14035_ = type_38();
+                                                                phi_14036_ = true;
                                                             }
-                                                            let _e4422 = phi_14029_;
-                                                            let _e4424 = phi_14030_;
+                                                            let _e4422 = phi_14035_;
+                                                            let _e4424 = phi_14036_;
                                                             if _e4424 {
                                                                 let _e4425 = f64(0f);
                                                                 let _e4426 = f64(1f);
-                                                                phi_14040_ = type_38(array<f64, 4>(_e4425, _e4425, _e4425, _e4425), array<f64, 4>(_e4425, _e4425, _e4425, _e4425), array<f64, 4>(_e4426, _e4426, _e4426, _e4426));
+                                                                phi_14046_ = type_38(array<f64, 4>(_e4425, _e4425, _e4425, _e4425), array<f64, 4>(_e4425, _e4425, _e4425, _e4425), array<f64, 4>(_e4426, _e4426, _e4426, _e4426));
                                                             } else {
-                                                                phi_14040_ = _e4422;
+                                                                phi_14046_ = _e4422;
                                                             }
-                                                            let _e4432 = phi_14040_;
+                                                            let _e4432 = phi_14046_;
                                                             local_1 = type_38(array<f64, 4>(_e4432.member[0], _e4432.member[1], _e4432.member[2], _e4432.member[3]), array<f64, 4>(_e4432.member_1[0], _e4432.member_1[1], _e4432.member_1[2], _e4432.member_1[3]), array<f64, 4>(_e4432.member_2[0], _e4432.member_2[1], _e4432.member_2[2], _e4432.member_2[3]));
                                                             let _e4452 = (_e4119 - _e4125);
                                                             let _e4454 = f64(0f);
@@ -10151,39 +10158,39 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                         let _e4511 = local_1.member_1[3u];
                                                                         let _e4514 = local_1.member[3u];
                                                                         let _e4520 = local_1.member_2[3u];
-                                                                        phi_14212_ = (((_e4508 + ((_e4511 - _e4514) * _e4119)) - _e4520) > _e4454);
-                                                                        phi_14213_ = false;
+                                                                        phi_14218_ = (((_e4508 + ((_e4511 - _e4514) * _e4119)) - _e4520) > _e4454);
+                                                                        phi_14219_ = false;
                                                                     } else {
-                                                                        phi_14212_ = bool();
-                                                                        phi_14213_ = true;
+                                                                        phi_14218_ = bool();
+                                                                        phi_14219_ = true;
                                                                     }
-                                                                    let _e4524 = phi_14212_;
-                                                                    let _e4526 = phi_14213_;
-                                                                    phi_14214_ = _e4524;
-                                                                    phi_14215_ = _e4526;
+                                                                    let _e4524 = phi_14218_;
+                                                                    let _e4526 = phi_14219_;
+                                                                    phi_14220_ = _e4524;
+                                                                    phi_14221_ = _e4526;
                                                                 } else {
-                                                                    phi_14214_ = bool();
-                                                                    phi_14215_ = true;
+                                                                    phi_14220_ = bool();
+                                                                    phi_14221_ = true;
                                                                 }
-                                                                let _e4528 = phi_14214_;
-                                                                let _e4530 = phi_14215_;
-                                                                phi_14216_ = _e4528;
-                                                                phi_14217_ = _e4530;
+                                                                let _e4528 = phi_14220_;
+                                                                let _e4530 = phi_14221_;
+                                                                phi_14222_ = _e4528;
+                                                                phi_14223_ = _e4530;
                                                             } else {
-                                                                phi_14216_ = bool();
-                                                                phi_14217_ = true;
+                                                                phi_14222_ = bool();
+                                                                phi_14223_ = true;
                                                             }
-                                                            let _e4532 = phi_14216_;
-                                                            let _e4534 = phi_14217_;
+                                                            let _e4532 = phi_14222_;
+                                                            let _e4534 = phi_14223_;
                                                             if _e4534 {
-                                                                phi_14221_ = false;
+                                                                phi_14227_ = false;
                                                             } else {
-                                                                phi_14221_ = _e4532;
+                                                                phi_14227_ = _e4532;
                                                             }
-                                                            let _e4536 = phi_14221_;
+                                                            let _e4536 = phi_14227_;
                                                             if _e4536 {
                                                                 if (_e4119 <= _e4121) {
-                                                                    phi_14532_ = true;
+                                                                    phi_14538_ = true;
                                                                 } else {
                                                                     let _e4538 = f64(0f);
                                                                     let _e4541 = local.member[0u];
@@ -10221,52 +10228,52 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                                 let _e4662 = local_1.member_1[3u];
                                                                                 let _e4665 = local_1.member[3u];
                                                                                 let _e4671 = local_1.member_2[3u];
-                                                                                phi_14519_ = ((((_e4643 + ((_e4646 - _e4649) * _e4119)) - _e4655) + ((_e4659 + ((_e4662 - _e4665) * _e4125)) - _e4671)) > _e4538);
-                                                                                phi_14520_ = false;
+                                                                                phi_14525_ = ((((_e4643 + ((_e4646 - _e4649) * _e4119)) - _e4655) + ((_e4659 + ((_e4662 - _e4665) * _e4125)) - _e4671)) > _e4538);
+                                                                                phi_14526_ = false;
                                                                             } else {
-                                                                                phi_14519_ = bool();
-                                                                                phi_14520_ = true;
+                                                                                phi_14525_ = bool();
+                                                                                phi_14526_ = true;
                                                                             }
-                                                                            let _e4676 = phi_14519_;
-                                                                            let _e4678 = phi_14520_;
-                                                                            phi_14521_ = _e4676;
-                                                                            phi_14522_ = _e4678;
+                                                                            let _e4676 = phi_14525_;
+                                                                            let _e4678 = phi_14526_;
+                                                                            phi_14527_ = _e4676;
+                                                                            phi_14528_ = _e4678;
                                                                         } else {
-                                                                            phi_14521_ = bool();
-                                                                            phi_14522_ = true;
+                                                                            phi_14527_ = bool();
+                                                                            phi_14528_ = true;
                                                                         }
-                                                                        let _e4680 = phi_14521_;
-                                                                        let _e4682 = phi_14522_;
-                                                                        phi_14523_ = _e4680;
-                                                                        phi_14524_ = _e4682;
+                                                                        let _e4680 = phi_14527_;
+                                                                        let _e4682 = phi_14528_;
+                                                                        phi_14529_ = _e4680;
+                                                                        phi_14530_ = _e4682;
                                                                     } else {
-                                                                        phi_14523_ = bool();
-                                                                        phi_14524_ = true;
+                                                                        phi_14529_ = bool();
+                                                                        phi_14530_ = true;
                                                                     }
-                                                                    let _e4684 = phi_14523_;
-                                                                    let _e4686 = phi_14524_;
+                                                                    let _e4684 = phi_14529_;
+                                                                    let _e4686 = phi_14530_;
                                                                     if _e4686 {
-                                                                        phi_14528_ = false;
+                                                                        phi_14534_ = false;
                                                                     } else {
-                                                                        phi_14528_ = _e4684;
+                                                                        phi_14534_ = _e4684;
                                                                     }
-                                                                    let _e4688 = phi_14528_;
-                                                                    phi_14532_ = _e4688;
+                                                                    let _e4688 = phi_14534_;
+                                                                    phi_14538_ = _e4688;
                                                                 }
-                                                                let _e4690 = phi_14532_;
+                                                                let _e4690 = phi_14538_;
                                                                 if _e4690 {
                                                                     if _e4127 {
                                                                         if (_e4119 >= _e3143.member_1) {
-                                                                            phi_14543_ = false;
+                                                                            phi_14549_ = false;
                                                                         } else {
-                                                                            phi_14543_ = true;
+                                                                            phi_14549_ = true;
                                                                         }
-                                                                        let _e4693 = phi_14543_;
-                                                                        phi_14544_ = _e4693;
+                                                                        let _e4693 = phi_14549_;
+                                                                        phi_14550_ = _e4693;
                                                                     } else {
-                                                                        phi_14544_ = true;
+                                                                        phi_14550_ = true;
                                                                     }
-                                                                    let _e4695 = phi_14544_;
+                                                                    let _e4695 = phi_14550_;
                                                                     if _e4695 {
                                                                         local = type_38(array<f64, 4>(_e4432.member[0], _e4432.member[1], _e4432.member[2], _e4432.member[3]), array<f64, 4>(_e4432.member_1[0], _e4432.member_1[1], _e4432.member_1[2], _e4432.member_1[3]), array<f64, 4>(_e4432.member_2[0], _e4432.member_2[1], _e4432.member_2[2], _e4432.member_2[3]));
                                                                         let _e4717 = local.member[0u];
@@ -10274,285 +10281,285 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                         let _e4723 = local.member_2[0u];
                                                                         if (_e4717 > _e4723) {
                                                                             if (_e4720 > _e4723) {
-                                                                                phi_14618_ = false;
+                                                                                phi_14624_ = false;
                                                                             } else {
-                                                                                phi_14618_ = true;
+                                                                                phi_14624_ = true;
                                                                             }
-                                                                            let _e4727 = phi_14618_;
-                                                                            phi_14619_ = _e4727;
+                                                                            let _e4727 = phi_14624_;
+                                                                            phi_14625_ = _e4727;
                                                                         } else {
-                                                                            phi_14619_ = true;
+                                                                            phi_14625_ = true;
                                                                         }
-                                                                        let _e4729 = phi_14619_;
+                                                                        let _e4729 = phi_14625_;
                                                                         if _e4729 {
                                                                             let _e4730 = (_e4720 >= _e4717);
                                                                             if _e4730 {
-                                                                                phi_14644_ = f64();
-                                                                                phi_14645_ = false;
+                                                                                phi_14650_ = f64();
+                                                                                phi_14651_ = false;
                                                                             } else {
                                                                                 if ((_e4717 - _e4720) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14642_ = (((_e4717 - _e4723) / (_e4717 - _e4720)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14643_ = false;
+                                                                                    phi_14648_ = (((_e4717 - _e4723) / (_e4717 - _e4720)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14649_ = false;
                                                                                 } else {
-                                                                                    phi_14642_ = f64();
-                                                                                    phi_14643_ = true;
+                                                                                    phi_14648_ = f64();
+                                                                                    phi_14649_ = true;
                                                                                 }
-                                                                                let _e4744 = phi_14642_;
-                                                                                let _e4746 = phi_14643_;
-                                                                                phi_14644_ = _e4744;
-                                                                                phi_14645_ = _e4746;
+                                                                                let _e4744 = phi_14648_;
+                                                                                let _e4746 = phi_14649_;
+                                                                                phi_14650_ = _e4744;
+                                                                                phi_14651_ = _e4746;
                                                                             }
-                                                                            let _e4748 = phi_14644_;
-                                                                            let _e4750 = phi_14645_;
-                                                                            phi_14646_ = _e4748;
-                                                                            phi_14647_ = _e4730;
-                                                                            phi_14648_ = _e4750;
+                                                                            let _e4748 = phi_14650_;
+                                                                            let _e4750 = phi_14651_;
+                                                                            phi_14652_ = _e4748;
+                                                                            phi_14653_ = _e4730;
+                                                                            phi_14654_ = _e4750;
                                                                         } else {
-                                                                            phi_14646_ = f64();
-                                                                            phi_14647_ = true;
-                                                                            phi_14648_ = false;
+                                                                            phi_14652_ = f64();
+                                                                            phi_14653_ = true;
+                                                                            phi_14654_ = false;
                                                                         }
-                                                                        let _e4752 = phi_14646_;
-                                                                        let _e4754 = phi_14647_;
-                                                                        let _e4756 = phi_14648_;
+                                                                        let _e4752 = phi_14652_;
+                                                                        let _e4754 = phi_14653_;
+                                                                        let _e4756 = phi_14654_;
                                                                         if _e4754 {
-                                                                            phi_14653_ = f64(2f);
-                                                                            phi_14654_ = true;
+                                                                            phi_14659_ = f64(2f);
+                                                                            phi_14660_ = true;
                                                                         } else {
-                                                                            phi_14653_ = _e4119;
-                                                                            phi_14654_ = _e4756;
+                                                                            phi_14659_ = _e4119;
+                                                                            phi_14660_ = _e4756;
                                                                         }
-                                                                        let _e4759 = phi_14653_;
-                                                                        let _e4761 = phi_14654_;
+                                                                        let _e4759 = phi_14659_;
+                                                                        let _e4761 = phi_14660_;
                                                                         if _e4761 {
-                                                                            phi_14658_ = _e4759;
+                                                                            phi_14664_ = _e4759;
                                                                         } else {
-                                                                            phi_14658_ = _e4752;
+                                                                            phi_14664_ = _e4752;
                                                                         }
-                                                                        let _e4763 = phi_14658_;
+                                                                        let _e4763 = phi_14664_;
                                                                         let _e4766 = local.member[1u];
                                                                         let _e4769 = local.member_1[1u];
                                                                         let _e4772 = local.member_2[1u];
                                                                         if (_e4766 > _e4772) {
                                                                             if (_e4769 > _e4772) {
-                                                                                phi_14690_ = false;
+                                                                                phi_14696_ = false;
                                                                             } else {
-                                                                                phi_14690_ = true;
+                                                                                phi_14696_ = true;
                                                                             }
-                                                                            let _e4776 = phi_14690_;
-                                                                            phi_14691_ = _e4776;
+                                                                            let _e4776 = phi_14696_;
+                                                                            phi_14697_ = _e4776;
                                                                         } else {
-                                                                            phi_14691_ = true;
+                                                                            phi_14697_ = true;
                                                                         }
-                                                                        let _e4778 = phi_14691_;
+                                                                        let _e4778 = phi_14697_;
                                                                         if _e4778 {
                                                                             let _e4779 = (_e4769 >= _e4766);
                                                                             if _e4779 {
-                                                                                phi_14716_ = f64();
-                                                                                phi_14717_ = false;
+                                                                                phi_14722_ = f64();
+                                                                                phi_14723_ = false;
                                                                             } else {
                                                                                 if ((_e4766 - _e4769) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14714_ = (((_e4766 - _e4772) / (_e4766 - _e4769)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14715_ = false;
+                                                                                    phi_14720_ = (((_e4766 - _e4772) / (_e4766 - _e4769)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14721_ = false;
                                                                                 } else {
-                                                                                    phi_14714_ = f64();
-                                                                                    phi_14715_ = true;
+                                                                                    phi_14720_ = f64();
+                                                                                    phi_14721_ = true;
                                                                                 }
-                                                                                let _e4793 = phi_14714_;
-                                                                                let _e4795 = phi_14715_;
-                                                                                phi_14716_ = _e4793;
-                                                                                phi_14717_ = _e4795;
+                                                                                let _e4793 = phi_14720_;
+                                                                                let _e4795 = phi_14721_;
+                                                                                phi_14722_ = _e4793;
+                                                                                phi_14723_ = _e4795;
                                                                             }
-                                                                            let _e4797 = phi_14716_;
-                                                                            let _e4799 = phi_14717_;
-                                                                            phi_14718_ = _e4797;
-                                                                            phi_14719_ = _e4779;
-                                                                            phi_14720_ = _e4799;
+                                                                            let _e4797 = phi_14722_;
+                                                                            let _e4799 = phi_14723_;
+                                                                            phi_14724_ = _e4797;
+                                                                            phi_14725_ = _e4779;
+                                                                            phi_14726_ = _e4799;
                                                                         } else {
-                                                                            phi_14718_ = f64();
-                                                                            phi_14719_ = true;
-                                                                            phi_14720_ = false;
+                                                                            phi_14724_ = f64();
+                                                                            phi_14725_ = true;
+                                                                            phi_14726_ = false;
                                                                         }
-                                                                        let _e4801 = phi_14718_;
-                                                                        let _e4803 = phi_14719_;
-                                                                        let _e4805 = phi_14720_;
+                                                                        let _e4801 = phi_14724_;
+                                                                        let _e4803 = phi_14725_;
+                                                                        let _e4805 = phi_14726_;
                                                                         if _e4803 {
-                                                                            phi_14725_ = f64(2f);
-                                                                            phi_14726_ = true;
+                                                                            phi_14731_ = f64(2f);
+                                                                            phi_14732_ = true;
                                                                         } else {
-                                                                            phi_14725_ = _e4119;
-                                                                            phi_14726_ = _e4805;
+                                                                            phi_14731_ = _e4119;
+                                                                            phi_14732_ = _e4805;
                                                                         }
-                                                                        let _e4808 = phi_14725_;
-                                                                        let _e4810 = phi_14726_;
+                                                                        let _e4808 = phi_14731_;
+                                                                        let _e4810 = phi_14732_;
                                                                         if _e4810 {
-                                                                            phi_14730_ = _e4808;
+                                                                            phi_14736_ = _e4808;
                                                                         } else {
-                                                                            phi_14730_ = _e4801;
+                                                                            phi_14736_ = _e4801;
                                                                         }
-                                                                        let _e4812 = phi_14730_;
+                                                                        let _e4812 = phi_14736_;
                                                                         if (_e4763 < _e4812) {
-                                                                            phi_14735_ = _e4763;
+                                                                            phi_14741_ = _e4763;
                                                                         } else {
-                                                                            phi_14735_ = _e4812;
+                                                                            phi_14741_ = _e4812;
                                                                         }
-                                                                        let _e4815 = phi_14735_;
+                                                                        let _e4815 = phi_14741_;
                                                                         let _e4818 = local.member[2u];
                                                                         let _e4821 = local.member_1[2u];
                                                                         let _e4824 = local.member_2[2u];
                                                                         if (_e4818 > _e4824) {
                                                                             if (_e4821 > _e4824) {
-                                                                                phi_14767_ = false;
+                                                                                phi_14773_ = false;
                                                                             } else {
-                                                                                phi_14767_ = true;
+                                                                                phi_14773_ = true;
                                                                             }
-                                                                            let _e4828 = phi_14767_;
-                                                                            phi_14768_ = _e4828;
+                                                                            let _e4828 = phi_14773_;
+                                                                            phi_14774_ = _e4828;
                                                                         } else {
-                                                                            phi_14768_ = true;
+                                                                            phi_14774_ = true;
                                                                         }
-                                                                        let _e4830 = phi_14768_;
+                                                                        let _e4830 = phi_14774_;
                                                                         if _e4830 {
                                                                             let _e4831 = (_e4821 >= _e4818);
                                                                             if _e4831 {
-                                                                                phi_14793_ = f64();
-                                                                                phi_14794_ = false;
+                                                                                phi_14799_ = f64();
+                                                                                phi_14800_ = false;
                                                                             } else {
                                                                                 if ((_e4818 - _e4821) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14791_ = (((_e4818 - _e4824) / (_e4818 - _e4821)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14792_ = false;
+                                                                                    phi_14797_ = (((_e4818 - _e4824) / (_e4818 - _e4821)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14798_ = false;
                                                                                 } else {
-                                                                                    phi_14791_ = f64();
-                                                                                    phi_14792_ = true;
+                                                                                    phi_14797_ = f64();
+                                                                                    phi_14798_ = true;
                                                                                 }
-                                                                                let _e4845 = phi_14791_;
-                                                                                let _e4847 = phi_14792_;
-                                                                                phi_14793_ = _e4845;
-                                                                                phi_14794_ = _e4847;
+                                                                                let _e4845 = phi_14797_;
+                                                                                let _e4847 = phi_14798_;
+                                                                                phi_14799_ = _e4845;
+                                                                                phi_14800_ = _e4847;
                                                                             }
-                                                                            let _e4849 = phi_14793_;
-                                                                            let _e4851 = phi_14794_;
-                                                                            phi_14795_ = _e4849;
-                                                                            phi_14796_ = _e4831;
-                                                                            phi_14797_ = _e4851;
+                                                                            let _e4849 = phi_14799_;
+                                                                            let _e4851 = phi_14800_;
+                                                                            phi_14801_ = _e4849;
+                                                                            phi_14802_ = _e4831;
+                                                                            phi_14803_ = _e4851;
                                                                         } else {
-                                                                            phi_14795_ = f64();
-                                                                            phi_14796_ = true;
-                                                                            phi_14797_ = false;
+                                                                            phi_14801_ = f64();
+                                                                            phi_14802_ = true;
+                                                                            phi_14803_ = false;
                                                                         }
-                                                                        let _e4853 = phi_14795_;
-                                                                        let _e4855 = phi_14796_;
-                                                                        let _e4857 = phi_14797_;
+                                                                        let _e4853 = phi_14801_;
+                                                                        let _e4855 = phi_14802_;
+                                                                        let _e4857 = phi_14803_;
                                                                         if _e4855 {
-                                                                            phi_14802_ = f64(2f);
-                                                                            phi_14803_ = true;
+                                                                            phi_14808_ = f64(2f);
+                                                                            phi_14809_ = true;
                                                                         } else {
-                                                                            phi_14802_ = _e4119;
-                                                                            phi_14803_ = _e4857;
+                                                                            phi_14808_ = _e4119;
+                                                                            phi_14809_ = _e4857;
                                                                         }
-                                                                        let _e4860 = phi_14802_;
-                                                                        let _e4862 = phi_14803_;
+                                                                        let _e4860 = phi_14808_;
+                                                                        let _e4862 = phi_14809_;
                                                                         if _e4862 {
-                                                                            phi_14807_ = _e4860;
+                                                                            phi_14813_ = _e4860;
                                                                         } else {
-                                                                            phi_14807_ = _e4853;
+                                                                            phi_14813_ = _e4853;
                                                                         }
-                                                                        let _e4864 = phi_14807_;
+                                                                        let _e4864 = phi_14813_;
                                                                         let _e4867 = local.member[3u];
                                                                         let _e4870 = local.member_1[3u];
                                                                         let _e4873 = local.member_2[3u];
                                                                         if (_e4867 > _e4873) {
                                                                             if (_e4870 > _e4873) {
-                                                                                phi_14839_ = false;
+                                                                                phi_14845_ = false;
                                                                             } else {
-                                                                                phi_14839_ = true;
+                                                                                phi_14845_ = true;
                                                                             }
-                                                                            let _e4877 = phi_14839_;
-                                                                            phi_14840_ = _e4877;
+                                                                            let _e4877 = phi_14845_;
+                                                                            phi_14846_ = _e4877;
                                                                         } else {
-                                                                            phi_14840_ = true;
+                                                                            phi_14846_ = true;
                                                                         }
-                                                                        let _e4879 = phi_14840_;
+                                                                        let _e4879 = phi_14846_;
                                                                         if _e4879 {
                                                                             let _e4880 = (_e4870 >= _e4867);
                                                                             if _e4880 {
-                                                                                phi_14865_ = f64();
-                                                                                phi_14866_ = false;
+                                                                                phi_14871_ = f64();
+                                                                                phi_14872_ = false;
                                                                             } else {
                                                                                 if ((_e4867 - _e4870) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                                    phi_14863_ = (((_e4867 - _e4873) / (_e4867 - _e4870)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    phi_14864_ = false;
+                                                                                    phi_14869_ = (((_e4867 - _e4873) / (_e4867 - _e4870)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    phi_14870_ = false;
                                                                                 } else {
-                                                                                    phi_14863_ = f64();
-                                                                                    phi_14864_ = true;
+                                                                                    phi_14869_ = f64();
+                                                                                    phi_14870_ = true;
                                                                                 }
-                                                                                let _e4894 = phi_14863_;
-                                                                                let _e4896 = phi_14864_;
-                                                                                phi_14865_ = _e4894;
-                                                                                phi_14866_ = _e4896;
+                                                                                let _e4894 = phi_14869_;
+                                                                                let _e4896 = phi_14870_;
+                                                                                phi_14871_ = _e4894;
+                                                                                phi_14872_ = _e4896;
                                                                             }
-                                                                            let _e4898 = phi_14865_;
-                                                                            let _e4900 = phi_14866_;
-                                                                            phi_14867_ = _e4898;
-                                                                            phi_14868_ = _e4880;
-                                                                            phi_14869_ = _e4900;
+                                                                            let _e4898 = phi_14871_;
+                                                                            let _e4900 = phi_14872_;
+                                                                            phi_14873_ = _e4898;
+                                                                            phi_14874_ = _e4880;
+                                                                            phi_14875_ = _e4900;
                                                                         } else {
-                                                                            phi_14867_ = f64();
-                                                                            phi_14868_ = true;
-                                                                            phi_14869_ = false;
+                                                                            phi_14873_ = f64();
+                                                                            phi_14874_ = true;
+                                                                            phi_14875_ = false;
                                                                         }
-                                                                        let _e4902 = phi_14867_;
-                                                                        let _e4904 = phi_14868_;
-                                                                        let _e4906 = phi_14869_;
+                                                                        let _e4902 = phi_14873_;
+                                                                        let _e4904 = phi_14874_;
+                                                                        let _e4906 = phi_14875_;
                                                                         if _e4904 {
-                                                                            phi_14874_ = f64(2f);
-                                                                            phi_14875_ = true;
+                                                                            phi_14880_ = f64(2f);
+                                                                            phi_14881_ = true;
                                                                         } else {
-                                                                            phi_14874_ = _e4119;
-                                                                            phi_14875_ = _e4906;
+                                                                            phi_14880_ = _e4119;
+                                                                            phi_14881_ = _e4906;
                                                                         }
-                                                                        let _e4909 = phi_14874_;
-                                                                        let _e4911 = phi_14875_;
+                                                                        let _e4909 = phi_14880_;
+                                                                        let _e4911 = phi_14881_;
                                                                         if _e4911 {
-                                                                            phi_14879_ = _e4909;
+                                                                            phi_14885_ = _e4909;
                                                                         } else {
-                                                                            phi_14879_ = _e4902;
+                                                                            phi_14885_ = _e4902;
                                                                         }
-                                                                        let _e4913 = phi_14879_;
+                                                                        let _e4913 = phi_14885_;
                                                                         if (_e4864 < _e4913) {
-                                                                            phi_14884_ = _e4864;
+                                                                            phi_14890_ = _e4864;
                                                                         } else {
-                                                                            phi_14884_ = _e4913;
+                                                                            phi_14890_ = _e4913;
                                                                         }
-                                                                        let _e4916 = phi_14884_;
+                                                                        let _e4916 = phi_14890_;
                                                                         if (_e4815 < _e4916) {
-                                                                            phi_14889_ = _e4815;
+                                                                            phi_14895_ = _e4815;
                                                                         } else {
-                                                                            phi_14889_ = _e4916;
+                                                                            phi_14895_ = _e4916;
                                                                         }
-                                                                        let _e4919 = phi_14889_;
+                                                                        let _e4919 = phi_14895_;
                                                                         if (_e4919 > _e4119) {
-                                                                            phi_14894_ = _e4919;
+                                                                            phi_14900_ = _e4919;
                                                                         } else {
-                                                                            phi_14894_ = _e4119;
+                                                                            phi_14900_ = _e4119;
                                                                         }
-                                                                        let _e4922 = phi_14894_;
+                                                                        let _e4922 = phi_14900_;
                                                                         let _e4923 = (_e4922 > _e3143.member_1);
                                                                         if _e4923 {
-                                                                            phi_15411_ = f64();
-                                                                            phi_15412_ = f64();
-                                                                            phi_15413_ = false;
-                                                                            phi_15414_ = false;
+                                                                            phi_15417_ = f64();
+                                                                            phi_15418_ = f64();
+                                                                            phi_15419_ = false;
+                                                                            phi_15420_ = false;
                                                                         } else {
                                                                             let _e4924 = (_e4922 - _e4119);
                                                                             let _e4925 = (_e4924 <= _e4108);
                                                                             let _e4928 = (_e4922 + (_e401 * f64(0.01f)));
                                                                             if (_e4928 < _e3143.member_1) {
-                                                                                phi_14908_ = _e4928;
+                                                                                phi_14914_ = _e4928;
                                                                             } else {
-                                                                                phi_14908_ = _e3143.member_1;
+                                                                                phi_14914_ = _e3143.member_1;
                                                                             }
-                                                                            let _e4931 = phi_14908_;
+                                                                            let _e4931 = phi_14914_;
                                                                             if _e4925 {
                                                                                 if (_e663 > f64(0f)) {
                                                                                     let _e4936 = local_18.member[0u];
@@ -10565,430 +10572,430 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                                     let _e5011 = (((_e5000[0] * _e5000[0]) + (_e5000[1] * _e5000[1])) + (_e5000[2] * _e5000[2]));
                                                                                     if (_e5011 <= 2.2250738585072014e-308lf) {
                                                                                         if (_e5011 > 0.0lf) {
-                                                                                            phi_15039_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                                            phi_15045_ = (1.464336215552873e-154lf * 2.0lf);
                                                                                         } else {
-                                                                                            phi_15039_ = 0.0lf;
+                                                                                            phi_15045_ = 0.0lf;
                                                                                         }
-                                                                                        let _e5063 = phi_15039_;
-                                                                                        phi_15103_ = _e5063;
+                                                                                        let _e5063 = phi_15045_;
+                                                                                        phi_15109_ = _e5063;
                                                                                     } else {
-                                                                                        phi_15046_ = type_16(0i, 5i);
-                                                                                        phi_15049_ = bitcast<f64>(((bitcast<u64>(_e5011) / 2lu) + 2303426169912950784lu));
+                                                                                        phi_15052_ = type_16(0i, 5i);
+                                                                                        phi_15055_ = bitcast<f64>(((bitcast<u64>(_e5011) / 2lu) + 2303426169912950784lu));
                                                                                         loop {
-                                                                                            let _e5018 = phi_15046_;
-                                                                                            let _e5020 = phi_15049_;
+                                                                                            let _e5018 = phi_15052_;
+                                                                                            let _e5020 = phi_15055_;
                                                                                             local_29 = _e5020;
                                                                                             if (_e5018.member < _e5018.member_1) {
                                                                                                 let _e5027 = (_e5018.member + 1i);
                                                                                                 if ((false == (_e5027 > _e5018.member)) != false) {
-                                                                                                    phi_15070_ = true;
+                                                                                                    phi_15076_ = true;
                                                                                                 } else {
-                                                                                                    phi_15070_ = false;
+                                                                                                    phi_15076_ = false;
                                                                                                 }
-                                                                                                let _e5032 = phi_15070_;
+                                                                                                let _e5032 = phi_15076_;
                                                                                                 if _e5032 {
-                                                                                                    phi_15076_ = type_17(0u, type_17().member_1);
+                                                                                                    phi_15082_ = type_17(0u, type_17().member_1);
                                                                                                 } else {
-                                                                                                    phi_15076_ = type_17(1u, _e5027);
+                                                                                                    phi_15082_ = type_17(1u, _e5027);
                                                                                                 }
-                                                                                                let _e5037 = phi_15076_;
-                                                                                                phi_15047_ = type_16(_e5037.member_1, _e5018.member_1);
-                                                                                                phi_15090_ = type_17(1u, _e5018.member);
+                                                                                                let _e5037 = phi_15082_;
+                                                                                                phi_15053_ = type_16(_e5037.member_1, _e5018.member_1);
+                                                                                                phi_15096_ = type_17(1u, _e5018.member);
                                                                                             } else {
-                                                                                                phi_15047_ = _e5018;
-                                                                                                phi_15090_ = type_17(0u, type_17().member_1);
+                                                                                                phi_15053_ = _e5018;
+                                                                                                phi_15096_ = type_17(0u, type_17().member_1);
                                                                                             }
-                                                                                            let _e5043 = phi_15047_;
-                                                                                            let _e5045 = phi_15090_;
+                                                                                            let _e5043 = phi_15053_;
+                                                                                            let _e5045 = phi_15096_;
                                                                                             let _e5048 = (bitcast<i32>(_e5045.member) != 0i);
                                                                                             if _e5048 {
-                                                                                                phi_15050_ = (0.5lf * (_e5020 + (_e5011 / _e5020)));
+                                                                                                phi_15056_ = (0.5lf * (_e5020 + (_e5011 / _e5020)));
                                                                                             } else {
-                                                                                                phi_15050_ = f64();
+                                                                                                phi_15056_ = f64();
                                                                                             }
-                                                                                            let _e5053 = phi_15050_;
+                                                                                            let _e5053 = phi_15056_;
                                                                                             continue;
                                                                                             continuing {
-                                                                                                phi_15046_ = _e5043;
-                                                                                                phi_15049_ = _e5053;
+                                                                                                phi_15052_ = _e5043;
+                                                                                                phi_15055_ = _e5053;
                                                                                                 break if !(_e5048);
                                                                                             }
                                                                                         }
                                                                                         let _e5058 = local_29;
-                                                                                        phi_15103_ = (_e5058 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                                        phi_15109_ = (_e5058 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                                     }
-                                                                                    let _e5065 = phi_15103_;
+                                                                                    let _e5065 = phi_15109_;
                                                                                     let _e5073 = local_18.member[0u];
                                                                                     if (_e5073[0] < 0.0lf) {
-                                                                                        phi_15121_ = -(_e5073[0]);
+                                                                                        phi_15127_ = -(_e5073[0]);
                                                                                     } else {
-                                                                                        phi_15121_ = _e5073[0];
+                                                                                        phi_15127_ = _e5073[0];
                                                                                     }
-                                                                                    let _e5080 = phi_15121_;
+                                                                                    let _e5080 = phi_15127_;
                                                                                     if (_e5073[1] < 0.0lf) {
-                                                                                        phi_15128_ = -(_e5073[1]);
+                                                                                        phi_15134_ = -(_e5073[1]);
                                                                                     } else {
-                                                                                        phi_15128_ = _e5073[1];
+                                                                                        phi_15134_ = _e5073[1];
                                                                                     }
-                                                                                    let _e5084 = phi_15128_;
+                                                                                    let _e5084 = phi_15134_;
                                                                                     if (_e5080 > _e5084) {
-                                                                                        phi_15133_ = _e5080;
+                                                                                        phi_15139_ = _e5080;
                                                                                     } else {
-                                                                                        phi_15133_ = _e5084;
+                                                                                        phi_15139_ = _e5084;
                                                                                     }
-                                                                                    let _e5087 = phi_15133_;
+                                                                                    let _e5087 = phi_15139_;
                                                                                     if (_e5073[2] < 0.0lf) {
-                                                                                        phi_15140_ = -(_e5073[2]);
+                                                                                        phi_15146_ = -(_e5073[2]);
                                                                                     } else {
-                                                                                        phi_15140_ = _e5073[2];
+                                                                                        phi_15146_ = _e5073[2];
                                                                                     }
-                                                                                    let _e5091 = phi_15140_;
+                                                                                    let _e5091 = phi_15146_;
                                                                                     if (_e5087 > _e5091) {
-                                                                                        phi_15145_ = _e5087;
+                                                                                        phi_15151_ = _e5087;
                                                                                     } else {
-                                                                                        phi_15145_ = _e5091;
+                                                                                        phi_15151_ = _e5091;
                                                                                     }
-                                                                                    let _e5094 = phi_15145_;
+                                                                                    let _e5094 = phi_15151_;
                                                                                     let _e5097 = local_18.member[1u];
                                                                                     if (_e5097[0] < 0.0lf) {
-                                                                                        phi_15158_ = -(_e5097[0]);
+                                                                                        phi_15164_ = -(_e5097[0]);
                                                                                     } else {
-                                                                                        phi_15158_ = _e5097[0];
+                                                                                        phi_15164_ = _e5097[0];
                                                                                     }
-                                                                                    let _e5104 = phi_15158_;
+                                                                                    let _e5104 = phi_15164_;
                                                                                     if (_e5097[1] < 0.0lf) {
-                                                                                        phi_15165_ = -(_e5097[1]);
+                                                                                        phi_15171_ = -(_e5097[1]);
                                                                                     } else {
-                                                                                        phi_15165_ = _e5097[1];
+                                                                                        phi_15171_ = _e5097[1];
                                                                                     }
-                                                                                    let _e5108 = phi_15165_;
+                                                                                    let _e5108 = phi_15171_;
                                                                                     if (_e5104 > _e5108) {
-                                                                                        phi_15170_ = _e5104;
+                                                                                        phi_15176_ = _e5104;
                                                                                     } else {
-                                                                                        phi_15170_ = _e5108;
+                                                                                        phi_15176_ = _e5108;
                                                                                     }
-                                                                                    let _e5111 = phi_15170_;
+                                                                                    let _e5111 = phi_15176_;
                                                                                     if (_e5097[2] < 0.0lf) {
-                                                                                        phi_15177_ = -(_e5097[2]);
+                                                                                        phi_15183_ = -(_e5097[2]);
                                                                                     } else {
-                                                                                        phi_15177_ = _e5097[2];
+                                                                                        phi_15183_ = _e5097[2];
                                                                                     }
-                                                                                    let _e5115 = phi_15177_;
+                                                                                    let _e5115 = phi_15183_;
                                                                                     if (_e5111 > _e5115) {
-                                                                                        phi_15182_ = _e5111;
+                                                                                        phi_15188_ = _e5111;
                                                                                     } else {
-                                                                                        phi_15182_ = _e5115;
+                                                                                        phi_15188_ = _e5115;
                                                                                     }
-                                                                                    let _e5118 = phi_15182_;
+                                                                                    let _e5118 = phi_15188_;
                                                                                     if (_e5094 > _e5118) {
-                                                                                        phi_15187_ = _e5094;
+                                                                                        phi_15193_ = _e5094;
                                                                                     } else {
-                                                                                        phi_15187_ = _e5118;
+                                                                                        phi_15193_ = _e5118;
                                                                                     }
-                                                                                    let _e5121 = phi_15187_;
+                                                                                    let _e5121 = phi_15193_;
                                                                                     let _e5123 = local_18.member_3;
                                                                                     let _e5127 = local_18.member_1[0u];
                                                                                     if (_e5127[0] < 0.0lf) {
-                                                                                        phi_15204_ = -(_e5127[0]);
+                                                                                        phi_15210_ = -(_e5127[0]);
                                                                                     } else {
-                                                                                        phi_15204_ = _e5127[0];
+                                                                                        phi_15210_ = _e5127[0];
                                                                                     }
-                                                                                    let _e5134 = phi_15204_;
+                                                                                    let _e5134 = phi_15210_;
                                                                                     if (_e5127[1] < 0.0lf) {
-                                                                                        phi_15211_ = -(_e5127[1]);
+                                                                                        phi_15217_ = -(_e5127[1]);
                                                                                     } else {
-                                                                                        phi_15211_ = _e5127[1];
+                                                                                        phi_15217_ = _e5127[1];
                                                                                     }
-                                                                                    let _e5138 = phi_15211_;
+                                                                                    let _e5138 = phi_15217_;
                                                                                     if (_e5134 > _e5138) {
-                                                                                        phi_15216_ = _e5134;
+                                                                                        phi_15222_ = _e5134;
                                                                                     } else {
-                                                                                        phi_15216_ = _e5138;
+                                                                                        phi_15222_ = _e5138;
                                                                                     }
-                                                                                    let _e5141 = phi_15216_;
+                                                                                    let _e5141 = phi_15222_;
                                                                                     if (_e5127[2] < 0.0lf) {
-                                                                                        phi_15223_ = -(_e5127[2]);
+                                                                                        phi_15229_ = -(_e5127[2]);
                                                                                     } else {
-                                                                                        phi_15223_ = _e5127[2];
+                                                                                        phi_15229_ = _e5127[2];
                                                                                     }
-                                                                                    let _e5145 = phi_15223_;
+                                                                                    let _e5145 = phi_15229_;
                                                                                     if (_e5141 > _e5145) {
-                                                                                        phi_15228_ = _e5141;
+                                                                                        phi_15234_ = _e5141;
                                                                                     } else {
-                                                                                        phi_15228_ = _e5145;
+                                                                                        phi_15234_ = _e5145;
                                                                                     }
-                                                                                    let _e5148 = phi_15228_;
+                                                                                    let _e5148 = phi_15234_;
                                                                                     let _e5151 = local_18.member_1[1u];
                                                                                     if (_e5151[0] < 0.0lf) {
-                                                                                        phi_15242_ = -(_e5151[0]);
+                                                                                        phi_15248_ = -(_e5151[0]);
                                                                                     } else {
-                                                                                        phi_15242_ = _e5151[0];
+                                                                                        phi_15248_ = _e5151[0];
                                                                                     }
-                                                                                    let _e5158 = phi_15242_;
+                                                                                    let _e5158 = phi_15248_;
                                                                                     if (_e5151[1] < 0.0lf) {
-                                                                                        phi_15249_ = -(_e5151[1]);
+                                                                                        phi_15255_ = -(_e5151[1]);
                                                                                     } else {
-                                                                                        phi_15249_ = _e5151[1];
+                                                                                        phi_15255_ = _e5151[1];
                                                                                     }
-                                                                                    let _e5162 = phi_15249_;
+                                                                                    let _e5162 = phi_15255_;
                                                                                     if (_e5158 > _e5162) {
-                                                                                        phi_15254_ = _e5158;
+                                                                                        phi_15260_ = _e5158;
                                                                                     } else {
-                                                                                        phi_15254_ = _e5162;
+                                                                                        phi_15260_ = _e5162;
                                                                                     }
-                                                                                    let _e5165 = phi_15254_;
+                                                                                    let _e5165 = phi_15260_;
                                                                                     if (_e5151[2] < 0.0lf) {
-                                                                                        phi_15261_ = -(_e5151[2]);
+                                                                                        phi_15267_ = -(_e5151[2]);
                                                                                     } else {
-                                                                                        phi_15261_ = _e5151[2];
+                                                                                        phi_15267_ = _e5151[2];
                                                                                     }
-                                                                                    let _e5169 = phi_15261_;
+                                                                                    let _e5169 = phi_15267_;
                                                                                     if (_e5165 > _e5169) {
-                                                                                        phi_15266_ = _e5165;
+                                                                                        phi_15272_ = _e5165;
                                                                                     } else {
-                                                                                        phi_15266_ = _e5169;
+                                                                                        phi_15272_ = _e5169;
                                                                                     }
-                                                                                    let _e5172 = phi_15266_;
+                                                                                    let _e5172 = phi_15272_;
                                                                                     if (_e5148 > _e5172) {
-                                                                                        phi_15271_ = _e5148;
+                                                                                        phi_15277_ = _e5148;
                                                                                     } else {
-                                                                                        phi_15271_ = _e5172;
+                                                                                        phi_15277_ = _e5172;
                                                                                     }
-                                                                                    let _e5175 = phi_15271_;
+                                                                                    let _e5175 = phi_15277_;
                                                                                     let _e5177 = local_18.member_3;
                                                                                     let _e5181 = local_18.member_2[0u];
                                                                                     if (_e5181[0] < 0.0lf) {
-                                                                                        phi_15288_ = -(_e5181[0]);
+                                                                                        phi_15294_ = -(_e5181[0]);
                                                                                     } else {
-                                                                                        phi_15288_ = _e5181[0];
+                                                                                        phi_15294_ = _e5181[0];
                                                                                     }
-                                                                                    let _e5188 = phi_15288_;
+                                                                                    let _e5188 = phi_15294_;
                                                                                     if (_e5181[1] < 0.0lf) {
-                                                                                        phi_15295_ = -(_e5181[1]);
+                                                                                        phi_15301_ = -(_e5181[1]);
                                                                                     } else {
-                                                                                        phi_15295_ = _e5181[1];
+                                                                                        phi_15301_ = _e5181[1];
                                                                                     }
-                                                                                    let _e5192 = phi_15295_;
+                                                                                    let _e5192 = phi_15301_;
                                                                                     if (_e5188 > _e5192) {
-                                                                                        phi_15300_ = _e5188;
+                                                                                        phi_15306_ = _e5188;
                                                                                     } else {
-                                                                                        phi_15300_ = _e5192;
+                                                                                        phi_15306_ = _e5192;
                                                                                     }
-                                                                                    let _e5195 = phi_15300_;
+                                                                                    let _e5195 = phi_15306_;
                                                                                     if (_e5181[2] < 0.0lf) {
-                                                                                        phi_15307_ = -(_e5181[2]);
+                                                                                        phi_15313_ = -(_e5181[2]);
                                                                                     } else {
-                                                                                        phi_15307_ = _e5181[2];
+                                                                                        phi_15313_ = _e5181[2];
                                                                                     }
-                                                                                    let _e5199 = phi_15307_;
+                                                                                    let _e5199 = phi_15313_;
                                                                                     if (_e5195 > _e5199) {
-                                                                                        phi_15312_ = _e5195;
+                                                                                        phi_15318_ = _e5195;
                                                                                     } else {
-                                                                                        phi_15312_ = _e5199;
+                                                                                        phi_15318_ = _e5199;
                                                                                     }
-                                                                                    let _e5202 = phi_15312_;
+                                                                                    let _e5202 = phi_15318_;
                                                                                     let _e5205 = local_18.member_2[1u];
                                                                                     if (_e5205[0] < 0.0lf) {
-                                                                                        phi_15326_ = -(_e5205[0]);
+                                                                                        phi_15332_ = -(_e5205[0]);
                                                                                     } else {
-                                                                                        phi_15326_ = _e5205[0];
+                                                                                        phi_15332_ = _e5205[0];
                                                                                     }
-                                                                                    let _e5212 = phi_15326_;
+                                                                                    let _e5212 = phi_15332_;
                                                                                     if (_e5205[1] < 0.0lf) {
-                                                                                        phi_15333_ = -(_e5205[1]);
+                                                                                        phi_15339_ = -(_e5205[1]);
                                                                                     } else {
-                                                                                        phi_15333_ = _e5205[1];
+                                                                                        phi_15339_ = _e5205[1];
                                                                                     }
-                                                                                    let _e5216 = phi_15333_;
+                                                                                    let _e5216 = phi_15339_;
                                                                                     if (_e5212 > _e5216) {
-                                                                                        phi_15338_ = _e5212;
+                                                                                        phi_15344_ = _e5212;
                                                                                     } else {
-                                                                                        phi_15338_ = _e5216;
+                                                                                        phi_15344_ = _e5216;
                                                                                     }
-                                                                                    let _e5219 = phi_15338_;
+                                                                                    let _e5219 = phi_15344_;
                                                                                     if (_e5205[2] < 0.0lf) {
-                                                                                        phi_15345_ = -(_e5205[2]);
+                                                                                        phi_15351_ = -(_e5205[2]);
                                                                                     } else {
-                                                                                        phi_15345_ = _e5205[2];
+                                                                                        phi_15351_ = _e5205[2];
                                                                                     }
-                                                                                    let _e5223 = phi_15345_;
+                                                                                    let _e5223 = phi_15351_;
                                                                                     if (_e5219 > _e5223) {
-                                                                                        phi_15350_ = _e5219;
+                                                                                        phi_15356_ = _e5219;
                                                                                     } else {
-                                                                                        phi_15350_ = _e5223;
+                                                                                        phi_15356_ = _e5223;
                                                                                     }
-                                                                                    let _e5226 = phi_15350_;
+                                                                                    let _e5226 = phi_15356_;
                                                                                     if (_e5202 > _e5226) {
-                                                                                        phi_15355_ = _e5202;
+                                                                                        phi_15361_ = _e5202;
                                                                                     } else {
-                                                                                        phi_15355_ = _e5226;
+                                                                                        phi_15361_ = _e5226;
                                                                                     }
-                                                                                    let _e5229 = phi_15355_;
+                                                                                    let _e5229 = phi_15361_;
                                                                                     let _e5231 = local_18.member_3;
                                                                                     let _e5239 = local_18.member_3;
                                                                                     if (((_e5065 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5121 + _e5123) + (_e5175 + _e5177)) + (_e5229 + _e5231)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5239 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e663) {
-                                                                                        phi_15379_ = false;
+                                                                                        phi_15385_ = false;
                                                                                     } else {
-                                                                                        phi_15379_ = true;
+                                                                                        phi_15385_ = true;
                                                                                     }
-                                                                                    let _e5251 = phi_15379_;
-                                                                                    phi_15380_ = _e5251;
+                                                                                    let _e5251 = phi_15385_;
+                                                                                    phi_15386_ = _e5251;
                                                                                 } else {
-                                                                                    phi_15380_ = true;
+                                                                                    phi_15386_ = true;
                                                                                 }
-                                                                                let _e5253 = phi_15380_;
-                                                                                phi_15381_ = _e5253;
+                                                                                let _e5253 = phi_15386_;
+                                                                                phi_15387_ = _e5253;
                                                                             } else {
-                                                                                phi_15381_ = true;
+                                                                                phi_15387_ = true;
                                                                             }
-                                                                            let _e5255 = phi_15381_;
+                                                                            let _e5255 = phi_15387_;
                                                                             if _e5255 {
                                                                                 if _e4127 {
                                                                                     if _e4925 {
-                                                                                        phi_15400_ = f64();
-                                                                                        phi_15401_ = true;
+                                                                                        phi_15406_ = f64();
+                                                                                        phi_15407_ = true;
                                                                                     } else {
                                                                                         if (_e4924 <= (_e4123 * f64(0.25f))) {
-                                                                                            phi_15398_ = f64(0f);
-                                                                                            phi_15399_ = false;
+                                                                                            phi_15404_ = f64(0f);
+                                                                                            phi_15405_ = false;
                                                                                         } else {
-                                                                                            phi_15398_ = f64();
-                                                                                            phi_15399_ = true;
+                                                                                            phi_15404_ = f64();
+                                                                                            phi_15405_ = true;
                                                                                         }
-                                                                                        let _e5262 = phi_15398_;
-                                                                                        let _e5264 = phi_15399_;
-                                                                                        phi_15400_ = _e5262;
-                                                                                        phi_15401_ = _e5264;
+                                                                                        let _e5262 = phi_15404_;
+                                                                                        let _e5264 = phi_15405_;
+                                                                                        phi_15406_ = _e5262;
+                                                                                        phi_15407_ = _e5264;
                                                                                     }
-                                                                                    let _e5266 = phi_15400_;
-                                                                                    let _e5268 = phi_15401_;
+                                                                                    let _e5266 = phi_15406_;
+                                                                                    let _e5268 = phi_15407_;
                                                                                     if _e5268 {
-                                                                                        phi_15406_ = (_e4452 + _e4452);
+                                                                                        phi_15412_ = (_e4452 + _e4452);
                                                                                     } else {
-                                                                                        phi_15406_ = _e5266;
+                                                                                        phi_15412_ = _e5266;
                                                                                     }
-                                                                                    let _e5271 = phi_15406_;
-                                                                                    phi_15408_ = _e5271;
+                                                                                    let _e5271 = phi_15412_;
+                                                                                    phi_15414_ = _e5271;
                                                                                 } else {
-                                                                                    phi_15408_ = (_e3143.member_1 - _e4119);
+                                                                                    phi_15414_ = (_e3143.member_1 - _e4119);
                                                                                 }
-                                                                                let _e5273 = phi_15408_;
-                                                                                phi_15409_ = _e5273;
-                                                                                phi_15410_ = false;
+                                                                                let _e5273 = phi_15414_;
+                                                                                phi_15415_ = _e5273;
+                                                                                phi_15416_ = false;
                                                                             } else {
-                                                                                phi_15409_ = f64();
-                                                                                phi_15410_ = true;
+                                                                                phi_15415_ = f64();
+                                                                                phi_15416_ = true;
                                                                             }
-                                                                            let _e5275 = phi_15409_;
-                                                                            let _e5277 = phi_15410_;
-                                                                            phi_15411_ = _e5275;
-                                                                            phi_15412_ = _e4924;
-                                                                            phi_15413_ = _e5255;
-                                                                            phi_15414_ = _e5277;
+                                                                            let _e5275 = phi_15415_;
+                                                                            let _e5277 = phi_15416_;
+                                                                            phi_15417_ = _e5275;
+                                                                            phi_15418_ = _e4924;
+                                                                            phi_15419_ = _e5255;
+                                                                            phi_15420_ = _e5277;
                                                                         }
-                                                                        let _e5279 = phi_15411_;
-                                                                        let _e5281 = phi_15412_;
-                                                                        let _e5283 = phi_15413_;
-                                                                        let _e5285 = phi_15414_;
-                                                                        phi_15415_ = _e4922;
-                                                                        phi_15416_ = _e5279;
-                                                                        phi_15417_ = _e5281;
-                                                                        phi_15418_ = _e4922;
-                                                                        phi_15419_ = _e5283;
-                                                                        phi_15420_ = _e4923;
-                                                                        phi_15421_ = _e5285;
-                                                                        phi_15422_ = false;
+                                                                        let _e5279 = phi_15417_;
+                                                                        let _e5281 = phi_15418_;
+                                                                        let _e5283 = phi_15419_;
+                                                                        let _e5285 = phi_15420_;
+                                                                        phi_15421_ = _e4922;
+                                                                        phi_15422_ = _e5279;
+                                                                        phi_15423_ = _e5281;
+                                                                        phi_15424_ = _e4922;
+                                                                        phi_15425_ = _e5283;
+                                                                        phi_15426_ = _e4923;
+                                                                        phi_15427_ = _e5285;
+                                                                        phi_15428_ = false;
                                                                     } else {
-                                                                        phi_15415_ = f64();
-                                                                        phi_15416_ = f64();
-                                                                        phi_15417_ = f64();
-                                                                        phi_15418_ = f64();
-                                                                        phi_15419_ = false;
-                                                                        phi_15420_ = false;
-                                                                        phi_15421_ = false;
-                                                                        phi_15422_ = true;
+                                                                        phi_15421_ = f64();
+                                                                        phi_15422_ = f64();
+                                                                        phi_15423_ = f64();
+                                                                        phi_15424_ = f64();
+                                                                        phi_15425_ = false;
+                                                                        phi_15426_ = false;
+                                                                        phi_15427_ = false;
+                                                                        phi_15428_ = true;
                                                                     }
-                                                                    let _e5287 = phi_15415_;
-                                                                    let _e5289 = phi_15416_;
-                                                                    let _e5291 = phi_15417_;
-                                                                    let _e5293 = phi_15418_;
-                                                                    let _e5295 = phi_15419_;
-                                                                    let _e5297 = phi_15420_;
-                                                                    let _e5299 = phi_15421_;
-                                                                    let _e5301 = phi_15422_;
-                                                                    phi_15423_ = _e5287;
-                                                                    phi_15424_ = _e5289;
-                                                                    phi_15425_ = _e5291;
-                                                                    phi_15426_ = _e5293;
-                                                                    phi_15427_ = false;
-                                                                    phi_15428_ = _e5295;
-                                                                    phi_15429_ = _e5297;
-                                                                    phi_15430_ = _e5299;
-                                                                    phi_15431_ = _e5301;
+                                                                    let _e5287 = phi_15421_;
+                                                                    let _e5289 = phi_15422_;
+                                                                    let _e5291 = phi_15423_;
+                                                                    let _e5293 = phi_15424_;
+                                                                    let _e5295 = phi_15425_;
+                                                                    let _e5297 = phi_15426_;
+                                                                    let _e5299 = phi_15427_;
+                                                                    let _e5301 = phi_15428_;
+                                                                    phi_15429_ = _e5287;
+                                                                    phi_15430_ = _e5289;
+                                                                    phi_15431_ = _e5291;
+                                                                    phi_15432_ = _e5293;
+                                                                    phi_15433_ = false;
+                                                                    phi_15434_ = _e5295;
+                                                                    phi_15435_ = _e5297;
+                                                                    phi_15436_ = _e5299;
+                                                                    phi_15437_ = _e5301;
                                                                 } else {
-                                                                    phi_15423_ = f64();
-                                                                    phi_15424_ = f64();
-                                                                    phi_15425_ = f64();
-                                                                    phi_15426_ = f64();
-                                                                    phi_15427_ = true;
-                                                                    phi_15428_ = false;
-                                                                    phi_15429_ = false;
-                                                                    phi_15430_ = false;
-                                                                    phi_15431_ = false;
+                                                                    phi_15429_ = f64();
+                                                                    phi_15430_ = f64();
+                                                                    phi_15431_ = f64();
+                                                                    phi_15432_ = f64();
+                                                                    phi_15433_ = true;
+                                                                    phi_15434_ = false;
+                                                                    phi_15435_ = false;
+                                                                    phi_15436_ = false;
+                                                                    phi_15437_ = false;
                                                                 }
-                                                                let _e5303 = phi_15423_;
-                                                                let _e5305 = phi_15424_;
-                                                                let _e5307 = phi_15425_;
-                                                                let _e5309 = phi_15426_;
-                                                                let _e5311 = phi_15427_;
-                                                                let _e5313 = phi_15428_;
-                                                                let _e5315 = phi_15429_;
-                                                                let _e5317 = phi_15430_;
-                                                                let _e5319 = phi_15431_;
-                                                                phi_15432_ = _e5303;
-                                                                phi_15433_ = _e5305;
-                                                                phi_15434_ = _e5307;
-                                                                phi_15435_ = _e5309;
-                                                                phi_15436_ = _e5311;
-                                                                phi_15437_ = _e5313;
-                                                                phi_15438_ = _e5315;
-                                                                phi_15439_ = _e5317;
-                                                                phi_15440_ = _e5319;
+                                                                let _e5303 = phi_15429_;
+                                                                let _e5305 = phi_15430_;
+                                                                let _e5307 = phi_15431_;
+                                                                let _e5309 = phi_15432_;
+                                                                let _e5311 = phi_15433_;
+                                                                let _e5313 = phi_15434_;
+                                                                let _e5315 = phi_15435_;
+                                                                let _e5317 = phi_15436_;
+                                                                let _e5319 = phi_15437_;
+                                                                phi_15438_ = _e5303;
+                                                                phi_15439_ = _e5305;
+                                                                phi_15440_ = _e5307;
+                                                                phi_15441_ = _e5309;
+                                                                phi_15442_ = _e5311;
+                                                                phi_15443_ = _e5313;
+                                                                phi_15444_ = _e5315;
+                                                                phi_15445_ = _e5317;
+                                                                phi_15446_ = _e5319;
                                                             } else {
-                                                                phi_15432_ = f64();
-                                                                phi_15433_ = f64();
-                                                                phi_15434_ = f64();
-                                                                phi_15435_ = f64();
-                                                                phi_15436_ = true;
-                                                                phi_15437_ = false;
-                                                                phi_15438_ = false;
-                                                                phi_15439_ = false;
-                                                                phi_15440_ = false;
+                                                                phi_15438_ = f64();
+                                                                phi_15439_ = f64();
+                                                                phi_15440_ = f64();
+                                                                phi_15441_ = f64();
+                                                                phi_15442_ = true;
+                                                                phi_15443_ = false;
+                                                                phi_15444_ = false;
+                                                                phi_15445_ = false;
+                                                                phi_15446_ = false;
                                                             }
-                                                            let _e5321 = phi_15432_;
-                                                            let _e5323 = phi_15433_;
-                                                            let _e5325 = phi_15434_;
-                                                            let _e5327 = phi_15435_;
-                                                            let _e5329 = phi_15436_;
-                                                            let _e5331 = phi_15437_;
-                                                            let _e5333 = phi_15438_;
-                                                            let _e5335 = phi_15439_;
-                                                            let _e5337 = phi_15440_;
+                                                            let _e5321 = phi_15438_;
+                                                            let _e5323 = phi_15439_;
+                                                            let _e5325 = phi_15440_;
+                                                            let _e5327 = phi_15441_;
+                                                            let _e5329 = phi_15442_;
+                                                            let _e5331 = phi_15443_;
+                                                            let _e5333 = phi_15444_;
+                                                            let _e5335 = phi_15445_;
+                                                            let _e5337 = phi_15446_;
                                                             if _e5329 {
                                                                 if (_e4119 <= _e4121) {
                                                                     let _e5503 = (_e4129 + 1u);
                                                                     let _e5504 = (_e5503 > 3u);
                                                                     if _e5504 {
-                                                                        phi_15453_ = false;
+                                                                        phi_15459_ = false;
                                                                     } else {
-                                                                        phi_15453_ = true;
+                                                                        phi_15459_ = true;
                                                                     }
-                                                                    let _e5506 = phi_15453_;
-                                                                    phi_15780_ = _e5503;
-                                                                    phi_15781_ = f64();
-                                                                    phi_15782_ = false;
-                                                                    phi_15783_ = _e5506;
-                                                                    phi_15784_ = _e5504;
+                                                                    let _e5506 = phi_15459_;
+                                                                    phi_15786_ = _e5503;
+                                                                    phi_15787_ = f64();
+                                                                    phi_15788_ = false;
+                                                                    phi_15789_ = _e5506;
+                                                                    phi_15790_ = _e5504;
                                                                 } else {
                                                                     let _e5341 = local.member[0u];
                                                                     let _e5344 = local.member_1[0u];
@@ -11001,11 +11008,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5369 = local.member_2[1u];
                                                                     let _e5370 = ((_e5357 + ((_e5360 - _e5363) * _e4125)) - _e5369);
                                                                     if (_e5354 < _e5370) {
-                                                                        phi_15526_ = _e5354;
+                                                                        phi_15532_ = _e5354;
                                                                     } else {
-                                                                        phi_15526_ = _e5370;
+                                                                        phi_15532_ = _e5370;
                                                                     }
-                                                                    let _e5373 = phi_15526_;
+                                                                    let _e5373 = phi_15532_;
                                                                     let _e5376 = local.member[2u];
                                                                     let _e5379 = local.member_1[2u];
                                                                     let _e5382 = local.member[2u];
@@ -11017,17 +11024,17 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5404 = local.member_2[3u];
                                                                     let _e5405 = ((_e5392 + ((_e5395 - _e5398) * _e4125)) - _e5404);
                                                                     if (_e5389 < _e5405) {
-                                                                        phi_15599_ = _e5389;
+                                                                        phi_15605_ = _e5389;
                                                                     } else {
-                                                                        phi_15599_ = _e5405;
+                                                                        phi_15605_ = _e5405;
                                                                     }
-                                                                    let _e5408 = phi_15599_;
+                                                                    let _e5408 = phi_15605_;
                                                                     if (_e5373 < _e5408) {
-                                                                        phi_15604_ = _e5373;
+                                                                        phi_15610_ = _e5373;
                                                                     } else {
-                                                                        phi_15604_ = _e5408;
+                                                                        phi_15610_ = _e5408;
                                                                     }
-                                                                    let _e5411 = phi_15604_;
+                                                                    let _e5411 = phi_15610_;
                                                                     let _e5414 = local_1.member[0u];
                                                                     let _e5417 = local_1.member_1[0u];
                                                                     let _e5420 = local_1.member[0u];
@@ -11039,11 +11046,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5442 = local_1.member_2[1u];
                                                                     let _e5443 = ((_e5430 + ((_e5433 - _e5436) * _e4119)) - _e5442);
                                                                     if (_e5427 < _e5443) {
-                                                                        phi_15677_ = _e5427;
+                                                                        phi_15683_ = _e5427;
                                                                     } else {
-                                                                        phi_15677_ = _e5443;
+                                                                        phi_15683_ = _e5443;
                                                                     }
-                                                                    let _e5446 = phi_15677_;
+                                                                    let _e5446 = phi_15683_;
                                                                     let _e5449 = local_1.member[2u];
                                                                     let _e5452 = local_1.member_1[2u];
                                                                     let _e5455 = local_1.member[2u];
@@ -11055,201 +11062,201 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     let _e5477 = local_1.member_2[3u];
                                                                     let _e5478 = ((_e5465 + ((_e5468 - _e5471) * _e4119)) - _e5477);
                                                                     if (_e5462 < _e5478) {
-                                                                        phi_15750_ = _e5462;
+                                                                        phi_15756_ = _e5462;
                                                                     } else {
-                                                                        phi_15750_ = _e5478;
+                                                                        phi_15756_ = _e5478;
                                                                     }
-                                                                    let _e5481 = phi_15750_;
+                                                                    let _e5481 = phi_15756_;
                                                                     if (_e5446 < _e5481) {
-                                                                        phi_15755_ = _e5446;
+                                                                        phi_15761_ = _e5446;
                                                                     } else {
-                                                                        phi_15755_ = _e5481;
+                                                                        phi_15761_ = _e5481;
                                                                     }
-                                                                    let _e5484 = phi_15755_;
+                                                                    let _e5484 = phi_15761_;
                                                                     let _e5485 = f64(0.0625f);
                                                                     let _e5487 = f64(0.9f);
                                                                     if (_e5484 > f64(0f)) {
-                                                                        phi_15778_ = f64(0.5f);
+                                                                        phi_15784_ = f64(0.5f);
                                                                     } else {
                                                                         let _e5493 = (f64(0.95f) * (_e5411 / (_e5411 - _e5484)));
                                                                         if (_e5493 > _e5485) {
                                                                             if (_e5493 < _e5487) {
-                                                                                phi_15776_ = _e5493;
+                                                                                phi_15782_ = _e5493;
                                                                             } else {
-                                                                                phi_15776_ = _e5487;
+                                                                                phi_15782_ = _e5487;
                                                                             }
-                                                                            let _e5497 = phi_15776_;
-                                                                            phi_15777_ = _e5497;
+                                                                            let _e5497 = phi_15782_;
+                                                                            phi_15783_ = _e5497;
                                                                         } else {
-                                                                            phi_15777_ = _e5485;
+                                                                            phi_15783_ = _e5485;
                                                                         }
-                                                                        let _e5499 = phi_15777_;
-                                                                        phi_15778_ = _e5499;
+                                                                        let _e5499 = phi_15783_;
+                                                                        phi_15784_ = _e5499;
                                                                     }
-                                                                    let _e5501 = phi_15778_;
-                                                                    phi_15780_ = u32();
-                                                                    phi_15781_ = (_e4452 * _e5501);
-                                                                    phi_15782_ = true;
-                                                                    phi_15783_ = false;
-                                                                    phi_15784_ = false;
+                                                                    let _e5501 = phi_15784_;
+                                                                    phi_15786_ = u32();
+                                                                    phi_15787_ = (_e4452 * _e5501);
+                                                                    phi_15788_ = true;
+                                                                    phi_15789_ = false;
+                                                                    phi_15790_ = false;
                                                                 }
-                                                                let _e5508 = phi_15780_;
-                                                                let _e5510 = phi_15781_;
-                                                                let _e5512 = phi_15782_;
-                                                                let _e5514 = phi_15783_;
-                                                                let _e5516 = phi_15784_;
-                                                                phi_15785_ = _e5508;
-                                                                phi_15786_ = _e4121;
-                                                                phi_15787_ = _e5510;
-                                                                phi_15788_ = _e4123;
-                                                                phi_15789_ = _e4125;
-                                                                phi_15790_ = _e4127;
-                                                                phi_15791_ = _e4129;
-                                                                phi_15792_ = _e5512;
-                                                                phi_15793_ = _e5514;
-                                                                phi_15794_ = _e5516;
-                                                                phi_15795_ = false;
-                                                                phi_15796_ = false;
-                                                                phi_15797_ = false;
+                                                                let _e5508 = phi_15786_;
+                                                                let _e5510 = phi_15787_;
+                                                                let _e5512 = phi_15788_;
+                                                                let _e5514 = phi_15789_;
+                                                                let _e5516 = phi_15790_;
+                                                                phi_15791_ = _e5508;
+                                                                phi_15792_ = _e4121;
+                                                                phi_15793_ = _e5510;
+                                                                phi_15794_ = _e4123;
+                                                                phi_15795_ = _e4125;
+                                                                phi_15796_ = _e4127;
+                                                                phi_15797_ = _e4129;
+                                                                phi_15798_ = _e5512;
+                                                                phi_15799_ = _e5514;
+                                                                phi_15800_ = _e5516;
+                                                                phi_15801_ = false;
+                                                                phi_15802_ = false;
+                                                                phi_15803_ = false;
                                                             } else {
-                                                                phi_15785_ = u32();
-                                                                phi_15786_ = _e5321;
-                                                                phi_15787_ = _e5323;
-                                                                phi_15788_ = _e5325;
-                                                                phi_15789_ = _e4119;
-                                                                phi_15790_ = true;
-                                                                phi_15791_ = 0u;
-                                                                phi_15792_ = _e5331;
-                                                                phi_15793_ = false;
-                                                                phi_15794_ = false;
-                                                                phi_15795_ = _e5333;
-                                                                phi_15796_ = _e5335;
-                                                                phi_15797_ = _e5337;
+                                                                phi_15791_ = u32();
+                                                                phi_15792_ = _e5321;
+                                                                phi_15793_ = _e5323;
+                                                                phi_15794_ = _e5325;
+                                                                phi_15795_ = _e4119;
+                                                                phi_15796_ = true;
+                                                                phi_15797_ = 0u;
+                                                                phi_15798_ = _e5331;
+                                                                phi_15799_ = false;
+                                                                phi_15800_ = false;
+                                                                phi_15801_ = _e5333;
+                                                                phi_15802_ = _e5335;
+                                                                phi_15803_ = _e5337;
                                                             }
-                                                            let _e5518 = phi_15785_;
-                                                            let _e5520 = phi_15786_;
-                                                            let _e5522 = phi_15787_;
-                                                            let _e5524 = phi_15788_;
-                                                            let _e5526 = phi_15789_;
-                                                            let _e5528 = phi_15790_;
-                                                            let _e5530 = phi_15791_;
-                                                            let _e5532 = phi_15792_;
-                                                            let _e5534 = phi_15793_;
-                                                            let _e5536 = phi_15794_;
-                                                            let _e5538 = phi_15795_;
-                                                            let _e5540 = phi_15796_;
-                                                            let _e5542 = phi_15797_;
+                                                            let _e5518 = phi_15791_;
+                                                            let _e5520 = phi_15792_;
+                                                            let _e5522 = phi_15793_;
+                                                            let _e5524 = phi_15794_;
+                                                            let _e5526 = phi_15795_;
+                                                            let _e5528 = phi_15796_;
+                                                            let _e5530 = phi_15797_;
+                                                            let _e5532 = phi_15798_;
+                                                            let _e5534 = phi_15799_;
+                                                            let _e5536 = phi_15800_;
+                                                            let _e5538 = phi_15801_;
+                                                            let _e5540 = phi_15802_;
+                                                            let _e5542 = phi_15803_;
                                                             if _e5532 {
                                                                 let _e5543 = (_e5526 + _e5522);
                                                                 if (_e5543 > _e5520) {
-                                                                    phi_15806_ = _e5543;
+                                                                    phi_15812_ = _e5543;
                                                                 } else {
-                                                                    phi_15806_ = _e5520;
+                                                                    phi_15812_ = _e5520;
                                                                 }
-                                                                let _e5546 = phi_15806_;
+                                                                let _e5546 = phi_15812_;
                                                                 if (_e5546 < _e3143.member_1) {
-                                                                    phi_15811_ = _e5546;
+                                                                    phi_15817_ = _e5546;
                                                                 } else {
-                                                                    phi_15811_ = _e3143.member_1;
+                                                                    phi_15817_ = _e3143.member_1;
                                                                 }
-                                                                let _e5549 = phi_15811_;
+                                                                let _e5549 = phi_15817_;
                                                                 if !(_e4127) {
-                                                                    phi_15820_ = true;
+                                                                    phi_15826_ = true;
                                                                 } else {
-                                                                    phi_15820_ = ((_e5549 - _e5526) > _e4108);
+                                                                    phi_15826_ = ((_e5549 - _e5526) > _e4108);
                                                                 }
-                                                                let _e5553 = phi_15820_;
+                                                                let _e5553 = phi_15826_;
                                                                 if _e5553 {
-                                                                    phi_15824_ = false;
+                                                                    phi_15830_ = false;
                                                                 } else {
-                                                                    phi_15824_ = true;
+                                                                    phi_15830_ = true;
                                                                 }
-                                                                let _e5555 = phi_15824_;
-                                                                phi_15825_ = _e5549;
-                                                                phi_15826_ = _e5520;
-                                                                phi_15827_ = _e5524;
-                                                                phi_15828_ = _e5526;
-                                                                phi_15829_ = _e5528;
-                                                                phi_15830_ = _e5530;
-                                                                phi_15831_ = _e5553;
-                                                                phi_15832_ = _e5555;
-                                                                phi_15833_ = false;
-                                                                phi_15834_ = false;
-                                                                phi_15835_ = false;
-                                                                phi_15836_ = false;
+                                                                let _e5555 = phi_15830_;
+                                                                phi_15831_ = _e5549;
+                                                                phi_15832_ = _e5520;
+                                                                phi_15833_ = _e5524;
+                                                                phi_15834_ = _e5526;
+                                                                phi_15835_ = _e5528;
+                                                                phi_15836_ = _e5530;
+                                                                phi_15837_ = _e5553;
+                                                                phi_15838_ = _e5555;
+                                                                phi_15839_ = false;
+                                                                phi_15840_ = false;
+                                                                phi_15841_ = false;
+                                                                phi_15842_ = false;
                                                             } else {
-                                                                phi_15825_ = _e4119;
-                                                                phi_15826_ = _e4121;
-                                                                phi_15827_ = _e4123;
-                                                                phi_15828_ = _e4125;
-                                                                phi_15829_ = _e4127;
-                                                                phi_15830_ = _e5518;
-                                                                phi_15831_ = _e5534;
-                                                                phi_15832_ = false;
-                                                                phi_15833_ = _e5536;
-                                                                phi_15834_ = _e5538;
-                                                                phi_15835_ = _e5540;
-                                                                phi_15836_ = _e5542;
+                                                                phi_15831_ = _e4119;
+                                                                phi_15832_ = _e4121;
+                                                                phi_15833_ = _e4123;
+                                                                phi_15834_ = _e4125;
+                                                                phi_15835_ = _e4127;
+                                                                phi_15836_ = _e5518;
+                                                                phi_15837_ = _e5534;
+                                                                phi_15838_ = false;
+                                                                phi_15839_ = _e5536;
+                                                                phi_15840_ = _e5538;
+                                                                phi_15841_ = _e5540;
+                                                                phi_15842_ = _e5542;
                                                             }
-                                                            let _e5557 = phi_15825_;
-                                                            let _e5559 = phi_15826_;
-                                                            let _e5561 = phi_15827_;
-                                                            let _e5563 = phi_15828_;
-                                                            let _e5565 = phi_15829_;
-                                                            let _e5567 = phi_15830_;
-                                                            let _e5569 = phi_15831_;
-                                                            let _e5571 = phi_15832_;
-                                                            let _e5573 = phi_15833_;
-                                                            let _e5575 = phi_15834_;
-                                                            let _e5577 = phi_15835_;
-                                                            let _e5579 = phi_15836_;
-                                                            phi_13615_ = _e5557;
-                                                            phi_13617_ = _e5559;
-                                                            phi_13619_ = _e5561;
-                                                            phi_13621_ = _e5563;
-                                                            phi_13623_ = _e5565;
-                                                            phi_13625_ = _e5567;
-                                                            phi_15837_ = _e5520;
-                                                            phi_15838_ = _e5327;
-                                                            phi_15839_ = _e5569;
-                                                            phi_15840_ = _e5571;
-                                                            phi_15841_ = _e5573;
-                                                            phi_15842_ = _e5575;
-                                                            phi_15843_ = _e5577;
-                                                            phi_15844_ = false;
-                                                            phi_15845_ = _e5579;
+                                                            let _e5557 = phi_15831_;
+                                                            let _e5559 = phi_15832_;
+                                                            let _e5561 = phi_15833_;
+                                                            let _e5563 = phi_15834_;
+                                                            let _e5565 = phi_15835_;
+                                                            let _e5567 = phi_15836_;
+                                                            let _e5569 = phi_15837_;
+                                                            let _e5571 = phi_15838_;
+                                                            let _e5573 = phi_15839_;
+                                                            let _e5575 = phi_15840_;
+                                                            let _e5577 = phi_15841_;
+                                                            let _e5579 = phi_15842_;
+                                                            phi_13621_ = _e5557;
+                                                            phi_13623_ = _e5559;
+                                                            phi_13625_ = _e5561;
+                                                            phi_13627_ = _e5563;
+                                                            phi_13629_ = _e5565;
+                                                            phi_13631_ = _e5567;
+                                                            phi_15843_ = _e5520;
+                                                            phi_15844_ = _e5327;
+                                                            phi_15845_ = _e5569;
+                                                            phi_15846_ = _e5571;
+                                                            phi_15847_ = _e5573;
+                                                            phi_15848_ = _e5575;
+                                                            phi_15849_ = _e5577;
+                                                            phi_15850_ = false;
+                                                            phi_15851_ = _e5579;
                                                         } else {
-                                                            phi_13615_ = f64();
-                                                            phi_13617_ = f64();
-                                                            phi_13619_ = f64();
                                                             phi_13621_ = f64();
-                                                            phi_13623_ = bool();
-                                                            phi_13625_ = u32();
-                                                            phi_15837_ = f64();
-                                                            phi_15838_ = f64();
-                                                            phi_15839_ = false;
-                                                            phi_15840_ = false;
-                                                            phi_15841_ = false;
-                                                            phi_15842_ = false;
-                                                            phi_15843_ = false;
-                                                            phi_15844_ = true;
+                                                            phi_13623_ = f64();
+                                                            phi_13625_ = f64();
+                                                            phi_13627_ = f64();
+                                                            phi_13629_ = bool();
+                                                            phi_13631_ = u32();
+                                                            phi_15843_ = f64();
+                                                            phi_15844_ = f64();
                                                             phi_15845_ = false;
+                                                            phi_15846_ = false;
+                                                            phi_15847_ = false;
+                                                            phi_15848_ = false;
+                                                            phi_15849_ = false;
+                                                            phi_15850_ = true;
+                                                            phi_15851_ = false;
                                                         }
-                                                        let _e5581 = phi_13615_;
-                                                        let _e5583 = phi_13617_;
-                                                        let _e5585 = phi_13619_;
-                                                        let _e5587 = phi_13621_;
-                                                        let _e5589 = phi_13623_;
-                                                        let _e5591 = phi_13625_;
-                                                        let _e5593 = phi_15837_;
-                                                        let _e5595 = phi_15838_;
-                                                        let _e5597 = phi_15839_;
-                                                        let _e5599 = phi_15840_;
-                                                        let _e5601 = phi_15841_;
-                                                        let _e5603 = phi_15842_;
-                                                        let _e5605 = phi_15843_;
-                                                        let _e5607 = phi_15844_;
-                                                        let _e5609 = phi_15845_;
+                                                        let _e5581 = phi_13621_;
+                                                        let _e5583 = phi_13623_;
+                                                        let _e5585 = phi_13625_;
+                                                        let _e5587 = phi_13627_;
+                                                        let _e5589 = phi_13629_;
+                                                        let _e5591 = phi_13631_;
+                                                        let _e5593 = phi_15843_;
+                                                        let _e5595 = phi_15844_;
+                                                        let _e5597 = phi_15845_;
+                                                        let _e5599 = phi_15846_;
+                                                        let _e5601 = phi_15847_;
+                                                        let _e5603 = phi_15848_;
+                                                        let _e5605 = phi_15849_;
+                                                        let _e5607 = phi_15850_;
+                                                        let _e5609 = phi_15851_;
                                                         local_30 = _e5599;
                                                         local_70 = _e5601;
                                                         local_71 = _e5603;
@@ -11261,278 +11268,278 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         local_77 = _e5593;
                                                         continue;
                                                         continuing {
-                                                            phi_13611_ = _e4141;
-                                                            phi_13614_ = _e5581;
-                                                            phi_13616_ = _e5583;
-                                                            phi_13618_ = _e5585;
-                                                            phi_13620_ = _e5587;
-                                                            phi_13622_ = _e5589;
-                                                            phi_13624_ = _e5591;
+                                                            phi_13617_ = _e4141;
+                                                            phi_13620_ = _e5581;
+                                                            phi_13622_ = _e5583;
+                                                            phi_13624_ = _e5585;
+                                                            phi_13626_ = _e5587;
+                                                            phi_13628_ = _e5589;
+                                                            phi_13630_ = _e5591;
                                                             break if !(_e5597);
                                                         }
                                                     }
                                                     let _e5612 = local_30;
                                                     if _e5612 {
-                                                        phi_15849_ = false;
-                                                        phi_15850_ = false;
-                                                        phi_15851_ = false;
-                                                        phi_15852_ = false;
-                                                        phi_15853_ = false;
+                                                        phi_15855_ = false;
+                                                        phi_15856_ = false;
+                                                        phi_15857_ = false;
+                                                        phi_15858_ = false;
+                                                        phi_15859_ = false;
                                                     } else {
-                                                        let _e11334 = local_70;
-                                                        phi_15849_ = _e11334;
-                                                        let _e11337 = local_71;
-                                                        phi_15850_ = _e11337;
-                                                        let _e11340 = local_72;
-                                                        phi_15851_ = _e11340;
-                                                        let _e11343 = local_73;
-                                                        phi_15852_ = _e11343;
-                                                        let _e11346 = local_74;
-                                                        phi_15853_ = _e11346;
+                                                        let _e11338 = local_70;
+                                                        phi_15855_ = _e11338;
+                                                        let _e11341 = local_71;
+                                                        phi_15856_ = _e11341;
+                                                        let _e11344 = local_72;
+                                                        phi_15857_ = _e11344;
+                                                        let _e11347 = local_73;
+                                                        phi_15858_ = _e11347;
+                                                        let _e11350 = local_74;
+                                                        phi_15859_ = _e11350;
                                                     }
-                                                    let _e5614 = phi_15849_;
-                                                    let _e5616 = phi_15850_;
-                                                    let _e5618 = phi_15851_;
-                                                    let _e5620 = phi_15852_;
-                                                    let _e5622 = phi_15853_;
+                                                    let _e5614 = phi_15855_;
+                                                    let _e5616 = phi_15856_;
+                                                    let _e5618 = phi_15857_;
+                                                    let _e5620 = phi_15858_;
+                                                    let _e5622 = phi_15859_;
                                                     if _e5614 {
                                                         let _e5624 = local_31;
-                                                        phi_15858_ = type_46(1u, _e5624);
-                                                        phi_15859_ = false;
-                                                        phi_15860_ = false;
-                                                        phi_15861_ = false;
-                                                        phi_15862_ = false;
-                                                        phi_15863_ = false;
-                                                    } else {
-                                                        phi_15858_ = type_46();
-                                                        phi_15859_ = _e5616;
-                                                        phi_15860_ = _e5618;
-                                                        let _e11353 = local_75;
-                                                        phi_15861_ = _e11353;
-                                                        phi_15862_ = _e5620;
-                                                        phi_15863_ = _e5622;
-                                                    }
-                                                    let _e5627 = phi_15858_;
-                                                    let _e5629 = phi_15859_;
-                                                    let _e5631 = phi_15860_;
-                                                    let _e5633 = phi_15861_;
-                                                    let _e5635 = phi_15862_;
-                                                    let _e5637 = phi_15863_;
-                                                    if _e5629 {
-                                                        phi_15868_ = type_46(0u, type_46().member_1);
+                                                        phi_15864_ = type_46(1u, _e5624);
+                                                        phi_15865_ = false;
+                                                        phi_15866_ = false;
+                                                        phi_15867_ = false;
+                                                        phi_15868_ = false;
                                                         phi_15869_ = false;
-                                                        phi_15870_ = false;
-                                                        phi_15871_ = false;
-                                                        phi_15872_ = false;
-                                                        phi_15873_ = true;
                                                     } else {
-                                                        phi_15868_ = _e5627;
-                                                        phi_15869_ = _e5631;
-                                                        phi_15870_ = _e5633;
-                                                        phi_15871_ = _e5635;
-                                                        phi_15872_ = _e5637;
-                                                        phi_15873_ = _e5614;
+                                                        phi_15864_ = type_46();
+                                                        phi_15865_ = _e5616;
+                                                        phi_15866_ = _e5618;
+                                                        let _e11357 = local_75;
+                                                        phi_15867_ = _e11357;
+                                                        phi_15868_ = _e5620;
+                                                        phi_15869_ = _e5622;
                                                     }
-                                                    let _e5641 = phi_15868_;
-                                                    let _e5643 = phi_15869_;
-                                                    let _e5645 = phi_15870_;
-                                                    let _e5647 = phi_15871_;
-                                                    let _e5649 = phi_15872_;
-                                                    let _e5651 = phi_15873_;
+                                                    let _e5627 = phi_15864_;
+                                                    let _e5629 = phi_15865_;
+                                                    let _e5631 = phi_15866_;
+                                                    let _e5633 = phi_15867_;
+                                                    let _e5635 = phi_15868_;
+                                                    let _e5637 = phi_15869_;
+                                                    if _e5629 {
+                                                        phi_15874_ = type_46(0u, type_46().member_1);
+                                                        phi_15875_ = false;
+                                                        phi_15876_ = false;
+                                                        phi_15877_ = false;
+                                                        phi_15878_ = false;
+                                                        phi_15879_ = true;
+                                                    } else {
+                                                        phi_15874_ = _e5627;
+                                                        phi_15875_ = _e5631;
+                                                        phi_15876_ = _e5633;
+                                                        phi_15877_ = _e5635;
+                                                        phi_15878_ = _e5637;
+                                                        phi_15879_ = _e5614;
+                                                    }
+                                                    let _e5641 = phi_15874_;
+                                                    let _e5643 = phi_15875_;
+                                                    let _e5645 = phi_15876_;
+                                                    let _e5647 = phi_15877_;
+                                                    let _e5649 = phi_15878_;
+                                                    let _e5651 = phi_15879_;
                                                     if _e5643 {
-                                                        let _e11364 = local_76;
-                                                        phi_15877_ = _e11364;
-                                                        phi_15878_ = true;
-                                                        phi_15879_ = false;
-                                                        phi_15880_ = false;
-                                                        phi_15881_ = false;
-                                                    } else {
-                                                        let _e11366 = local_77;
-                                                        phi_15877_ = _e11366;
-                                                        phi_15878_ = _e5645;
-                                                        phi_15879_ = _e5647;
-                                                        phi_15880_ = _e5649;
-                                                        phi_15881_ = _e5651;
-                                                    }
-                                                    let _e5653 = phi_15877_;
-                                                    let _e5655 = phi_15878_;
-                                                    let _e5657 = phi_15879_;
-                                                    let _e5659 = phi_15880_;
-                                                    let _e5661 = phi_15881_;
-                                                    if _e5655 {
-                                                        phi_15885_ = _e5653;
-                                                        phi_15886_ = true;
+                                                        let _e11368 = local_76;
+                                                        phi_15883_ = _e11368;
+                                                        phi_15884_ = true;
+                                                        phi_15885_ = false;
+                                                        phi_15886_ = false;
                                                         phi_15887_ = false;
-                                                        phi_15888_ = false;
                                                     } else {
-                                                        let _e11373 = local_78;
-                                                        phi_15885_ = _e11373;
-                                                        phi_15886_ = _e5657;
-                                                        phi_15887_ = _e5659;
-                                                        phi_15888_ = _e5661;
+                                                        let _e11370 = local_77;
+                                                        phi_15883_ = _e11370;
+                                                        phi_15884_ = _e5645;
+                                                        phi_15885_ = _e5647;
+                                                        phi_15886_ = _e5649;
+                                                        phi_15887_ = _e5651;
                                                     }
-                                                    let _e5663 = phi_15885_;
-                                                    let _e5665 = phi_15886_;
-                                                    let _e5667 = phi_15887_;
-                                                    let _e5669 = phi_15888_;
-                                                    if _e5665 {
-                                                        phi_15893_ = type_46(1u, _e5663);
+                                                    let _e5653 = phi_15883_;
+                                                    let _e5655 = phi_15884_;
+                                                    let _e5657 = phi_15885_;
+                                                    let _e5659 = phi_15886_;
+                                                    let _e5661 = phi_15887_;
+                                                    if _e5655 {
+                                                        phi_15891_ = _e5653;
+                                                        phi_15892_ = true;
+                                                        phi_15893_ = false;
                                                         phi_15894_ = false;
-                                                        phi_15895_ = false;
                                                     } else {
-                                                        phi_15893_ = type_46();
-                                                        phi_15894_ = _e5667;
-                                                        phi_15895_ = _e5669;
+                                                        let _e11377 = local_78;
+                                                        phi_15891_ = _e11377;
+                                                        phi_15892_ = _e5657;
+                                                        phi_15893_ = _e5659;
+                                                        phi_15894_ = _e5661;
                                                     }
-                                                    let _e5672 = phi_15893_;
-                                                    let _e5674 = phi_15894_;
-                                                    let _e5676 = phi_15895_;
+                                                    let _e5663 = phi_15891_;
+                                                    let _e5665 = phi_15892_;
+                                                    let _e5667 = phi_15893_;
+                                                    let _e5669 = phi_15894_;
+                                                    if _e5665 {
+                                                        phi_15899_ = type_46(1u, _e5663);
+                                                        phi_15900_ = false;
+                                                        phi_15901_ = false;
+                                                    } else {
+                                                        phi_15899_ = type_46();
+                                                        phi_15900_ = _e5667;
+                                                        phi_15901_ = _e5669;
+                                                    }
+                                                    let _e5672 = phi_15899_;
+                                                    let _e5674 = phi_15900_;
+                                                    let _e5676 = phi_15901_;
                                                     if _e5674 {
-                                                        phi_15900_ = type_46(0u, type_46().member_1);
-                                                        phi_15901_ = true;
+                                                        phi_15906_ = type_46(0u, type_46().member_1);
+                                                        phi_15907_ = true;
                                                     } else {
-                                                        phi_15900_ = _e5641;
-                                                        phi_15901_ = _e5676;
+                                                        phi_15906_ = _e5641;
+                                                        phi_15907_ = _e5676;
                                                     }
-                                                    let _e5680 = phi_15900_;
-                                                    let _e5682 = phi_15901_;
+                                                    let _e5680 = phi_15906_;
+                                                    let _e5682 = phi_15907_;
                                                     if _e5682 {
-                                                        phi_15905_ = _e5680;
+                                                        phi_15911_ = _e5680;
                                                     } else {
-                                                        phi_15905_ = _e5672;
+                                                        phi_15911_ = _e5672;
                                                     }
-                                                    let _e5684 = phi_15905_;
+                                                    let _e5684 = phi_15911_;
                                                     let _e5687 = (_e5684.member != 0u);
                                                     if _e5687 {
-                                                        phi_15912_ = false;
+                                                        phi_15918_ = false;
                                                     } else {
-                                                        phi_15912_ = true;
+                                                        phi_15918_ = true;
                                                     }
-                                                    let _e5689 = phi_15912_;
-                                                    phi_15913_ = _e5684.member_1;
-                                                    phi_15914_ = _e5689;
-                                                    phi_15915_ = _e5687;
-                                                    phi_15916_ = false;
+                                                    let _e5689 = phi_15918_;
+                                                    phi_15919_ = _e5684.member_1;
+                                                    phi_15920_ = _e5689;
+                                                    phi_15921_ = _e5687;
+                                                    phi_15922_ = false;
                                                 } else {
-                                                    phi_15913_ = f64();
-                                                    phi_15914_ = false;
-                                                    phi_15915_ = false;
-                                                    phi_15916_ = true;
+                                                    phi_15919_ = f64();
+                                                    phi_15920_ = false;
+                                                    phi_15921_ = false;
+                                                    phi_15922_ = true;
                                                 }
-                                                let _e5691 = phi_15913_;
-                                                let _e5693 = phi_15914_;
-                                                let _e5695 = phi_15915_;
-                                                let _e5697 = phi_15916_;
-                                                phi_15917_ = _e3871;
-                                                phi_15918_ = _e3873;
-                                                phi_15919_ = _e5691;
-                                                phi_15920_ = _e5693;
-                                                phi_15921_ = _e5695;
-                                                phi_15922_ = _e5697;
+                                                let _e5691 = phi_15919_;
+                                                let _e5693 = phi_15920_;
+                                                let _e5695 = phi_15921_;
+                                                let _e5697 = phi_15922_;
+                                                phi_15923_ = _e3871;
+                                                phi_15924_ = _e3873;
+                                                phi_15925_ = _e5691;
+                                                phi_15926_ = _e5693;
+                                                phi_15927_ = _e5695;
+                                                phi_15928_ = _e5697;
                                             }
-                                            let _e5699 = phi_15917_;
-                                            let _e5701 = phi_15918_;
-                                            let _e5703 = phi_15919_;
-                                            let _e5705 = phi_15920_;
-                                            let _e5707 = phi_15921_;
-                                            let _e5709 = phi_15922_;
-                                            phi_15923_ = _e5699;
-                                            phi_15924_ = _e5701;
-                                            phi_15925_ = _e5703;
-                                            phi_15926_ = _e3867;
-                                            phi_15927_ = _e5705;
-                                            phi_15928_ = _e5707;
-                                            phi_15929_ = _e5709;
+                                            let _e5699 = phi_15923_;
+                                            let _e5701 = phi_15924_;
+                                            let _e5703 = phi_15925_;
+                                            let _e5705 = phi_15926_;
+                                            let _e5707 = phi_15927_;
+                                            let _e5709 = phi_15928_;
+                                            phi_15929_ = _e5699;
+                                            phi_15930_ = _e5701;
+                                            phi_15931_ = _e5703;
+                                            phi_15932_ = _e3867;
+                                            phi_15933_ = _e5705;
+                                            phi_15934_ = _e5707;
+                                            phi_15935_ = _e5709;
                                         }
-                                        let _e5711 = phi_15923_;
-                                        let _e5713 = phi_15924_;
-                                        let _e5715 = phi_15925_;
-                                        let _e5717 = phi_15926_;
-                                        let _e5719 = phi_15927_;
-                                        let _e5721 = phi_15928_;
-                                        let _e5723 = phi_15929_;
+                                        let _e5711 = phi_15929_;
+                                        let _e5713 = phi_15930_;
+                                        let _e5715 = phi_15931_;
+                                        let _e5717 = phi_15932_;
+                                        let _e5719 = phi_15933_;
+                                        let _e5721 = phi_15934_;
+                                        let _e5723 = phi_15935_;
                                         if _e5717 {
-                                            phi_15933_ = false;
-                                            phi_15934_ = false;
-                                            phi_15935_ = false;
+                                            phi_15939_ = false;
+                                            phi_15940_ = false;
+                                            phi_15941_ = false;
                                         } else {
-                                            phi_15933_ = _e5719;
-                                            phi_15934_ = _e5721;
-                                            phi_15935_ = _e5723;
+                                            phi_15939_ = _e5719;
+                                            phi_15940_ = _e5721;
+                                            phi_15941_ = _e5723;
                                         }
-                                        let _e5725 = phi_15933_;
-                                        let _e5727 = phi_15934_;
-                                        let _e5729 = phi_15935_;
-                                        phi_15936_ = _e3143;
-                                        phi_15937_ = _e5711;
-                                        phi_15938_ = _e5713;
-                                        phi_15939_ = _e5715;
-                                        phi_15940_ = _e3143;
-                                        phi_15941_ = _e5717;
-                                        phi_15942_ = _e5725;
-                                        phi_15943_ = _e5727;
-                                        phi_15944_ = _e5729;
+                                        let _e5725 = phi_15939_;
+                                        let _e5727 = phi_15940_;
+                                        let _e5729 = phi_15941_;
+                                        phi_15942_ = _e3143;
+                                        phi_15943_ = _e5711;
+                                        phi_15944_ = _e5713;
+                                        phi_15945_ = _e5715;
+                                        phi_15946_ = _e3143;
+                                        phi_15947_ = _e5717;
+                                        phi_15948_ = _e5725;
+                                        phi_15949_ = _e5727;
+                                        phi_15950_ = _e5729;
                                     } else {
-                                        phi_15936_ = type_49();
-                                        phi_15937_ = bool();
-                                        phi_15938_ = f64();
-                                        phi_15939_ = f64();
-                                        phi_15940_ = type_49();
-                                        phi_15941_ = true;
-                                        phi_15942_ = false;
-                                        phi_15943_ = false;
-                                        phi_15944_ = false;
-                                    }
-                                    let _e5731 = phi_15936_;
-                                    let _e5733 = phi_15937_;
-                                    let _e5735 = phi_15938_;
-                                    let _e5737 = phi_15939_;
-                                    let _e5739 = phi_15940_;
-                                    let _e5741 = phi_15941_;
-                                    let _e5743 = phi_15942_;
-                                    let _e5745 = phi_15943_;
-                                    let _e5747 = phi_15944_;
-                                    if _e5741 {
-                                        phi_15948_ = true;
+                                        phi_15942_ = type_49();
+                                        phi_15943_ = bool();
+                                        phi_15944_ = f64();
+                                        phi_15945_ = f64();
+                                        phi_15946_ = type_49();
+                                        phi_15947_ = true;
+                                        phi_15948_ = false;
                                         phi_15949_ = false;
                                         phi_15950_ = false;
-                                    } else {
-                                        phi_15948_ = _e5743;
-                                        phi_15949_ = _e5745;
-                                        phi_15950_ = _e5747;
                                     }
-                                    let _e5749 = phi_15948_;
-                                    let _e5751 = phi_15949_;
-                                    let _e5753 = phi_15950_;
-                                    phi_15951_ = _e5731;
-                                    phi_15952_ = _e5733;
-                                    phi_15953_ = _e5735;
-                                    phi_15954_ = _e5737;
-                                    phi_15955_ = _e5739;
-                                    phi_15956_ = _e5749;
-                                    phi_15957_ = false;
-                                    phi_15958_ = _e5751;
-                                    phi_15959_ = _e5753;
+                                    let _e5731 = phi_15942_;
+                                    let _e5733 = phi_15943_;
+                                    let _e5735 = phi_15944_;
+                                    let _e5737 = phi_15945_;
+                                    let _e5739 = phi_15946_;
+                                    let _e5741 = phi_15947_;
+                                    let _e5743 = phi_15948_;
+                                    let _e5745 = phi_15949_;
+                                    let _e5747 = phi_15950_;
+                                    if _e5741 {
+                                        phi_15954_ = true;
+                                        phi_15955_ = false;
+                                        phi_15956_ = false;
+                                    } else {
+                                        phi_15954_ = _e5743;
+                                        phi_15955_ = _e5745;
+                                        phi_15956_ = _e5747;
+                                    }
+                                    let _e5749 = phi_15954_;
+                                    let _e5751 = phi_15955_;
+                                    let _e5753 = phi_15956_;
+                                    phi_15957_ = _e5731;
+                                    phi_15958_ = _e5733;
+                                    phi_15959_ = _e5735;
+                                    phi_15960_ = _e5737;
+                                    phi_15961_ = _e5739;
+                                    phi_15962_ = _e5749;
+                                    phi_15963_ = false;
+                                    phi_15964_ = _e5751;
+                                    phi_15965_ = _e5753;
                                 } else {
-                                    phi_15951_ = type_49();
-                                    phi_15952_ = bool();
-                                    phi_15953_ = f64();
-                                    phi_15954_ = f64();
-                                    phi_15955_ = type_49();
-                                    phi_15956_ = false;
-                                    phi_15957_ = true;
-                                    phi_15958_ = false;
-                                    phi_15959_ = false;
+                                    phi_15957_ = type_49();
+                                    phi_15958_ = bool();
+                                    phi_15959_ = f64();
+                                    phi_15960_ = f64();
+                                    phi_15961_ = type_49();
+                                    phi_15962_ = false;
+                                    phi_15963_ = true;
+                                    phi_15964_ = false;
+                                    phi_15965_ = false;
                                 }
-                                let _e5755 = phi_15951_;
-                                let _e5757 = phi_15952_;
-                                let _e5759 = phi_15953_;
-                                let _e5761 = phi_15954_;
-                                let _e5763 = phi_15955_;
-                                let _e5765 = phi_15956_;
-                                let _e5767 = phi_15957_;
-                                let _e5769 = phi_15958_;
-                                let _e5771 = phi_15959_;
+                                let _e5755 = phi_15957_;
+                                let _e5757 = phi_15958_;
+                                let _e5759 = phi_15959_;
+                                let _e5761 = phi_15960_;
+                                let _e5763 = phi_15961_;
+                                let _e5765 = phi_15962_;
+                                let _e5767 = phi_15963_;
+                                let _e5769 = phi_15964_;
+                                let _e5771 = phi_15965_;
                                 local_32 = _e5767;
                                 local_79 = _e5769;
                                 local_80 = _e5771;
@@ -11545,25 +11552,25 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_39 = _e5763;
                                 continue;
                                 continuing {
-                                    phi_11673_ = _e2851;
+                                    phi_11679_ = _e2851;
                                     break if !(_e5765);
                                 }
                             }
                             let _e5774 = local_32;
                             if _e5774 {
-                                phi_15964_ = type_46(0u, type_46().member_1);
-                                phi_15965_ = false;
-                                phi_15966_ = false;
+                                phi_15970_ = type_46(0u, type_46().member_1);
+                                phi_15971_ = false;
+                                phi_15972_ = false;
                             } else {
-                                phi_15964_ = type_46();
-                                let _e11429 = local_79;
-                                phi_15965_ = _e11429;
-                                let _e11432 = local_80;
-                                phi_15966_ = _e11432;
+                                phi_15970_ = type_46();
+                                let _e11433 = local_79;
+                                phi_15971_ = _e11433;
+                                let _e11436 = local_80;
+                                phi_15972_ = _e11436;
                             }
-                            let _e5778 = phi_15964_;
-                            let _e5780 = phi_15965_;
-                            let _e5782 = phi_15966_;
+                            let _e5778 = phi_15970_;
+                            let _e5780 = phi_15971_;
+                            let _e5782 = phi_15972_;
                             if _e5780 {
                                 let _e5784 = local_33;
                                 if _e5784 {
@@ -11572,172 +11579,172 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e5792 = local_36;
                                     if ((_e5786.member_1 - _e5789) <= _e5792) {
                                         let _e5795 = local_37;
-                                        phi_15980_ = type_46(1u, _e5795);
-                                        phi_15981_ = false;
+                                        phi_15986_ = type_46(1u, _e5795);
+                                        phi_15987_ = false;
                                     } else {
-                                        phi_15980_ = type_46();
-                                        phi_15981_ = true;
+                                        phi_15986_ = type_46();
+                                        phi_15987_ = true;
                                     }
-                                    let _e5798 = phi_15980_;
-                                    let _e5800 = phi_15981_;
-                                    phi_15982_ = _e5798;
-                                    phi_15983_ = _e5800;
+                                    let _e5798 = phi_15986_;
+                                    let _e5800 = phi_15987_;
+                                    phi_15988_ = _e5798;
+                                    phi_15989_ = _e5800;
                                 } else {
-                                    phi_15982_ = type_46();
-                                    phi_15983_ = true;
+                                    phi_15988_ = type_46();
+                                    phi_15989_ = true;
                                 }
-                                let _e5802 = phi_15982_;
-                                let _e5804 = phi_15983_;
+                                let _e5802 = phi_15988_;
+                                let _e5804 = phi_15989_;
                                 if _e5804 {
                                     let _e5806 = local_38;
-                                    phi_15988_ = type_46(2u, _e5806);
+                                    phi_15994_ = type_46(2u, _e5806);
                                 } else {
-                                    phi_15988_ = _e5802;
+                                    phi_15994_ = _e5802;
                                 }
-                                let _e5809 = phi_15988_;
-                                phi_15989_ = _e5809;
-                                phi_15990_ = false;
+                                let _e5809 = phi_15994_;
+                                phi_15995_ = _e5809;
+                                phi_15996_ = false;
                             } else {
-                                phi_15989_ = type_46();
-                                phi_15990_ = _e5782;
+                                phi_15995_ = type_46();
+                                phi_15996_ = _e5782;
                             }
-                            let _e5811 = phi_15989_;
-                            let _e5813 = phi_15990_;
+                            let _e5811 = phi_15995_;
+                            let _e5813 = phi_15996_;
                             if _e5813 {
                                 let _e5815 = local_39;
-                                phi_15996_ = type_46(1u, _e5815.member);
-                                phi_15997_ = true;
+                                phi_16002_ = type_46(1u, _e5815.member);
+                                phi_16003_ = true;
                             } else {
-                                phi_15996_ = _e5811;
-                                phi_15997_ = _e5780;
+                                phi_16002_ = _e5811;
+                                phi_16003_ = _e5780;
                             }
-                            let _e5819 = phi_15996_;
-                            let _e5821 = phi_15997_;
-                            phi_16001_ = _e5819;
-                            phi_16002_ = _e5778;
-                            phi_16003_ = _e5821;
+                            let _e5819 = phi_16002_;
+                            let _e5821 = phi_16003_;
+                            phi_16007_ = _e5819;
+                            phi_16008_ = _e5778;
+                            phi_16009_ = _e5821;
                         } else {
-                            phi_16001_ = _e2695;
-                            phi_16002_ = type_46();
-                            phi_16003_ = true;
+                            phi_16007_ = _e2695;
+                            phi_16008_ = type_46();
+                            phi_16009_ = true;
                         }
-                        let _e5823 = phi_16001_;
-                        let _e5825 = phi_16002_;
-                        let _e5827 = phi_16003_;
-                        phi_16007_ = _e5823;
-                        phi_16008_ = _e5825;
-                        phi_16009_ = _e5827;
+                        let _e5823 = phi_16007_;
+                        let _e5825 = phi_16008_;
+                        let _e5827 = phi_16009_;
+                        phi_16013_ = _e5823;
+                        phi_16014_ = _e5825;
+                        phi_16015_ = _e5827;
                     }
-                    let _e5831 = phi_16007_;
-                    let _e5833 = phi_16008_;
-                    let _e5835 = phi_16009_;
+                    let _e5831 = phi_16013_;
+                    let _e5833 = phi_16014_;
+                    let _e5835 = phi_16015_;
                     if _e5835 {
-                        phi_16013_ = _e5831;
+                        phi_16019_ = _e5831;
                     } else {
-                        phi_16013_ = _e5833;
+                        phi_16019_ = _e5833;
                     }
-                    let _e5837 = phi_16013_;
+                    let _e5837 = phi_16019_;
                     if (_e5837.member == 1u) {
                         if (_e5837.member_1 > _e410) {
-                            phi_16024_ = false;
+                            phi_16030_ = false;
                         } else {
-                            phi_16024_ = true;
+                            phi_16030_ = true;
                         }
-                        let _e5843 = phi_16024_;
-                        phi_16025_ = _e5843;
+                        let _e5843 = phi_16030_;
+                        phi_16031_ = _e5843;
                     } else {
-                        phi_16025_ = true;
+                        phi_16031_ = true;
                     }
-                    let _e5845 = phi_16025_;
+                    let _e5845 = phi_16031_;
                     if _e5845 {
-                        phi_16029_ = false;
+                        phi_16035_ = false;
                     } else {
-                        phi_16029_ = true;
+                        phi_16035_ = true;
                     }
-                    let _e5847 = phi_16029_;
+                    let _e5847 = phi_16035_;
                     if _e5847 {
-                        phi_16033_ = 1u;
+                        phi_16039_ = 1u;
                     } else {
-                        phi_16033_ = 0u;
+                        phi_16039_ = 0u;
                     }
-                    let _e5849 = phi_16033_;
-                    phi_16037_ = type_47(_e5837, _e5849);
+                    let _e5849 = phi_16039_;
+                    phi_16043_ = type_47(_e5837, _e5849);
                 }
-                let _e10459 = phi_16037_;
-                switch bitcast<i32>(_e10459.member.member) {
+                let _e10463 = phi_16043_;
+                switch bitcast<i32>(_e10463.member.member) {
                     case 0: {
-                        phi_16052_ = type_37(0u, _e10459.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_16058_ = type_37(0u, _e10463.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e10470 = function_4(_e10459.member.member_1);
-                        phi_16052_ = type_37(0u, _e10459.member_1, _e10470, true);
+                        let _e10474 = function_4(_e10463.member.member_1);
+                        phi_16058_ = type_37(0u, _e10463.member_1, _e10474, true);
                         break;
                     }
                     case 2: {
-                        let _e10466 = function_4(_e10459.member.member_1);
-                        phi_16052_ = type_37(1u, _e10459.member_1, _e10466, true);
+                        let _e10470 = function_4(_e10463.member.member_1);
+                        phi_16058_ = type_37(1u, _e10463.member_1, _e10470, true);
                         break;
                     }
                     default: {
-                        phi_16052_ = type_37();
+                        phi_16058_ = type_37();
                         break;
                     }
                 }
-                let _e10474 = phi_16052_;
-                if _e10474.member_3 {
-                    let _e10482 = (_e10474.member_2[1] >> bitcast<u32>(20i));
-                    if (_e10482 <= 896u) {
-                        phi_16076_ = 0u;
+                let _e10478 = phi_16058_;
+                if _e10478.member_3 {
+                    let _e10486 = (_e10478.member_2[1] >> bitcast<u32>(20i));
+                    if (_e10486 <= 896u) {
+                        phi_16082_ = 0u;
                     } else {
-                        phi_16076_ = ((((_e10482 - 896u) << bitcast<u32>(23i)) | ((_e10474.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e10474.member_2[0] >> bitcast<u32>(29i)));
+                        phi_16082_ = ((((_e10486 - 896u) << bitcast<u32>(23i)) | ((_e10478.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e10478.member_2[0] >> bitcast<u32>(29i)));
                     }
-                    let _e10497 = phi_16076_;
-                    let _e10499 = atomicMin((&earliest.member[0u]), _e10497);
+                    let _e10501 = phi_16082_;
+                    let _e10503 = atomicMin((&earliest.member[0u]), _e10501);
                 }
-                phi_16080_ = type_22(0u, _e10474.member, _e195, _e198, _e10474.member_2, _e10474.member_1);
-                phi_16081_ = _e10474.member_3;
+                phi_16086_ = type_22(0u, _e10478.member, _e195, _e198, _e10478.member_2, _e10478.member_1);
+                phi_16087_ = _e10478.member_3;
             } else {
-                phi_16080_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
-                phi_16081_ = false;
+                phi_16086_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
+                phi_16087_ = false;
             }
-            let _e10501 = phi_16080_;
-            let _e10503 = phi_16081_;
-            let _e10506 = params.member.member.member_1;
-            if ((_e10506 & 16u) != 0u) {
+            let _e10505 = phi_16086_;
+            let _e10507 = phi_16087_;
+            let _e10510 = params.member.member.member_1;
+            if ((_e10510 & 16u) != 0u) {
                 if (_e124 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e10503 {
-                    let _e10512 = atomicAdd((&counters[0u]), 1u);
-                    phi_16100_ = _e10512;
+                if _e10507 {
+                    let _e10516 = atomicAdd((&counters[0u]), 1u);
+                    phi_16106_ = _e10516;
                 } else {
-                    phi_16100_ = 0u;
+                    phi_16106_ = 0u;
                 }
-                let _e10514 = phi_16100_;
+                let _e10518 = phi_16106_;
                 workgroupBarrier();
                 if (_e124 == 0u) {
-                    let _e10517 = atomicLoad((&counters[0u]));
-                    if (_e10517 > 0u) {
-                        let _e10520 = atomicAdd((&contacts.member[0u]), _e10517);
-                        atomicStore((&counters[1u]), _e10520);
+                    let _e10521 = atomicLoad((&counters[0u]));
+                    if (_e10521 > 0u) {
+                        let _e10524 = atomicAdd((&contacts.member[0u]), _e10521);
+                        atomicStore((&counters[1u]), _e10524);
                     }
                 }
                 workgroupBarrier();
-                let _e10523 = atomicLoad((&counters[1u]));
-                let _e10524 = (_e10523 + _e10514);
-                if _e10503 {
-                    let _e10527 = params.member.member_1.member_3;
-                    if (_e10524 < _e10527) {
-                        let _e10529 = (7u * _e10524);
-                        atomicStore((&contacts.member[(4u + _e10529)]), _e10501.member);
-                        atomicStore((&contacts.member[(_e10529 + 5u)]), _e10501.member_1);
-                        atomicStore((&contacts.member[(_e10529 + 6u)]), _e10501.member_2);
-                        atomicStore((&contacts.member[(_e10529 + 7u)]), _e10501.member_3);
-                        atomicStore((&contacts.member[(_e10529 + 8u)]), _e10501.member_4[0]);
-                        atomicStore((&contacts.member[(_e10529 + 9u)]), _e10501.member_4[1]);
-                        atomicStore((&contacts.member[(_e10529 + 10u)]), _e10501.member_5);
+                let _e10527 = atomicLoad((&counters[1u]));
+                let _e10528 = (_e10527 + _e10518);
+                if _e10507 {
+                    let _e10531 = params.member.member_1.member_3;
+                    if (_e10528 < _e10531) {
+                        let _e10533 = (7u * _e10528);
+                        atomicStore((&contacts.member[(4u + _e10533)]), _e10505.member);
+                        atomicStore((&contacts.member[(_e10533 + 5u)]), _e10505.member_1);
+                        atomicStore((&contacts.member[(_e10533 + 6u)]), _e10505.member_2);
+                        atomicStore((&contacts.member[(_e10533 + 7u)]), _e10505.member_3);
+                        atomicStore((&contacts.member[(_e10533 + 8u)]), _e10505.member_4[0]);
+                        atomicStore((&contacts.member[(_e10533 + 9u)]), _e10505.member_4[1]);
+                        atomicStore((&contacts.member[(_e10533 + 10u)]), _e10505.member_5);
                     }
                 }
             }
