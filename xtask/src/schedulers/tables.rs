@@ -22,8 +22,12 @@ fn head<S: AsRef<str>>(columns: impl IntoIterator<Item = S>) -> String {
     format!("{names}\n{line}\n")
 }
 
+/// Three significant digits, down to the microsecond.
 fn ms(cell: Option<&Measured>) -> String {
-    cell.map_or(String::new(), |m| digits(m.ms()))
+    cell.map_or(String::new(), |m| match m.ms() {
+        few if few < 0.1 => format!("{few:.3}"),
+        ms => digits(ms),
+    })
 }
 
 fn given(x: Option<f64>) -> String {
