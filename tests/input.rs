@@ -266,7 +266,7 @@ fn bad_files_are_named_with_the_place() {
     check("garbage.ply", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "garbage.ply");
     check("garbage.obj", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "line 1");
     check("empty.ply", b"", "end of file");
-    check("short.ply", &ASCII.as_bytes()[..ASCII.len() - 12], "Line 15");
+    check("short.ply", &ASCII.as_bytes()[..ASCII.len() - 12], "line 15: ");
     check("index.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 9").as_bytes(), "vertex 9");
     check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
     check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");

@@ -45,7 +45,7 @@ fn main() {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
             let emulated = choice.as_ref().is_ok_and(is_emulated);
-            let methods = methods(source, backend, emulated);
+            let methods = methods(source, backend, place, emulated);
             let left_out = ccd::every(backend).count() - methods.len();
             if left_out > 0 {
                 let why = format!("{left_out} more methods: {WHOLE}=1");
@@ -55,7 +55,11 @@ fn main() {
             }
             for &method in &methods {
                 let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{method}/{place}"));
-                trials.push(row_of(name, source, choice, move |choice| {
+                let twice = *place == WGSL && emulated;
+                let choice = choice.clone();
+                let choice =
+                    choice.and_then(|c| if twice { not_too_slow(c, source) } else { Ok(c) });
+                trials.push(row_of(name, source, &choice, move |choice| {
                     check_pairs(&loaded, source, choice, method, Scheduling::default())
                 }));
             }

@@ -20,15 +20,22 @@ const MAX_BOXES_EMULATED: usize = 10_000;
 
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
 /// run by the default and the default tree, and an emulated GPU has trees that differ from that in
-/// one choice, or have a kernel of their own, and no brute force over many boxes.
+/// one choice, or have a kernel of their own, and no brute force over many boxes; through WGSL, by
+/// which `tests/gpu` runs every kernel and every method, it has the default and the default tree.
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// The methods of a backend by which a scene is run.
-pub fn methods(source: Source, backend: &'static str, emulated: bool) -> Vec<BroadPhaseMethod> {
+pub fn methods(
+    source: Source,
+    backend: &'static str,
+    place: &str,
+    emulated: bool,
+) -> Vec<BroadPhaseMethod> {
     let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
+        _ if emulated && place == WGSL => usual.contains(method),
         Source::Boxes(make) if emulated && *method == BroadPhaseMethod::BruteForce => {
             make().len() <= MAX_BOXES_EMULATED
         }
@@ -68,7 +75,7 @@ pub fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
     }
 }
 
-/// Generated scenes that an emulated GPU runs by every scheduler.
+/// Generated scenes that an emulated GPU runs by every scheduler; through WGSL the first.
 const FEW: [&str; 4] = ["crowded", "equal", "one", "sheet"];
 
 /// Ways to share out pairs of nodes, of generated scenes, with the methods that have some.
@@ -92,7 +99,9 @@ pub fn schedulings(
             _ => tree(Traversal::CUT, Volume::Obb),
         },
     ];
-    let (native, chosen) = (place != WGSL, !emulated || FEW.contains(&scene));
+    let native = place != WGSL;
+    let few = if native { &FEW[..] } else { &FEW[..1] };
+    let chosen = !emulated || few.contains(&scene);
     let all = methods.into_iter();
     all.filter(move |_| chosen && !matches!(source, Source::Real(_)))
         .flat_map(|method| Scheduling::every(backend).map(move |s| (method, s)))
