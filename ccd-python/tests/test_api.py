@@ -227,10 +227,11 @@ def longest_pause(work):
 def test_the_interpreter_is_released():
     faces, x0, x1 = soup(6_000)
     session = Session(Mesh(faces), threads=1)
-    # A machine that is busy may stop any thread; that the interpreter is held is so every time.
-    assert any(longest_pause(lambda: session.step(x0, x1)) < 0.5 for _ in range(5))
+    # A machine that is busy may stop any thread, and begin late; the least of several says more.
+    least = lambda work: min(longest_pause(work) for _ in range(5))
     numbers = np.random.default_rng(4).random(300_000).tolist()
-    assert all(longest_pause(lambda: sorted(numbers)) > 0.8 for _ in range(3))
+    released, held = least(lambda: session.step(x0, x1)), least(lambda: sorted(numbers))
+    assert released < 0.5 < held, (released, held)
 
 
 def test_threads_of_python_share_a_session():
