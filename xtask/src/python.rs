@@ -2,7 +2,8 @@
 //! a user meets there: tests against ipctk, stubs against the module, the example.
 //!
 //! Packages are the versions of `ccd-python/requirements.txt`. The crate is outside of the
-//! workspace, but built into its target folder: dependencies are those that tests have compiled.
+//! workspace, but built into its target folder: a dependency that has the same features there is
+//! not compiled again.
 
 use crate::ci::{command, command_with};
 use crate::optional::{output, skipped};
