@@ -33,8 +33,21 @@ const BY_THE_HOST: [crate::Tests; 5] = [
     crate::sequences::TESTS,
 ];
 
-/// So are scenes of more edges: the other two devices have the smaller ones.
+/// Scenes of more edges are run as natively as there is, with `f64`: the other devices have the
+/// smaller ones.
 const MAX_EDGES: usize = 50_000;
+
+/// So are tests over many boxes or steps whose kernels other tests compare on the other devices:
+/// `steps_by_every_method` has all methods there.
+const LONG: [&str; 7] = [
+    "builders_and_hard_boxes",
+    "changes_between_steps",
+    "order_of_small_meshes",
+    "oriented_traversals",
+    "schedulers_over_sequences",
+    "triangles_by_every_method",
+    "uniform_boxes",
+];
 
 /// Why a test is left out on a device, if it is.
 pub fn left_out(name: &str, device: &Device) -> Option<String> {
@@ -48,15 +61,24 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
     };
     let scene = name.strip_prefix("scene_").and_then(|s| SCENES.iter().find(|t| t.name == s));
     let is_large = scene.is_some_and(|scene| scene.size[1] > MAX_EDGES);
+    let native = info.wide && info.path == Path::Passthrough;
     let between = info.wide != (info.path == Path::Passthrough);
     let why = if is_of(&ALIKE) && !info.wide {
         "the same kernels as with f64"
     } else if is_of(&BY_THE_HOST) && between {
         "by the host as on the other devices"
-    } else if is_large && between {
-        "large for an emulated GPU"
+    } else if !native && (is_large || LONG.contains(&name)) {
+        "long on an emulated GPU"
     } else {
         return None;
     };
     Some(format!("{why}: {WHOLE}=1"))
+}
+
+/// That no name above is of a test that is gone.
+pub fn check_names(tests: &[crate::Tests]) {
+    for name in LONG {
+        let is_there = tests.iter().flat_map(|tests| tests.iter()).any(|(test, _)| *test == name);
+        assert!(is_there, "{name} is no test");
+    }
 }

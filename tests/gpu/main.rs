@@ -135,6 +135,7 @@ fn main() {
             tangential::TESTS,
             units::TESTS,
         ];
+        emulated::check_names(&tests);
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, path, name, Ok(Box::new(test)), device.clone());
         }
