@@ -5,9 +5,13 @@ use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
 use crate::kernel_cache::KernelFile;
 use crate::pipeline::{self, Pipeline};
+use crate::shaders::module;
 use ccd_core::kernel::{Id, TABLE};
+use std::cmp::Reverse;
 use std::fmt;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
@@ -59,7 +63,7 @@ struct Cache {
 pub struct Compilation {
     /// How many.
     pub kernels: usize,
-    /// The time of all of them, one after the other.
+    /// How long callers waited for them.
     pub time: Duration,
     /// Whether there was a file of kernels that an earlier process had compiled.
     pub kept: bool,
@@ -206,9 +210,10 @@ impl Device {
         Ok(Self { inner: Arc::new(inner) })
     }
 
-    /// What compiling kernels took so far; each is compiled when it is first used.
+    /// What compiling kernels took so far; each is compiled when it is first used, side by side
+    /// with others that a call uses for the first time.
     pub fn compilation(&self) -> Compilation {
-        *self.inner.compilation.lock().unwrap_or_else(|e| e.into_inner())
+        *self.compiled()
     }
 
     /// What the device is and how it is used.
@@ -327,17 +332,52 @@ impl Device {
         }
     }
 
-    /// The pipeline of a kernel, compiled on first use.
+    /// Compiles those of these kernels that are not compiled yet, by all threads of the host.
+    ///
+    /// # Errors
+    /// What the device refuses.
+    pub(crate) fn compile(&self, ids: impl Iterator<Item = Id>) -> Result<(), Error> {
+        let mut missing: Vec<Id> =
+            ids.filter(|&id| self.inner.pipelines[id as usize].get().is_none()).collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        // Those that take longest first.
+        missing.sort_unstable_by_key(|&id| (Reverse(module(id).spirv.len()), id as usize));
+        missing.dedup();
+        let start = Instant::now();
+        let next = AtomicUsize::new(0);
+        let work = || -> Result<(), Error> {
+            while let Some(&id) = missing.get(next.fetch_add(1, Ordering::Relaxed)) {
+                // What a device says of a kernel, it says to the thread that asked.
+                self.guarded("a kernel", 0, || _ = self.pipeline(id))?;
+            }
+            Ok(())
+        };
+        let n_threads = thread::available_parallelism().map_or(1, |n| n.get()).min(missing.len());
+        thread::scope(|scope| {
+            let others: Vec<_> = (1..n_threads).map(|_| scope.spawn(work)).collect();
+            let own = work();
+            let join = |other: thread::ScopedJoinHandle<'_, _>| {
+                other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            others.into_iter().map(join).fold(own, Result::and)
+        })?;
+        self.compiled().time += start.elapsed();
+        Ok(())
+    }
+
+    /// The pipeline of a kernel, compiled if [`Device::compile`] was not asked to.
     pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
-        self.inner.pipelines[id as usize].get_or_init(|| {
-            let Inner { device, info, cache, compilation, .. } = &*self.inner;
-            let start = Instant::now();
-            let cache = cache.as_ref().map(|cache| &cache.kernels);
-            let pipeline = Pipeline::compile(device, info.path, id, cache);
-            let mut done = compilation.lock().unwrap_or_else(|e| e.into_inner());
-            done.kernels += 1;
-            done.time += start.elapsed();
-            pipeline
+        let Inner { pipelines, device, info, cache, .. } = &*self.inner;
+        let cache = cache.as_ref().map(|cache| &cache.kernels);
+        pipelines[id as usize].get_or_init(|| {
+            self.compiled().kernels += 1;
+            Pipeline::compile(device, info.path, id, cache)
         })
+    }
+
+    fn compiled(&self) -> MutexGuard<'_, Compilation> {
+        self.inner.compilation.lock().unwrap_or_else(|e| e.into_inner())
     }
 }

@@ -1,5 +1,6 @@
 //! Recording: dispatches by the kernel table, their parameters, bind groups that are kept, stages
-//! that are timed.
+//! that are timed. Commands are kept until all are known, so that kernels which are used for the
+//! first time compile side by side; then they are encoded.
 
 use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
@@ -7,7 +8,10 @@ use crate::error::Error;
 use crate::readback::{Part, Reading, map};
 use ccd_core::kernel::Id;
 use ccd_core::layout::Params;
+use encoding::Encoding;
 use std::collections::HashMap;
+
+mod encoding;
 
 /// Bytes between the parameters of two dispatches.
 const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
@@ -113,14 +117,7 @@ impl Bench {
 
     /// Starts recording into `encoder`.
     pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
-        Recorder {
-            bench: self,
-            encoder,
-            pass: None,
-            params: Vec::new(),
-            stages: Vec::new(),
-            ended: false,
-        }
+        Recorder { bench: self, encoder, commands: Vec::new(), params: Vec::new() }
     }
 
     /// Milliseconds between the first and the last timestamp of each stage that was recorded last;
@@ -148,21 +145,37 @@ impl Bench {
 pub struct Recorder<'a> {
     bench: &'a mut Bench,
     encoder: &'a mut wgpu::CommandEncoder,
-    pass: Option<wgpu::ComputePass<'static>>,
+    commands: Vec<Command>,
     params: Vec<u8>,
-    stages: Vec<&'static str>,
-    /// Whether the timestamp at the end of the whole is recorded.
-    ended: bool,
+}
+
+/// What is recorded.
+enum Command {
+    /// A stage begins.
+    Stage(&'static str),
+    /// The last kernel was recorded.
+    EndOfWork,
+    Clear {
+        buffer: wgpu::Buffer,
+        bytes: u64,
+    },
+    Copy {
+        from: (wgpu::Buffer, u64),
+        to: (wgpu::Buffer, u64),
+        bytes: u64,
+    },
+    Run {
+        id: Id,
+        buffers: Vec<wgpu::Buffer>,
+        groups: u32,
+    },
 }
 
 impl Recorder<'_> {
     /// A new stage begins: dispatches without copies between them, which are one pass.
     pub fn stage(&mut self, name: &'static str) {
-        if matches!(self.bench.timing, Timing::Stages | Timing::Kernels)
-            && self.stages.len() < MAX_STAGES as usize
-        {
-            self.pass = None;
-            self.stages.push(name);
+        if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) {
+            self.commands.push(Command::Stage(name));
         }
     }
 
@@ -175,29 +188,12 @@ impl Recorder<'_> {
 
     /// The last kernel was recorded; what comes now only hands results over.
     pub fn end_of_work(&mut self) {
-        self.pass = None;
-        if self.bench.timing == Timing::Whole
-            && !self.stages.is_empty()
-            && !self.ended
-            && let Some(timer) = &self.bench.timer
-        {
-            let writes = wgpu::ComputePassTimestampWrites {
-                query_set: &timer.queries,
-                beginning_of_pass_write_index: None,
-                end_of_pass_write_index: Some(1),
-            };
-            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                label: Some("end"),
-                timestamp_writes: Some(writes),
-            });
-        }
-        self.ended = true;
+        self.commands.push(Command::EndOfWork);
     }
 
     /// Sets the first `bytes` of a buffer to zero.
     pub fn clear(&mut self, buffer: &wgpu::Buffer, bytes: u64) {
-        self.pass = None;
-        self.encoder.clear_buffer(buffer, 0, Some(bytes));
+        self.commands.push(Command::Clear { buffer: buffer.clone(), bytes });
     }
 
     /// Copies between buffers.
@@ -209,8 +205,8 @@ impl Recorder<'_> {
         to_byte: u64,
         bytes: u64,
     ) {
-        self.pass = None;
-        self.encoder.copy_buffer_to_buffer(from, from_byte, to, to_byte, bytes);
+        let (from, to) = ((from.clone(), from_byte), (to.clone(), to_byte));
+        self.commands.push(Command::Copy { from, to, bytes });
     }
 
     /// Copies a part of what is read back, from byte `first` of `from` on.
@@ -247,85 +243,33 @@ impl Recorder<'_> {
         if groups == 0 {
             return;
         }
-        let bench = &mut *self.bench;
-        let pipeline = bench.device.pipeline(id);
-        let takes_params = id.row().params.is_some();
-        let key = (id, buffers.iter().map(|&b| b.clone()).collect::<Vec<_>>());
-        let group = bench.groups.entry(key).or_insert_with(|| {
-            let size = wgpu::BufferSize::new(PARAMS_STRIDE);
-            let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size };
-            let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
-            let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
-            let entries: Vec<_> = resources
-                .enumerate()
-                .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource })
-                .collect();
-            let descriptor = wgpu::BindGroupDescriptor {
-                label: Some(id.row().name),
-                layout: &pipeline.layout,
-                entries: &entries,
-            };
-            bench.device.wgpu().create_bind_group(&descriptor)
-        });
-        let pass = self.pass.get_or_insert_with(|| {
-            let writes = match bench.timing {
-                Timing::Off => None,
-                // With the first kernel, because uploads arrive until then.
-                Timing::Whole if self.stages.is_empty() => {
-                    self.stages.push("whole");
-                    Some((0, None))
-                }
-                Timing::Whole => None,
-                Timing::Stages | Timing::Kernels => {
-                    let last = self.stages.len().checked_sub(1).map(|last| 2 * last as u32);
-                    last.map(|at| (at, Some(at + 1)))
-                }
-            };
-            let timestamp_writes = bench.timer.as_ref().zip(writes).map(|(timer, (begin, end))| {
-                wgpu::ComputePassTimestampWrites {
-                    query_set: &timer.queries,
-                    beginning_of_pass_write_index: Some(begin),
-                    end_of_pass_write_index: end,
-                }
-            });
-            self.encoder
-                .begin_compute_pass(&wgpu::ComputePassDescriptor {
-                    label: Some("ccd"),
-                    timestamp_writes,
-                })
-                .forget_lifetime()
-        });
-        pass.set_pipeline(&pipeline.pipeline);
-        if takes_params {
-            let offset = self.params.len() as u32;
+        if id.row().params.is_some() {
+            let end = self.params.len() + PARAMS_STRIDE as usize;
             params.iter().for_each(|part| self.params.extend_from_slice(part));
-            self.params.resize(offset as usize + PARAMS_STRIDE as usize, 0);
-            pass.set_bind_group(0, &*group, &[offset]);
-        } else {
-            pass.set_bind_group(0, &*group, &[]);
+            self.params.resize(end, 0);
         }
-        // Folded: the kernels take the number of a workgroup from both dimensions.
-        let x = groups.min(bench.fold);
-        pass.dispatch_workgroups(x, groups.div_ceil(x), 1);
+        let buffers = buffers.iter().map(|&b| b.clone()).collect();
+        self.commands.push(Command::Run { id, buffers, groups });
     }
 
-    /// Ends the recording: uploads the parameters. Returns the stages.
+    /// Ends the recording: compiles what is not compiled yet, encodes the commands and uploads the
+    /// parameters. Returns the stages.
     pub fn finish(mut self) -> Result<Vec<&'static str>, Error> {
         self.end_of_work();
-        let bytes = self.params.len() as u64;
-        let limit = PARAMS_STRIDE * self.bench.most;
+        let Self { bench, encoder, commands, params } = self;
+        let bytes = params.len() as u64;
+        let limit = PARAMS_STRIDE * bench.most;
         if bytes > limit {
             return Err(Error::TooLarge { what: "parameters of dispatches", bytes, limit });
         }
-        self.bench.device.queue().write_buffer(&self.bench.params, 0, &self.params);
-        if let Some(timer) = &self.bench.timer
-            && !self.stages.is_empty()
-        {
-            let n = self.stages.len() as u32;
-            self.encoder.resolve_query_set(&timer.queries, 0..2 * n, &timer.resolved, 0);
-            self.encoder.copy_buffer_to_buffer(&timer.resolved, 0, &timer.read, 0, n as u64 * 16);
-        }
-        Ok(self.stages)
+        bench.device.compile(commands.iter().filter_map(|command| match command {
+            Command::Run { id, .. } => Some(*id),
+            _ => None,
+        }))?;
+        bench.device.queue().write_buffer(&bench.params, 0, &params);
+        let mut encoding = Encoding::new(bench, encoder);
+        commands.into_iter().for_each(|command| encoding.encode(command));
+        Ok(encoding.finish())
     }
 }
 
