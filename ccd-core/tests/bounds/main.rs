@@ -11,6 +11,7 @@ mod leaving;
 mod normal_cone;
 mod obb;
 mod obb_rounding;
+mod resting;
 mod rounding;
 mod search;
 mod tangential;
