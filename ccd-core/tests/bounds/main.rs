@@ -16,5 +16,6 @@ mod resting;
 mod rounding;
 mod search;
 mod tangential;
+#[cfg(feature = "alloc")]
 mod thin;
 mod verdicts;

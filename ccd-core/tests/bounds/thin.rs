@@ -1,11 +1,13 @@
 //! Particles and rods that do not touch by less than rounding can tell: never a certain contact,
 //! which exact arithmetic alone keeps apart from what touches.
 
-use ccd_core::Verdict;
+use ccd_core::model::codimensional::Codimensional;
+use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
 use ccd_core::narrow_phase::search::Search;
+use ccd_core::{Real, Verdict};
 
 /// Something falls by 2 through height 0 at half time, at `x`, onto an edge from 0 to `end`.
 fn onto_edge(x: f64, end: f64, search: &Search<f64>) -> Verdict<f64> {
@@ -52,4 +54,28 @@ fn what_touches_after_a_window_is_no_contact_in_it() {
             assert_eq!([is_hit(verdict), is_open(verdict)], [hits, !hits], "{until}: {verdict:?}");
         }
     }
+}
+
+/// Boxes of what is within a distance overlap, whatever the unit, and not of what is twice as far.
+#[test]
+fn boxes_of_what_is_within_the_distance_overlap() {
+    fn check<T: Real>(units: &[f64]) {
+        // A rod along the first axis, a particle above its middle, another above that.
+        let mesh = Mesh::with_edges(4, &[], &[[0, 1]]).unwrap();
+        let thin = Codimensional::of(&mesh);
+        for unit in units {
+            for (d, overlaps) in [(0.1, true), (0.3, true), (0.1 / 2.001, false)] {
+                let at = |y: f64| [1.0, y, 0.0];
+                let x = [[0.0; 3], [3.0, 0.0, 0.0], at(0.1), at(0.2)];
+                let x = x.map(|p| p.map(|c| T::from_f64(c * unit)));
+                let least = x[2][1].to_f64().max(x[3][1].to_f64() - x[2][1].to_f64());
+                let d = if d == 0.1 { least } else { d * unit };
+                let [p, q] = [0, 1].map(|i| thin.vertex_box(i, [&x, &x], d));
+                let rod = thin.edge_box(0, &mesh, [&x, &x], d);
+                assert_eq!([p.overlaps(&rod), p.overlaps(&q)], [overlaps; 2], "{d:e} of {unit:e}");
+            }
+        }
+    }
+    check::<f64>(&[1.0, 1e-3, 1e100, 1e-150]);
+    check::<f32>(&[1.0, 1e-3, 1e30, 1e-30]);
 }
