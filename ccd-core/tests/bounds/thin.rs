@@ -1,6 +1,7 @@
 //! Particles and rods that do not touch by less than rounding can tell: never a certain contact,
 //! which exact arithmetic alone keeps apart from what touches.
 
+use crate::common::random::Random;
 use ccd_core::model::codimensional::Codimensional;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::codimensional::{
@@ -54,6 +55,53 @@ fn what_touches_after_a_window_is_no_contact_in_it() {
             assert_eq!([is_hit(verdict), is_open(verdict)], [hits, !hits], "{until}: {verdict:?}");
         }
     }
+}
+
+/// A particle that flies past a rod, or another particle, by some last digits of its coordinates,
+/// across the plane of both ways: it is where the rod is at no time.
+#[test]
+fn what_flies_past_by_last_digits_is_no_certain_contact() {
+    let mut random = Random::new(1);
+    let product = |x: f64, y: f64| (x * y) as i64;
+    let (n, mut n_open, mut n_hits) = (600, 0, 0);
+    for _ in 0..n {
+        let mut point = || -> [f64; 3] { std::array::from_fn(|_| random.below(5) as f64 - 2.0) };
+        let (e0, side, way) = (point(), point(), point());
+        let normal: [i64; 3] = std::array::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            product(side[i], way[j]) - product(side[j], way[i])
+        });
+        let Some(axis) = (0..3).find(|&k| normal[k] != 0) else { continue };
+        // Met at half time, at a quarter of the edge.
+        let met: [f64; 3] = std::array::from_fn(|k| e0[k] + 0.25 * side[k]);
+        let e1 = std::array::from_fn(|k| e0[k] + side[k]);
+        let at = |s: f64, by: f64| {
+            let mut p: [f64; 3] = std::array::from_fn(|k| met[k] + s * way[k]);
+            p[axis] += by;
+            p
+        };
+        let edge = |by: f64| VertexEdge { t0: [at(-1.0, by), e0, e1], t1: [at(1.0, by), e0, e1] };
+        let vertex = |by: f64| VertexVertex { t0: [at(-1.0, by), met], t1: [at(1.0, by), met] };
+        let of = |by: f64| {
+            let whole = Search::whole(0.0);
+            let answers =
+                [search_vertex_edge(&edge(by), &whole), search_vertex_vertex(&vertex(by), &whole)];
+            answers.map(|answer| answer.verdict)
+        };
+        let by = 2f64.powi(random.below(4) as i32 - 50) * random.sign();
+        // As far at both ends, so that it is in between.
+        let [p, q] = [-1.0, 1.0].map(|s| at(s, by)[axis] - at(s, 0.0)[axis]);
+        if p != by || q != by {
+            continue;
+        }
+        for verdict in of(by) {
+            assert!(!matches!(verdict, Verdict::Hit { .. }), "{verdict:?} {by:e} {:?}", edge(by));
+            n_open += (verdict != Verdict::Miss) as usize;
+        }
+        n_hits += of(0.0).into_iter().filter(|&verdict| is_hit(verdict)).count();
+    }
+    println!("{n_open} open, {n_hits} hits without the digits, of {n}");
+    assert!(n_open > n / 3 && n_hits > n / 3, "{n_open} {n_hits}");
 }
 
 /// Boxes of what is within a distance overlap, whatever the unit, and not of what is twice as far.
