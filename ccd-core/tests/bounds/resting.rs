@@ -15,8 +15,8 @@ use ccd_core::{Real, Verdict};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-/// A vertex nearest to a corner of a face, or two edges nearest in their ends, all else beyond: what
-/// that corner of their difference does is all that counts. Both have all digits, so that the
+/// A vertex nearest to a corner of a face, or two edges nearest in their ends, all else beyond:
+/// what that corner of their difference does is all that counts. Both have all digits, so that the
 /// difference is rounded at either end of the step by itself; they move by about its last digit, or
 /// by some hundreds of it.
 fn resting<R: Real>(random: &mut Random) -> Near<R> {
@@ -85,9 +85,9 @@ fn a_slope_of_rounding_alone_tells_nothing() {
     check_resting::<f32>(600, 2);
 }
 
-/// The corner of a face that is nearest to a vertex goes away, and a second one, within the distance
-/// as well, stays where it is or comes a little nearer: it is left by none of them, also where a
-/// third one overtakes the vertex later.
+/// The corner of a face that is nearest to a vertex goes away, and a second one, within the
+/// distance as well, stays where it is or comes a little nearer: it is left by none of them, also
+/// where a third one overtakes the vertex later.
 #[test]
 fn what_stays_within_the_distance_is_not_left() {
     for (comes, overtakes) in [(0.0, -4.0), (0.0, 8.0), (0.0078125, 8.0)] {
