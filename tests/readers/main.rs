@@ -171,3 +171,25 @@ fn errors_name_the_place_and_quote_little() {
     let ply = ply.replace("-1e200", "1").replace("3 0 1 1", "3 0 1 2");
     check_refused("a.ply", ply.as_bytes(), "face 1 (counted from 1): refers to vertex 2");
 }
+
+#[test]
+fn ply_says_which_element_lacks_what() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n\
+        property double z\nelement face 2\nproperty list uchar int vertex_indices\n\
+        element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n1 2\n";
+    let fine = read("a.ply", text.as_bytes()).unwrap();
+    assert_eq!((&fine.faces[..], &fine.edges[..]), (&[[0, 1, 2], [2, 1, 0]][..], &[[1, 2]][..]));
+    let refused = |from: &str, to: &str, says: &str| {
+        assert!(text.contains(from), "{from:?}");
+        check_refused("bad.ply", text.replacen(from, to, 1).as_bytes(), says);
+    };
+    refused("element vertex", "element point", "there is no element named vertex");
+    refused("double z", "double w", "vertex 1 (counted from 1): x, y or z is missing");
+    refused("3 2 1 0", "2 2 1", "face 2 (counted from 1): has 2 vertices, fewer than 3");
+    refused("3 2 1 0", "3 2 1 -1", "face 2 (counted from 1): vertex index -1 is not in 0 ..");
+    refused("vertex_indices", "corners", "face 1 (counted from 1): has no list vertex_indices");
+    refused("uchar int", "uchar float", "face 1 (counted from 1): has no list vertex_indices");
+    refused("vertex2", "vertex3", "edge 1 (counted from 1): has no vertex1 or vertex2");
+    refused("\n1 2\n", "\n1 -2\n", "edge 1 (counted from 1): vertex index -2 is not in 0 ..");
+}

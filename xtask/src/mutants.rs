@@ -147,6 +147,7 @@ fn mutated(copy: &Path, m: &Mutant) -> Result<String, String> {
 fn test(root: &Path, copy: &Path) -> Result<Outcome, String> {
     let out = Command::new("cargo")
         .args(["test", "--quiet", "--offline", "-p", "ccd-core", "--lib", "--tests"])
+        .args(["--features", "alloc"])
         .current_dir(copy)
         .env("CARGO_TARGET_DIR", root.join("target/mutants/build"))
         .env("RUST_BACKTRACE", "0")

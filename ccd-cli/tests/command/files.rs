@@ -12,9 +12,12 @@ pub fn outputs_never_lie_over_files() {
     let out = at("out.csv");
     let both = ["check", a, b, "--contacts", &out, "--candidates"];
     check_refused(&[&both[..], &[&out]].concat(), "--contacts and --candidates both write it");
-    // The same file by another name.
-    let other = dir.path().join(".").join("out.csv");
-    check_refused(&[&both[..], &[other.to_str().unwrap()]].concat(), "both write it");
+    // The same file by another name, which paths alone do not tell.
+    std::fs::create_dir(dir.path().join("sub")).unwrap();
+    let other = |name: &str| dir.path().join("sub").join("..").join(name);
+    let again = other("out.csv");
+    assert_ne!(again, Path::new(&out));
+    check_refused(&[&both[..], &[again.to_str().unwrap()]].concat(), "both write it");
     check_refused(&["sequence", a, b, "--json-lines", "--contacts", "-"], "standard output");
     check_refused(&["check", a, b, "--picture", "-", "--contacts", "-"], "standard output");
     for (name, content, args) in [
@@ -24,10 +27,12 @@ pub fn outputs_never_lie_over_files() {
     ] {
         let file = at(name);
         std::fs::write(&file, content).unwrap();
-        let mut args: Vec<&str> =
+        let args: Vec<&str> =
             args.into_iter().map(|arg| if arg == "FILE" { &file[..] } else { arg }).collect();
-        args.push(&file);
-        check_refused(&args, "would write over it");
+        let other = other(name);
+        for output in [&file[..], other.to_str().unwrap()] {
+            check_refused(&[&args[..], &[output]].concat(), "would write over it");
+        }
         assert_eq!(std::fs::read_to_string(&file).unwrap(), content);
     }
 }

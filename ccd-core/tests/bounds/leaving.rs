@@ -15,11 +15,11 @@ use num_traits::One;
 
 /// Features close to each other that move anyhow, and a distance at which they are in contact or
 /// nearly.
-struct Near<R> {
-    patch: Patch,
-    t0: Points<R>,
-    t1: Points<R>,
-    d: R,
+pub struct Near<R> {
+    pub patch: Patch,
+    pub t0: Points<R>,
+    pub t1: Points<R>,
+    pub d: R,
 }
 
 /// A vertex above a face or an edge above another, at a gap from large to small, over their middle
@@ -102,17 +102,17 @@ fn approximate(patch: Patch, x: &Points<f64>) -> f64 {
 }
 
 impl<R: Real> Near<R> {
-    fn motion(&self) -> Motion<R> {
+    pub fn motion(&self) -> Motion<R> {
         Motion::new(self.patch, &self.t0, &self.t1, R::splat(0.0))
     }
 
-    fn square(&self, t: &BigRational) -> BigRational {
+    pub fn square(&self, t: &BigRational) -> BigRational {
         square(self.patch, &widen(&self.t0), &widen(&self.t1), t)
     }
 }
 
 /// What is said at time `from` is exactly true.
-fn check_departure<R: Real>(q: &Near<R>, found: &Departure<R>, from: f64) {
+pub fn check_departure<R: Real>(q: &Near<R>, found: &Departure<R>, from: f64) {
     let tell = || format!("{:?} {:?} {:?} from {from}: {found:?}", q.patch, q.t0, q.t1);
     let now = q.square(&exact(from));
     // So short that only the derivative counts.
@@ -171,7 +171,7 @@ fn signs_of_derivatives_are_certain_under_an_adversary() {
 }
 
 /// The promise of a search that lets contacts be left, at times up to its time of impact.
-fn check_left<R: Real>(q: &Near<R>, from: f64, verdict: Verdict<R>) {
+pub fn check_left<R: Real>(q: &Near<R>, from: f64, verdict: Verdict<R>) {
     let (until, d) = (verdict.toi().map_or(1.0, |t| t.to_f64()), exact(q.d.to_f64()));
     let (start, d) = (q.square(&exact(from)), &d * &d);
     // Evenly, and near the start.

@@ -8,10 +8,14 @@ mod derived;
 mod distance;
 mod input;
 mod leaving;
+mod moment;
 mod normal_cone;
 mod obb;
 mod obb_rounding;
+mod resting;
 mod rounding;
 mod search;
 mod tangential;
+#[cfg(feature = "alloc")]
+mod thin;
 mod verdicts;
