@@ -27,6 +27,7 @@ mod plot;
 mod queries;
 mod rows;
 mod sequence;
+mod toi;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;

@@ -4,7 +4,7 @@
 use super::canvas::{Canvas, Colour, HEIGHT, Shape, View, WIDTH};
 use super::legend::{self, BOTTOM, Legend, TOP};
 use super::output::thousands;
-use super::{Failure, in_file};
+use super::{Failure, in_file, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
 use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
@@ -109,7 +109,7 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
         text += &format!(", {} of them undecided", thousands(n_undecided));
     }
     text += &match times {
-        Some(_) => format!("; the mesh as it is at the earliest, t = {}", legend::time(shown)),
+        Some(_) => format!("; the mesh as it is at the earliest, t = {}", toi::plain(shown)),
         None => "; the mesh at the start of the step".into(),
     };
     let legend = Legend {

@@ -4,7 +4,7 @@ use super::check::step;
 use super::frames::Frames;
 use super::output::{self, Counts, MeshSize, TimesMs};
 use super::part::Part;
-use super::{Failure, Outcome, StepOptions, backend, plot, rows};
+use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
 use clap::Args;
 use serde::{Deserialize, Serialize};
@@ -227,13 +227,13 @@ fn step_ms(s: &Step) -> f64 {
 
 /// The first contact of all steps, for people.
 fn sentence(steps: &[Step]) -> String {
-    match steps.iter().find_map(|step| step.toi.map(|toi| (step, toi))) {
+    match steps.iter().find_map(|step| step.toi.map(|time| (step, time))) {
         None if steps.is_empty() => "No step in this part.".into(),
         None => "No contact in any step.".into(),
-        Some((step, toi)) => {
-            let when = match toi {
+        Some((step, time)) => {
+            let when = match time {
                 0.0 => "at the start".into(),
-                _ => format!("after {}", output::percent(toi)),
+                _ => format!("after {}", toi::percent(time)),
             };
             format!("First contact {when} of step {}, to {}.", step.frame, name(step))
         }
@@ -286,11 +286,7 @@ fn print_head(session: &Session, share: Option<Share>) {
 }
 
 fn print(s: &Step) {
-    let toi = match s.toi {
-        None => "-".into(),
-        Some(0.0) => "0".into(),
-        Some(toi) => format!("{toi:.4e}"),
-    };
+    let earliest = s.toi.map_or("-".into(), |time| toi::short(time, 5));
     let trees = if s.rebuilt { "built" } else { "refit" };
     output::say!(
         "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  {}",
@@ -298,7 +294,7 @@ fn print(s: &Step) {
         s.contacts.vf,
         s.contacts.ee,
         s.undecided,
-        toi,
+        earliest,
         output::milliseconds(step_ms(s)),
         trees,
         name(s)
