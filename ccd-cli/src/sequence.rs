@@ -142,7 +142,7 @@ impl Sequence {
             if self.json_lines {
                 bar.suspend(|| output::json(&row))?;
             } else if is_text {
-                bar.suspend(|| print(&row));
+                bar.suspend(|| print(&row, has_particles(&session)));
             }
             steps.push(row);
             bar.inc(1);
@@ -273,8 +273,10 @@ fn print_head(session: &Session, share: Option<Share>) {
         let text = format!("{} of {}: {text} of {all_steps}", part.index, part.of);
         output::line("part", text);
     }
+    let others =
+        if has_particles(session) { format!(" {:>6} {:>6}", "ve", "vv") } else { String::new() };
     output::say!(
-        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  to",
+        "{:>6} {:>8} {:>8}{others} {:>6} {:>10} {:>8} {:>5}  to",
         "step",
         "vf",
         "ee",
@@ -285,11 +287,20 @@ fn print_head(session: &Session, share: Option<Share>) {
     );
 }
 
-fn print(s: &Step) {
+/// Whether there can be contacts of the kinds that only particles have.
+fn has_particles(session: &Session) -> bool {
+    !session.mesh().isolated_vertices().is_empty()
+}
+
+fn print(s: &Step, has_particles: bool) {
     let earliest = s.toi.map_or("-".into(), |time| toi::short(time, 5));
     let trees = if s.rebuilt { "built" } else { "refit" };
+    let others = match has_particles {
+        true => format!(" {:>6} {:>6}", s.contacts.ve, s.contacts.vv),
+        false => String::new(),
+    };
     output::say!(
-        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  {}",
+        "{:>6} {:>8} {:>8}{others} {:>6} {:>10} {:>8} {:>5}  {}",
         s.frame,
         s.contacts.vf,
         s.contacts.ee,

@@ -160,6 +160,19 @@ pub fn people_are_told_what_it_means() {
     assert!(steps.contains("First contact after 49.9 % of step 0, to b.obj.\n"), "{steps}");
     assert!(steps.contains(" 4.9999e-1 "), "{steps}");
     assert!(said(&["sequence", &a, &c]).contains("No contact in any step.\n"));
+    assert!(!steps.contains(" vv "), "{steps}");
+    // Particles have contacts of kinds of their own, in columns that other meshes need not.
+    let particles = [0.0, 1.0].map(|x| {
+        let path = dir.path().join(format!("{x}.obj"));
+        std::fs::write(&path, format!("v {x} 0 0\nv {} 0 0\nv 0 9 0\n", 1.0 - x)).unwrap();
+        path.to_str().unwrap().to_owned()
+    });
+    let steps = said(&["sequence", &particles[0], &particles[1]]);
+    let cells = |at: usize| {
+        let line = steps.lines().nth(at).unwrap();
+        line.split_whitespace().take(6).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!([cells(1), cells(2)], ["step vf ee ve vv undec.", "0 0 0 0 1 0"], "{steps}");
 }
 
 pub fn the_demo_writes_its_frames() {
