@@ -148,6 +148,8 @@ impl Canvas {
         if area == 0.0 {
             return;
         }
+        // Edges of triangles that are hardly larger than lines would darken all of a surface.
+        let edges = 1.0 - 0.25 * ((area.abs() - 80.0) / 240.0).clamp(0.0, 1.0);
         let over = |k: usize, size| range(a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k]), size);
         for y in over(1, ROWS) {
             for x in over(0, ROW) {
@@ -162,8 +164,7 @@ impl Canvas {
                     if depth > self.depth[i] {
                         self.depth[i] = depth;
                         let side = w.iter().fold(1.0f64, |m, &w| m.min(w)) * area.abs().sqrt();
-                        let is_side = side < 0.8 && area.abs() > 150.0;
-                        self.colour[i] = if is_side { scale(colour, 0.75) } else { colour };
+                        self.colour[i] = if side < 0.8 { scale(colour, edges) } else { colour };
                     }
                 }
             }
