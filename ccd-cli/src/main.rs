@@ -213,7 +213,7 @@ impl StepOptions {
                 let element = if element == "face" { "triangle" } else { element };
                 let at = at + 1;
                 let what = format!("{element} {at} (counted from 1) joins bodies {a} and {b}");
-                Failure(format!("--bodies: {what}"))
+                in_file(self.bodies.file().unwrap_or("--bodies".as_ref()), what)
             }
             _ => e.into(),
         })

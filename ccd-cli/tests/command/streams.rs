@@ -103,8 +103,8 @@ pub fn bodies_select_contacts() {
     std::fs::write(file, "\u{feff}0 0 0 0 1 1 1").unwrap();
     assert_eq!(contacts(&["--bodies", file]), 1);
     std::fs::write(file, "0 0 0 0 1 1 2").unwrap();
-    let says = "triangle 3 (counted from 1) joins bodies 1 and 2";
-    check_refused(&["check", a, b, "--bodies", file], says);
+    let says = format!("{file}: triangle 3 (counted from 1) joins bodies 1 and 2");
+    check_refused(&["check", a, b, "--bodies", file], &says);
     std::fs::write(file, "0 0").unwrap();
     check_refused(&["check", a, b, "--bodies", file], "2 bodies for 7 vertices");
 }
