@@ -166,7 +166,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
 /// Refuses what follows the last element, but for blank lines: a face that the header does not
 /// count would be left out.
 fn nothing_left(reader: Reader<impl BufRead>, is_text: bool) -> Result<(), ReadErrorKind> {
-    let (mut line, mut rest) = (reader.line() + 1, reader.into_inner());
+    let (mut line, mut rest) = (reader.line(), reader.into_inner());
     loop {
         let bytes = rest.fill_buf()?;
         if let Some(at) = bytes.iter().position(|byte| !byte.is_ascii_whitespace()) {
