@@ -138,6 +138,11 @@ fn meshes_are_read_in_every_encoding() {
         let error =
             read_frame(&write(dir.path(), "cut.ply", &bytes[..bytes.len() - 30])).unwrap_err();
         assert!(error.to_string().contains("cut.ply"), "{error}");
+        let longer = [&bytes[..], &[4]].concat();
+        let error = read_frame(&write(dir.path(), "longer.ply", &longer)).unwrap_err();
+        assert!(error.to_string().contains("more than the header promises"), "{error}");
+        let ended = [&bytes[..], b"\r\n\n"].concat();
+        assert_eq!(read_frame(&write(dir.path(), "ended.ply", &ended)).unwrap(), want);
     }
     let obj =
         "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nv 0 1 0.10000000149011612\nf 1/1/1 2//1 3 -1\n";
@@ -267,6 +272,7 @@ fn bad_files_are_named_with_the_place() {
     check("garbage.obj", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "line 1");
     check("empty.ply", b"", "end of file");
     check("short.ply", &ASCII.as_bytes()[..ASCII.len() - 12], "line 15: ");
+    check("more.ply", format!("{ASCII}\n4 0 1 2 3\n").as_bytes(), "line 18: there is more than");
     check("index.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 9").as_bytes(), "vertex 9");
     check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
     check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");

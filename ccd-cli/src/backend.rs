@@ -102,6 +102,9 @@ pub struct BackendOptions {
 impl BackendOptions {
     /// Chooses. `size`: edges of the mesh, or boxes.
     pub fn choose(&self, size: usize) -> Result<Choice, Failure> {
+        if self.backend == Backend::Cpu && self.adapter.adapter.is_some() {
+            return Err(Failure("--adapter names a GPU, --backend cpu uses none".into()));
+        }
         let backend = match self.backend {
             Backend::Cpu => any::Backend::Cpu,
             Backend::Gpu => any::Backend::Gpu,

@@ -3,7 +3,7 @@
 
 use super::backend::BackendOptions;
 use super::method::MethodOptions;
-use super::{Failure, Outcome, output};
+use super::{Failure, Outcome, output, toi};
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::Timing;
 use ccd::scenes::{crumpled_sheet, uniform_boxes};
@@ -199,10 +199,10 @@ impl Bench {
         })?;
         self.put(rows, &scene, "all contacts", timed);
         let timed = self.time(&mut session, None, |s| match s.earliest_toi(&x0, &x1)? {
-            Some(toi) if toi <= want.toi && toi >= want.toi - TOI_TOLERANCE => {
-                Ok(format!("t = {toi:.6e}"))
+            Some(found) if found <= want.toi && found >= want.toi - TOI_TOLERANCE => {
+                Ok(format!("t = {}", toi::short(found, 7)))
             }
-            toi => Err(Failure(format!("{scene}: earliest {toi:?}, right is {:?}", want.toi))),
+            found => Err(Failure(format!("{scene}: earliest {found:?}, right is {:?}", want.toi))),
         })?;
         self.put(rows, &scene, "earliest", timed);
         Ok(())

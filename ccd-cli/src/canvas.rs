@@ -59,7 +59,7 @@ pub struct View {
 }
 
 impl View {
-    /// What shows all of these points, and at least this length.
+    /// What shows all of these points, and at least this length; without any length, one unit.
     pub fn of(points: impl Iterator<Item = [f64; 3]>, least: f64) -> Self {
         let view = unit(VIEW);
         let right = unit(cross(UP, view));
@@ -75,19 +75,27 @@ impl View {
         if !(min[0] <= max[0]) {
             (min, max) = ([-1.0; 3], [1.0; 3]);
         }
-        let sides: [f64; 3] = std::array::from_fn(|k| (max[k] - min[k]).max(least).max(1e-300));
+        let length = |k: usize| (max[k] - min[k]).max(least);
+        let extent = (0..3).map(length).fold(0.0, f64::max);
+        let shortest = if extent > 0.0 { 1e-300 } else { 1.0 };
+        let sides = [0, 1].map(|k| length(k).max(shortest));
         let fit = |k: usize, n: usize| n as f64 * (1.0 - 2.0 * BORDER) / sides[k];
         Self {
             axes,
             centre: [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1])],
             zoom: fit(0, ROW).min(fit(1, ROWS)),
-            extent: sides.into_iter().fold(0.0, f64::max),
+            extent,
         }
     }
 
     /// Pixels a unit of length.
     pub fn scale(&self) -> f64 {
         self.zoom / SAMPLES as f64
+    }
+
+    /// The longest side of what is shown.
+    pub fn extent(&self) -> f64 {
+        self.extent
     }
 
     /// How many samples what is shown by another view takes in this one.
@@ -128,7 +136,9 @@ impl Canvas {
 
     /// A face, with thin dark lines along its sides where it is large enough.
     pub fn triangle(&mut self, corners: [[f64; 3]; 3]) {
-        let n = cross(sub(corners[1], corners[0]), sub(corners[2], corners[0]));
+        // In samples: squares of squares of lengths neither overflow nor vanish.
+        let side = |k: usize| scale(sub(corners[k], corners[0]), self.view.zoom);
+        let n = cross(side(1), side(2));
         let length = dot(n, n).sqrt();
         let facing = if length > 0.0 { dot(n, self.view.axes[2]) / length } else { 0.0 };
         let light = 0.35 + 0.65 * facing.abs();
@@ -138,6 +148,8 @@ impl Canvas {
         if area == 0.0 {
             return;
         }
+        // Edges of triangles that are hardly larger than lines would darken all of a surface.
+        let edges = 1.0 - 0.25 * ((area.abs() - 80.0) / 240.0).clamp(0.0, 1.0);
         let over = |k: usize, size| range(a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k]), size);
         for y in over(1, ROWS) {
             for x in over(0, ROW) {
@@ -152,8 +164,7 @@ impl Canvas {
                     if depth > self.depth[i] {
                         self.depth[i] = depth;
                         let side = w.iter().fold(1.0f64, |m, &w| m.min(w)) * area.abs().sqrt();
-                        let is_side = side < 0.8 && area.abs() > 150.0;
-                        self.colour[i] = if is_side { scale(colour, 0.75) } else { colour };
+                        self.colour[i] = if side < 0.8 { scale(colour, edges) } else { colour };
                     }
                 }
             }
@@ -250,5 +261,28 @@ mod tests {
         let pixels = canvas.pixels();
         let at = (HEIGHT / 2 * WIDTH + WIDTH / 2) * 3;
         assert!(pixels != before && pixels[at] > 200 && pixels[at + 1] < 60);
+    }
+    #[test]
+    fn pictures_are_the_same_at_every_scale() {
+        let of = |unit: f64| {
+            let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.2, 1.0]];
+            let corners = corners.map(|p| scale(p, unit));
+            let mut canvas = Canvas::new(View::of(corners.into_iter(), 0.0));
+            canvas.triangle(corners);
+            canvas.pixels()
+        };
+        // Powers of two, so that nothing is rounded otherwise.
+        let want = of(1.0);
+        assert!(want.iter().any(|&c| c < 180), "the triangle is there");
+        for power in [-900, 320] {
+            assert!(of(2f64.powi(power)) == want, "2^{power}");
+        }
+    }
+
+    #[test]
+    fn a_point_is_seen_from_some_distance() {
+        let view = View::of([[3.0; 3]].into_iter(), 0.0);
+        assert!(view.scale() > 100.0 && view.scale() < 2000.0, "{}", view.scale());
+        assert_eq!(view.samples_of(&view), 0.0);
     }
 }

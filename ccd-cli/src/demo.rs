@@ -41,7 +41,7 @@ impl Demo {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
         for path in [&last, &plots] {
-            files::create(path, "png")?;
+            files::open(path, "png")?;
         }
         let mut cloth = Cloth::new(&self.backend, &self.method)?;
         self.write_frame(0, &cloth)?;

@@ -29,6 +29,17 @@ pub fn create(path: &Path, extension: &str) -> Result<Box<dyn Write>, Failure> {
     Ok(Box::new(File::create(path).map_err(|e| in_file(path, e))?))
 }
 
+/// Looks whether a file can be created, which is done once there is something to write: until then
+/// what an earlier run wrote stays.
+pub fn open(path: &Path, extension: &str) -> Result<(), Failure> {
+    if is_stdout(path) {
+        return Ok(());
+    }
+    check_extension(path, extension)?;
+    let opened = File::options().write(true).create(true).truncate(false).open(path);
+    opened.map(drop).map_err(|e| in_file(path, e))
+}
+
 /// Why something could not be written; ends the program where nobody reads standard output.
 pub fn failed(path: &Path, e: std::io::Error) -> Failure {
     if is_stdout(path) { ended(&e) } else { in_file(path, e) }

@@ -2,7 +2,7 @@
 
 use super::backend::{AdapterOptions, kernel_folder};
 use super::{Failure, Outcome, output};
-use ccd::gpu::{Device, Info, Path, wgpu};
+use ccd::gpu::{Device, Info, Path, described, wgpu};
 use clap::Args;
 use serde::Serialize;
 
@@ -57,16 +57,14 @@ impl InfoCommand {
             .open()
             .map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
         let info = device.info();
-        let adapters: Vec<Adapter> = Device::adapters().iter().map(Adapter::from).collect();
+        let adapters = Device::adapters();
         if self.json {
-            output::json(&json(info, adapters))?;
+            output::json(&json(info, adapters.iter().map(Adapter::from).collect()))?;
         } else {
             output::say!("{info}");
             for (i, a) in adapters.iter().enumerate() {
-                output::line(
-                    if i == 0 { "there are" } else { "" },
-                    format_args!("{i}: {} ({}, {}{})", a.name, a.kind, a.backend, pci(a)),
-                );
+                let name = if i == 0 { "there are" } else { "" };
+                output::line(name, format_args!("{i}: {}", described(a)));
             }
             if let Some(folder) = kernel_folder() {
                 output::line("kernels", format_args!("kept in {}", folder.display()));
@@ -75,10 +73,6 @@ impl InfoCommand {
         output::flush();
         Ok(false)
     }
-}
-
-fn pci(a: &Adapter) -> String {
-    a.pci.as_ref().map_or(String::new(), |id| format!(", PCI {id}"))
 }
 
 fn json(info: &Info, adapters: Vec<Adapter>) -> Json {

@@ -4,7 +4,7 @@
 use super::canvas::{Colour, HEIGHT, WIDTH};
 use super::letters::Pixels;
 use super::picture::colour_of;
-use super::{Failure, files, in_file, plot};
+use super::{Failure, files, in_file, plot, toi};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use plotters::prelude::*;
@@ -78,7 +78,7 @@ impl Legend<'_> {
             write(root, "undecided", [x + 118, y - 10], SIZE)?;
         }
         root.draw(&Circle::new((x + 228, y), 11, INK.stroke_width(2)))?;
-        write(root, &format!("earliest, t = {}", time(first)), [x + 248, y - 10], SIZE)?;
+        write(root, &format!("earliest, t = {}", toi::plain(first)), [x + 248, y - 10], SIZE)?;
         write(root, "faint: behind a surface", [x - 6, bottom(46)], SIZE - 3)
     }
 
@@ -93,9 +93,9 @@ impl Legend<'_> {
             let line = [(left + i, y), (left + i, y + height)];
             root.draw(&PathElement::new(line, rgb(colour_of(part)).stroke_width(1)))?;
         }
-        write(root, &time(first), [left, y + height + 4], SIZE - 2)?;
+        write(root, &toi::plain(first), [left, y + height + 4], SIZE - 2)?;
         if last > first {
-            let text = time(last);
+            let text = toi::plain(last);
             let style = ("sans-serif", SIZE - 2).into_font();
             let width = style.box_size(&text)?.0 as i32;
             write(root, &text, [left + length - width, y + height + 4], SIZE - 2)?;
@@ -139,11 +139,6 @@ fn number(x: f64) -> String {
     }
 }
 
-/// A time of impact in few digits.
-pub fn time(t: f64) -> String {
-    if t == 0.0 || t >= 1e-2 { format!("{t:.3}") } else { format!("{t:.2e}") }
-}
-
 /// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
 pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
     let mut png = Vec::new();
@@ -166,6 +161,5 @@ mod tests {
             assert!((round_length(x) / want - 1.0).abs() < 1e-12);
             assert_eq!(number(round_length(x)), text);
         }
-        assert_eq!([time(0.0), time(7.49e-6), time(0.5)], ["0.000", "7.49e-6", "0.500"]);
     }
 }

@@ -27,6 +27,7 @@ mod plot;
 mod queries;
 mod rows;
 mod sequence;
+mod toi;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -169,7 +170,7 @@ impl StepOptions {
     /// cannot be written is refused here, too.
     fn contact_file(&self, frames: bool) -> Result<Option<rows::ContactFile<'_>>, Failure> {
         if let Some(path) = &self.picture {
-            files::create(path, "png")?;
+            files::open(path, "png")?;
         }
         let path = self.contacts.as_deref();
         path.map(|path| rows::ContactFile::create(path, frames)).transpose()
@@ -212,7 +213,7 @@ impl StepOptions {
                 let element = if element == "face" { "triangle" } else { element };
                 let at = at + 1;
                 let what = format!("{element} {at} (counted from 1) joins bodies {a} and {b}");
-                Failure(format!("--bodies: {what}"))
+                in_file(self.bodies.file().unwrap_or("--bodies".as_ref()), what)
             }
             _ => e.into(),
         })
@@ -262,7 +263,7 @@ type Outcome = Result<bool, Failure>;
 
 fn main() -> ExitCode {
     environment::prepare();
-    let cli = Cli::parse();
+    let cli = Cli::try_parse().unwrap_or_else(|e| unparsed(&e));
     let (outcome, fail_on_contact) = match &cli.command {
         Command::Check(c) => (c.run(), c.options.fail_on_contact),
         Command::Sequence(c) => (c.run(), c.options.fail_on_contact),
@@ -284,6 +285,15 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Prints what clap has to say, a manual or what is wrong, and ends the program.
+fn unparsed(e: &clap::Error) -> ! {
+    match e.print() {
+        Err(why) if !e.use_stderr() => output::ended(&why),
+        _ => output::flush(),
+    }
+    std::process::exit(e.exit_code())
 }
 
 /// Says why the command ends.

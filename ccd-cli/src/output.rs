@@ -1,6 +1,6 @@
 //! What commands print: text and JSON.
 
-use super::Failure;
+use super::{Failure, toi};
 use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
@@ -142,26 +142,12 @@ pub fn milliseconds(ms: f64) -> String {
     }
 }
 
-/// A time of impact as a part of the step, for people: `0.00075 %`.
-pub fn percent(toi: f64) -> String {
-    let percent = toi * 100.0;
-    if percent == 0.0 || percent >= 10.0 {
-        return format!("{percent:.0} %");
-    }
-    if percent < 1e-6 {
-        return format!("{percent:.1e} %");
-    }
-    // Two digits that matter.
-    let decimals = 1 - percent.log10().floor() as i32;
-    format!("{percent:.*} %", decimals.max(0) as usize)
-}
-
 /// What a step found, in one sentence for people.
 pub fn sentence(report: &Report) -> String {
     match report.toi {
         None => "No contact: the whole step is free.".into(),
         Some(0.0) => "There are contacts from the start of the step on.".into(),
-        Some(toi) => format!("First contact after {} of the step.", percent(toi)),
+        Some(time) => format!("First contact after {} of the step.", toi::percent(time)),
     }
 }
 
@@ -234,25 +220,5 @@ pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
 pub fn flush() {
     if let Err(e) = std::io::stdout().flush() {
         ended(&e);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::percent;
-
-    #[test]
-    fn parts_of_a_step_have_two_digits_that_matter() {
-        for (toi, want) in [
-            (0.0, "0 %"),
-            (7.49e-6, "0.00075 %"),
-            (0.5, "50 %"),
-            (1.0, "100 %"),
-            (0.0123, "1.2 %"),
-            (0.00999, "1.00 %"),
-            (1e-300, "1.0e-298 %"),
-        ] {
-            assert_eq!(percent(toi), want);
-        }
     }
 }

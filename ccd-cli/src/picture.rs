@@ -4,7 +4,7 @@
 use super::canvas::{Canvas, Colour, HEIGHT, Shape, View, WIDTH};
 use super::legend::{self, BOTTOM, Legend, TOP};
 use super::output::thousands;
-use super::{Failure, in_file};
+use super::{Failure, in_file, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
 use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
@@ -80,7 +80,11 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     let view = match scene.zoom {
         Zoom::Contacts if !marks.is_empty() => {
             // Large features in contact do not make it show less closely than all.
-            let near = View::of(points, 2.0 * size_of_features(scene));
+            let least = match size_of_features(scene) {
+                0.0 => 0.1 * whole.extent(),
+                size => 2.0 * size,
+            };
+            let near = View::of(points, least);
             if near.scale() > whole.scale() { near } else { whole }
         }
         _ => whole,
@@ -101,7 +105,8 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]), spread);
 
     let n_undecided = marks.iter().filter(|(c, _)| c.state == State::Undecided).count();
-    let mut text = format!("{} contacts", thousands(marks.len()));
+    let plural = if marks.len() == 1 { "" } else { "s" };
+    let mut text = format!("{} contact{plural}", thousands(marks.len()));
     if scene.min_distance > 0.0 {
         text += &format!(" (a distance of at most {})", scene.min_distance);
     }
@@ -109,7 +114,7 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
         text += &format!(", {} of them undecided", thousands(n_undecided));
     }
     text += &match times {
-        Some(_) => format!("; the mesh as it is at the earliest, t = {}", legend::time(shown)),
+        Some(_) => format!("; the mesh as it is at the earliest, t = {}", toi::plain(shown)),
         None => "; the mesh at the start of the step".into(),
     };
     let legend = Legend {

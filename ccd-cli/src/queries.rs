@@ -123,7 +123,11 @@ impl Queries {
                 "f.neg.",
                 "ns"
             );
-            files.iter().for_each(|f| print(&f.counts, &name(&f.file)));
+            let folder = common_folder(&self.files);
+            for (row, path) in files.iter().zip(&self.files) {
+                let name = path.strip_prefix(folder).unwrap_or(path);
+                print(&row.counts, &name.display().to_string());
+            }
             print(&total, "total");
             output::say!(
                 "far: misses by the boxes alone; undec.: counted among hits, too close to"
@@ -195,10 +199,11 @@ fn write(
     out.flush()
 }
 
-/// The name of a file without its folders.
-fn name(file: &str) -> String {
-    let name = std::path::Path::new(file).file_name();
-    name.map_or(file.into(), |name| name.to_string_lossy().into_owned())
+/// The folder that all files are in, below which their names tell them apart.
+fn common_folder(files: &[PathBuf]) -> &Path {
+    let first = files.first().and_then(|file| file.parent());
+    let holds_all = |folder: &&Path| files.iter().all(|file| file.starts_with(folder));
+    first.and_then(|first| first.ancestors().find(holds_all)).unwrap_or(Path::new(""))
 }
 
 fn per_query(ns: f64, n: usize) -> f64 {

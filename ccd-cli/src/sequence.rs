@@ -4,7 +4,7 @@ use super::check::step;
 use super::frames::Frames;
 use super::output::{self, Counts, MeshSize, TimesMs};
 use super::part::Part;
-use super::{Failure, Outcome, StepOptions, backend, plot, rows};
+use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
 use clap::Args;
 use serde::{Deserialize, Serialize};
@@ -142,7 +142,7 @@ impl Sequence {
             if self.json_lines {
                 bar.suspend(|| output::json(&row))?;
             } else if is_text {
-                bar.suspend(|| print(&row));
+                bar.suspend(|| print(&row, has_particles(&session)));
             }
             steps.push(row);
             bar.inc(1);
@@ -227,13 +227,13 @@ fn step_ms(s: &Step) -> f64 {
 
 /// The first contact of all steps, for people.
 fn sentence(steps: &[Step]) -> String {
-    match steps.iter().find_map(|step| step.toi.map(|toi| (step, toi))) {
+    match steps.iter().find_map(|step| step.toi.map(|time| (step, time))) {
         None if steps.is_empty() => "No step in this part.".into(),
         None => "No contact in any step.".into(),
-        Some((step, toi)) => {
-            let when = match toi {
+        Some((step, time)) => {
+            let when = match time {
                 0.0 => "at the start".into(),
-                _ => format!("after {}", output::percent(toi)),
+                _ => format!("after {}", toi::percent(time)),
             };
             format!("First contact {when} of step {}, to {}.", step.frame, name(step))
         }
@@ -273,8 +273,10 @@ fn print_head(session: &Session, share: Option<Share>) {
         let text = format!("{} of {}: {text} of {all_steps}", part.index, part.of);
         output::line("part", text);
     }
+    let others =
+        if has_particles(session) { format!(" {:>6} {:>6}", "ve", "vv") } else { String::new() };
     output::say!(
-        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  to",
+        "{:>6} {:>8} {:>8}{others} {:>6} {:>10} {:>8} {:>5}  to",
         "step",
         "vf",
         "ee",
@@ -285,20 +287,25 @@ fn print_head(session: &Session, share: Option<Share>) {
     );
 }
 
-fn print(s: &Step) {
-    let toi = match s.toi {
-        None => "-".into(),
-        Some(0.0) => "0".into(),
-        Some(toi) => format!("{toi:.4e}"),
-    };
+/// Whether there can be contacts of the kinds that only particles have.
+fn has_particles(session: &Session) -> bool {
+    !session.mesh().isolated_vertices().is_empty()
+}
+
+fn print(s: &Step, has_particles: bool) {
+    let earliest = s.toi.map_or("-".into(), |time| toi::short(time, 5));
     let trees = if s.rebuilt { "built" } else { "refit" };
+    let others = match has_particles {
+        true => format!(" {:>6} {:>6}", s.contacts.ve, s.contacts.vv),
+        false => String::new(),
+    };
     output::say!(
-        "{:>6} {:>8} {:>8} {:>6} {:>10} {:>8} {:>5}  {}",
+        "{:>6} {:>8} {:>8}{others} {:>6} {:>10} {:>8} {:>5}  {}",
         s.frame,
         s.contacts.vf,
         s.contacts.ee,
         s.undecided,
-        toi,
+        earliest,
         output::milliseconds(step_ms(s)),
         trees,
         name(s)

@@ -32,9 +32,9 @@ pub enum Path {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
-    /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0`), or a
-    /// part of its name, in any case; `None`: the one that wgpu prefers, and the environment
-    /// variable `CCD_ADAPTER` if it is set.
+    /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0` in domain
+    /// 0), or a part of its name, in any case; one or two digits are never a part of a name. `None`:
+    /// the one that wgpu prefers, or what the environment variable `CCD_ADAPTER` says.
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,
@@ -83,11 +83,7 @@ impl fmt::Display for Info {
             Path::Passthrough => "SPIR-V passthrough",
             Path::Wgsl => "WGSL through naga",
         };
-        let pci = match a.device_pci_bus_id.as_str() {
-            "" => String::new(),
-            id => format!(", PCI {id}"),
-        };
-        writeln!(f, "adapter     {} ({:?}{pci})", a.name, a.device_type)?;
+        writeln!(f, "adapter     {} ({:?}{})", a.name, a.device_type, pci_of(a))?;
         writeln!(f, "backend     {}, driver {} {}", a.backend, a.driver, a.driver_info)?;
         writeln!(f, "shaders     {path}: {}", self.why)?;
         writeln!(
@@ -161,7 +157,8 @@ pub async fn choose(
     instance: &wgpu::Instance,
     options: &DeviceOptions,
 ) -> Result<wgpu::Adapter, Error> {
-    let wanted = options.adapter.clone().or_else(|| std::env::var("CCD_ADAPTER").ok());
+    let from_environment = || std::env::var("CCD_ADAPTER").ok().filter(|name| !name.is_empty());
+    let wanted = options.adapter.clone().or_else(from_environment);
     let Some(wanted) = wanted else {
         let request = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
@@ -176,26 +173,59 @@ pub async fn choose(
     let infos: Vec<wgpu::AdapterInfo> = all.iter().map(|a| a.get_info()).collect();
     match find(&infos, &wanted) {
         Some(at) => Ok(all.swap_remove(at)),
-        None => {
-            let names: Vec<&str> = infos.iter().map(|a| a.name.as_str()).collect();
-            let names = names.join(", ");
-            let why = format!(
-                "no adapter has the number, the PCI id or the name \"{wanted}\"; there are: {names}"
-            );
-            Err(Error::Unavailable { why })
-        }
+        None => Err(Error::Unavailable { why: missing(&infos, &wanted) }),
     }
+}
+
+/// What an adapter is, as it is listed: the name, in parentheses the type, the GPU API and, if it
+/// is known, the PCI id, which tells adapters of one name apart.
+///
+/// ```
+/// use ccd_gpu::{Device, described};
+///
+/// for (number, adapter) in Device::adapters().iter().enumerate() {
+///     println!("{number}: {}", described(adapter));
+/// }
+/// ```
+pub fn described(a: &wgpu::AdapterInfo) -> String {
+    format!("{} ({:?}, {}{})", a.name, a.device_type, a.backend, pci_of(a))
+}
+
+fn pci_of(a: &wgpu::AdapterInfo) -> String {
+    match a.device_pci_bus_id.as_str() {
+        "" => String::new(),
+        id => format!(", PCI {id}"),
+    }
+}
+
+/// Why there is no adapter, and which there are.
+fn missing(all: &[wgpu::AdapterInfo], wanted: &str) -> String {
+    let list: Vec<String> =
+        all.iter().enumerate().map(|(at, a)| format!("{at}: {}", described(a))).collect();
+    let list = if list.is_empty() { "none".into() } else { list.join("; ") };
+    format!("no adapter has the number, the PCI id or the name {wanted:?}; there are: {list}")
 }
 
 /// The adapter that `wanted` means: by its number, by its PCI id, by a part of its name.
 fn find(all: &[wgpu::AdapterInfo], wanted: &str) -> Option<usize> {
     let number = wanted.parse().ok().filter(|&at: &usize| at < all.len());
-    let pci = |a: &wgpu::AdapterInfo| {
-        let id = &a.device_pci_bus_id;
-        !id.is_empty() && (id.eq_ignore_ascii_case(wanted) || id.get(5..) == Some(wanted))
-    };
-    let name = |a: &wgpu::AdapterInfo| a.name.to_lowercase().contains(&wanted.to_lowercase());
+    let id = pci_id(wanted);
+    let pci = |a: &wgpu::AdapterInfo| id.is_some() && pci_id(&a.device_pci_bus_id) == id;
+    // A number that no adapter has is in many names by chance: 2 in that of an H200.
+    let is_number = wanted.len() < 3 && wanted.bytes().all(|b| b.is_ascii_digit());
+    let wanted = wanted.to_lowercase();
+    let name = |a: &wgpu::AdapterInfo| !is_number && a.name.to_lowercase().contains(&wanted);
     number.or_else(|| all.iter().position(pci)).or_else(|| all.iter().position(name))
+}
+
+/// Domain (0 if there is none), bus, device and function of a PCI id, however many zeros it has:
+/// `nvidia-smi` prints a domain of eight digits.
+fn pci_id(text: &str) -> Option<[u32; 4]> {
+    let (rest, function) = text.rsplit_once('.')?;
+    let (rest, device) = rest.rsplit_once(':')?;
+    let (domain, bus) = rest.rsplit_once(':').unwrap_or(("0", rest));
+    let number = |digits: &str| u32::from_str_radix(digits, 16).ok();
+    Some([number(domain)?, number(bus)?, number(device)?, number(function)?])
 }
 
 #[cfg(test)]
@@ -217,16 +247,29 @@ mod tests {
         ];
         for (wanted, want) in [
             ("h200", Some(0)),
+            ("200", Some(0)),
             ("1", Some(1)),
             ("2", Some(2)),
             ("0000:af:00.0", Some(1)),
+            ("af:00.0", Some(1)),
+            ("00000000:3B:00.0", Some(0)),
             ("3b:00.0", Some(0)),
-            ("7", Some(2)),
+            ("0001:3b:00.0", None),
+            ("7", None),
             ("3", None),
+            ("", None),
             ("0000:af", None),
             ("LLVM", Some(2)),
         ] {
             assert_eq!(find(&all, wanted), want, "{wanted}");
         }
+        assert_eq!(
+            missing(&all, "3"),
+            "no adapter has the number, the PCI id or the name \"3\"; there are: \
+             0: NVIDIA H200 (DiscreteGpu, vulkan, PCI 0000:3b:00.0); \
+             1: NVIDIA H200 (DiscreteGpu, vulkan, PCI 0000:AF:00.0); \
+             2: llvmpipe 7 (DiscreteGpu, vulkan)"
+        );
+        assert!(missing(&[], "3").ends_with("; there are: none"));
     }
 }

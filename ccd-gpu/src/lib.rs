@@ -42,7 +42,7 @@ mod shaders;
 mod sort;
 mod step;
 
-pub use adapter::{DeviceOptions, Info, Path};
+pub use adapter::{DeviceOptions, Info, Path, described};
 pub use broad_phase::BroadPhase;
 pub use broad_phase::method::check_scheduling;
 pub use broad_phase::worker_counts::WorkerCounts;

@@ -369,10 +369,10 @@ impl Session {
         (goal, window): (Goal, [f64; 2]),
         given: Given,
     ) -> Result<(), Error> {
-        let Self { mesh, options, codimensional: Some(of), report, .. } = self else {
+        let Self { mesh, options, codimensional: Some(of), report, frames, .. } = self else {
             return Ok(());
         };
-        of.list(mesh, options, given)?;
+        of.list(mesh, (frames.buffers.rules.as_ref(), options.min_distance), given)?;
         let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
         (report.candidates.ve, report.candidates.vv) = (ve, vv);
         (report.filtered.ve, report.filtered.vv) = (ve, vv);

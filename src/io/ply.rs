@@ -2,7 +2,7 @@
 
 use super::{Frame, ReadErrorKind, quote};
 use ply_rs_bw::parser::{Parser, Reader};
-use ply_rs_bw::ply::{Header, Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{Encoding, Header, Property, PropertyAccess, PropertyAccessResult};
 use std::io::BufRead;
 use std::path::Path;
 
@@ -159,7 +159,30 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
             }
         }
     }
+    nothing_left(reader, header.encoding == Encoding::Ascii)?;
     Ok(frame)
+}
+
+/// Refuses what follows the last element, but for blank lines: a face that the header does not
+/// count would be left out.
+fn nothing_left(reader: Reader<impl BufRead>, is_text: bool) -> Result<(), ReadErrorKind> {
+    let (mut line, mut rest) = (reader.line(), reader.into_inner());
+    loop {
+        let bytes = rest.fill_buf()?;
+        if let Some(at) = bytes.iter().position(|byte| !byte.is_ascii_whitespace()) {
+            line += bytes[..at].iter().filter(|&&byte| byte == b'\n').count();
+            let what = "there is more than the header promises".to_owned();
+            return Err(match is_text {
+                true => ReadErrorKind::Line { line, what },
+                false => ReadErrorKind::Format(what),
+            });
+        }
+        line += bytes.iter().filter(|&&byte| byte == b'\n').count();
+        match bytes.len() {
+            0 => return Ok(()),
+            n => rest.consume(n),
+        }
+    }
 }
 
 /// The message of the parser in one line: what is wrong, and the text there.

@@ -118,7 +118,10 @@ pub fn info_says_what_there_is() {
         let want = if by == "0" { &all[0]["name"] } else { &value["adapter"]["name"] };
         assert_eq!(&one["adapter"]["name"], want);
     }
-    assert!(said.contains("there are   0: "), "{said}");
+    let line = said.lines().find(|line| line.starts_with("there are   0: ")).expect("a list");
+    let listed = &line["there are   ".len()..];
+    check_refused(&["info", "--adapter", "99"], &format!("\"99\"; there are: {listed}"));
+    check_refused(&["bench", "--backend", "cpu", "--adapter", "0"], "--adapter names a GPU");
 }
 
 /// A second process takes kernels from the file that the first one left; without a folder to keep

@@ -143,7 +143,8 @@ pub fn people_are_told_what_it_means() {
         said
     };
     let found = said(&["check", &a, &b]);
-    assert!(found.starts_with("First contact after 50 % of the step.\nmesh"), "{found}");
+    // Contact is at 0.5, the time found a little earlier: no digit may make it later.
+    assert!(found.starts_with("First contact after 49.9 % of the step.\nmesh"), "{found}");
     assert!(found.contains("(swept boxes overlap)"), "{found}");
     assert!(said(&["check", &a, &c]).starts_with("No contact: the whole step is free.\n"));
     // The corner lies in the square from the start.
@@ -154,8 +155,24 @@ pub fn people_are_told_what_it_means() {
     assert!(near.contains("at t = 0: the first frame is within the minimum distance"), "{near}");
     assert!(start.contains("undecided: too close to tell"), "{start}");
     let steps = said(&["sequence", &a, &c, &b]);
-    assert!(steps.contains("First contact after 44 % of step 1, to b.obj.\n"), "{steps}");
+    assert!(steps.contains("First contact after 44.4 % of step 1, to b.obj.\n"), "{steps}");
+    let steps = said(&["sequence", &a, &b, &low]);
+    assert!(steps.contains("First contact after 49.9 % of step 0, to b.obj.\n"), "{steps}");
+    assert!(steps.contains(" 4.9999e-1 "), "{steps}");
     assert!(said(&["sequence", &a, &c]).contains("No contact in any step.\n"));
+    assert!(!steps.contains(" vv "), "{steps}");
+    // Particles have contacts of kinds of their own, in columns that other meshes need not.
+    let particles = [0.0, 1.0].map(|x| {
+        let path = dir.path().join(format!("{x}.obj"));
+        std::fs::write(&path, format!("v {x} 0 0\nv {} 0 0\nv 0 9 0\n", 1.0 - x)).unwrap();
+        path.to_str().unwrap().to_owned()
+    });
+    let steps = said(&["sequence", &particles[0], &particles[1]]);
+    let cells = |at: usize| {
+        let line = steps.lines().nth(at).unwrap();
+        line.split_whitespace().take(6).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!([cells(1), cells(2)], ["step vf ee ve vv undec.", "0 0 0 0 1 0"], "{steps}");
 }
 
 pub fn the_demo_writes_its_frames() {

@@ -90,6 +90,21 @@ pub fn verdicts_on_queries_are_written() {
     check_refused(&["queries", &without], "neither vertex-face");
     check_refused(&["queries", &with, "--min-distance", "-1"], "minimum distance is -1");
     check_refused(&["queries", &with, "--out", "-", "--json"], "standard output");
+    // Files of one name are told apart by their folders, without those that all are in.
+    let [one, other] = ["one", "other"].map(|folder| {
+        let folder = dir.path().join(folder);
+        std::fs::create_dir(&folder).unwrap();
+        let path = folder.join("vf.csv");
+        std::fs::copy(&with, &path).unwrap();
+        path.to_str().unwrap().to_owned()
+    });
+    let names = |files: &[&str]| {
+        let said = text(&ccd(&[&["queries"], files].concat()).stdout);
+        let name = |line: &str| line.rsplit("  ").next().unwrap().to_owned();
+        said.lines().skip(1).take(files.len()).map(name).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(names(&[&one]), "vf.csv");
+    assert_eq!(names(&[&one, &other]), "one/vf.csv other/vf.csv");
     let edges = listed(&[&without, "--kind", "ee"]);
     assert!(edges.lines().nth(1).unwrap().contains(",0,ee,"), "{edges}");
 }

@@ -18,15 +18,24 @@ pub fn contacts_go_to_standard_output() {
     // Before any work: the frames are not even there.
     let nowhere = dir.path().join("no/folder/out.csv");
     check_refused(&["check", "x.ply", "y.ply", "--contacts", nowhere.to_str().unwrap()], "out.csv");
+    check_refused(&["check", "x.ply", "y.ply", "--picture", "no/such/folder/a.png"], "a.png");
+    // A picture of an earlier run stays until there is another.
+    let picture = dir.path().join("a.png");
+    std::fs::write(&picture, "earlier").unwrap();
+    check_refused(&["check", "x.ply", "y.ply", "--picture", picture.to_str().unwrap()], "x.ply");
+    assert_eq!(std::fs::read(&picture).unwrap(), b"earlier");
 }
 
 /// A reader that goes away ends the command quietly; a full disk is an error.
 #[cfg(target_os = "linux")]
 pub fn output_that_fails_is_no_panic() {
-    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_ccd")).arg("list").stdout(full).output().unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("standard output: No space"), "{:?}", output.stderr);
+    for args in [&["list"][..], &["--help"], &["check", "--help"], &["--version"]] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
+        let output = command.args(args).stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(text(&output.stderr).contains("standard output: No space"), "{:?}", output.stderr);
+    }
 
     let mut gone = Command::new(env!("CARGO_BIN_EXE_ccd"));
     let gone = gone.args(["completions", "bash"]).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -94,8 +103,8 @@ pub fn bodies_select_contacts() {
     std::fs::write(file, "\u{feff}0 0 0 0 1 1 1").unwrap();
     assert_eq!(contacts(&["--bodies", file]), 1);
     std::fs::write(file, "0 0 0 0 1 1 2").unwrap();
-    let says = "triangle 3 (counted from 1) joins bodies 1 and 2";
-    check_refused(&["check", a, b, "--bodies", file], says);
+    let says = format!("{file}: triangle 3 (counted from 1) joins bodies 1 and 2");
+    check_refused(&["check", a, b, "--bodies", file], &says);
     std::fs::write(file, "0 0").unwrap();
     check_refused(&["check", a, b, "--bodies", file], "2 bodies for 7 vertices");
 }

@@ -10,12 +10,16 @@ use crate::math::real::Real;
 use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
 use crate::model::quantization::margin;
+use crate::model::rules::Rules;
 use crate::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
 use crate::narrow_phase::search::Search;
 use alloc::vec;
 use alloc::vec::Vec;
+
+/// The kinds of pairs of such features, in the order of their contacts.
+pub const KINDS: [Kind; 2] = [Kind::VertexEdge, Kind::VertexVertex];
 
 /// The features of a mesh that belong to nothing of a higher dimension, by id.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -68,10 +72,23 @@ impl Codimensional {
         swept(x, &mesh.edges()[self.edges[i] as usize], min_distance)
     }
 
-    /// Ids of features from a pair of numbers in these lists.
-    pub fn pair(&self, kind: Kind, at: Pair) -> Pair {
-        let b = if kind == Kind::VertexEdge { &self.edges } else { &self.vertices };
-        Pair { a: self.vertices[at.a as usize], b: b[at.b as usize] }
+    /// Fills `out` with the candidates of a kind: pairs of features by id, sorted, from those pairs
+    /// of numbers in these lists whose boxes overlap; without those that `rules` exclude.
+    pub fn candidates(
+        &self,
+        kind: Kind,
+        overlaps: impl Iterator<Item = Pair>,
+        (mesh, rules): (&Mesh, Option<&Rules>),
+        out: &mut Vec<Pair>,
+    ) {
+        let second = if kind == Kind::VertexEdge { &self.edges } else { &self.vertices };
+        let ids = |at: Pair| Pair { a: self.vertices[at.a as usize], b: second[at.b as usize] };
+        out.clear();
+        out.extend(overlaps.map(ids).filter(|&pair| {
+            let [v, w, ..] = mesh.vertices_of(kind, pair);
+            rules.is_none_or(|rules| rules.wants(v, w) && !rules.excludes(kind, pair.a, pair.b))
+        }));
+        out.sort_unstable_by_key(|pair| (pair.a, pair.b));
     }
 }
 
@@ -105,6 +122,7 @@ pub fn contact<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::bodies::Bodies;
 
     #[test]
     fn what_belongs_to_nothing_higher_is_told() {
@@ -116,5 +134,28 @@ mod tests {
         assert_eq!(edges, [[3, 4], [4, 5], [2, 6]]);
         assert!(!found.is_empty());
         assert!(Codimensional::of(&Mesh::new(4, &[[0, 1, 2]]).unwrap()).is_empty());
+    }
+
+    #[test]
+    fn candidates_are_by_id_sorted_and_wanted() {
+        // Three particles and two rods, each a body of its own.
+        let mesh = Mesh::with_edges(7, &[], &[[1, 2], [3, 4]]).unwrap();
+        let found = Codimensional::of(&mesh);
+        assert_eq!((&found.vertices[..], &found.edges[..]), (&[0, 5, 6][..], &[0, 1][..]));
+        let bodies = Bodies::new(&[0, 1, 1, 2, 2, 3, 4], &[], true)
+            .with_excluded_bodies(&[[1, 3]])
+            .with_excluded_features(Kind::VertexVertex, &[[5, 6]]);
+        let rules = Rules::new(&bodies).unwrap();
+        let list = |kind, pairs: &[[u32; 2]], rules| {
+            let mut out = vec![Pair { a: 9, b: 9 }];
+            let pairs = pairs.iter().map(|&[a, b]| Pair { a, b });
+            found.candidates(kind, pairs, (&mesh, rules), &mut out);
+            out.iter().map(|pair| [pair.a, pair.b]).collect::<Vec<_>>()
+        };
+        let (ve, vv) = ([[1, 1], [1, 0], [0, 1]], [[1, 2], [0, 2]]);
+        assert_eq!(list(Kind::VertexEdge, &ve, None), [[0, 1], [5, 0], [5, 1]]);
+        assert_eq!(list(Kind::VertexVertex, &vv, None), [[0, 6], [5, 6]]);
+        assert_eq!(list(Kind::VertexEdge, &ve, Some(&rules)), [[0, 1], [5, 1]]);
+        assert_eq!(list(Kind::VertexVertex, &vv, Some(&rules)), [[0, 6]]);
     }
 }

@@ -109,7 +109,7 @@ fn solve(m: &Motion<f64>, search: &Search<f64>, touches: &dyn Fn(f64) -> bool) -
     }
     let Search { from, until, tolerance, .. } = *search;
     let Advance::Stuck(toi) = advance(&m, PATCH, from, until, 0.0, tolerance) else {
-        return Answer::of(Verdict::Miss);
+        return Answer::from(Verdict::Miss);
     };
     let soon = |t: &f64| *t >= toi && *t <= until && *t - toi <= tolerance;
     if [toi, until].into_iter().chain(times(&m)).filter(soon).any(touches) {
@@ -117,7 +117,7 @@ fn solve(m: &Motion<f64>, search: &Search<f64>, touches: &dyn Fn(f64) -> bool) -
         let approach = if toi > from { Approach::Approaching } else { Approach::Unknown };
         Answer { verdict: Verdict::Hit { toi }, approach }
     } else {
-        Answer::of(Verdict::Undecided { toi })
+        Answer::from(Verdict::Undecided { toi })
     }
 }
 

@@ -244,7 +244,7 @@ pub(super) fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<
     let mut from = search.from;
     let near = within(m, patch, from, min_distance);
     if !near && Coplanarity::new(m).clearance(min_distance) > R::splat(0.0) {
-        return Answer::of(Verdict::Miss);
+        return Answer::from(Verdict::Miss);
     }
     let mut toi = from;
     let mut approach = Approach::Unknown;
@@ -252,7 +252,7 @@ pub(super) fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<
     for round in 0..2 {
         if round > 0 || !near {
             match advance(m, patch, from, until, min_distance, tolerance) {
-                Advance::Clear => return Answer::of(Verdict::Miss),
+                Advance::Clear => return Answer::from(Verdict::Miss),
                 Advance::Stuck(t) => toi = t,
             }
         }
@@ -267,7 +267,7 @@ pub(super) fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<
         if departure.again <= until {
             (from, toi) = (departure.again, departure.again);
         } else if departure.safe >= until {
-            return Answer::of(Verdict::Miss);
+            return Answer::from(Verdict::Miss);
         } else {
             // Nothing is known after that; at the start itself, if it is not safe at all.
             if departure.safe > search.from {

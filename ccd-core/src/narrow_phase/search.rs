@@ -61,17 +61,10 @@ pub struct Answer<R> {
     pub approach: Approach,
 }
 
-/// A verdict of which nothing more is known.
+/// A miss, or a verdict of which nothing more is known.
 impl<R> From<Verdict<R>> for Answer<R> {
-    fn from(verdict: Verdict<R>) -> Self {
-        Self::of(verdict)
-    }
-}
-
-impl<R> Answer<R> {
-    /// A miss, or a verdict of which nothing more is known.
     #[inline(always)]
-    pub fn of(verdict: Verdict<R>) -> Self {
+    fn from(verdict: Verdict<R>) -> Self {
         Self { verdict, approach: Approach::Unknown }
     }
 }

@@ -8,7 +8,7 @@ use crate::step::candidates::Given;
 use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::layout::Pair;
-use ccd_core::model::codimensional::{Codimensional as Features, contact};
+use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
 use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
@@ -75,13 +75,10 @@ impl Codimensional {
                 Kind::VertexEdge => broad_phase.pairs(vertices, edges)?,
                 _ => broad_phase.self_pairs(vertices)?,
             };
-            out.clear();
-            out.extend(found.iter().map(|at| features.pair(kind, at)).filter(|&pair| {
-                let [v, w, ..] = mesh.vertices_of(kind, pair);
-                selection.rules.as_ref().is_none_or(|rules| rules.wants(v, w))
-                    && selection.wants(kind, pair)
-            }));
-            out.sort_unstable_by_key(|pair| (pair.a, pair.b));
+            features.candidates(kind, found.iter(), (mesh, selection.rules.as_ref()), out);
+            if let Some(filter) = &selection.filter {
+                out.retain(|pair| filter(kind, pair.a, pair.b));
+            }
         }
         Ok(())
     }
@@ -114,5 +111,4 @@ impl Codimensional {
 
 /// Candidates that are decided at once.
 const PART: usize = 1 << 14;
-const KINDS: [Kind; 2] = [Kind::VertexEdge, Kind::VertexVertex];
 const NOTHING: Aabb<f64> = Aabb { min: [0.0; 3], max: [0.0; 3] };

@@ -7,11 +7,12 @@ use crate::broad_phase::BroadPhase;
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::layout::Pair;
-use ccd_core::model::codimensional::{Codimensional as Features, contact};
-use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
+use ccd_core::model::contact::Contact;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Precision};
+use ccd_core::model::rules::Rules;
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Real};
 
@@ -36,21 +37,26 @@ impl Codimensional {
     }
 
     /// Lists the candidates of a step whose coordinates were checked.
-    pub fn list(&mut self, mesh: &Mesh, options: &Options, given: Given) -> Result<(), Error> {
+    /// `distance`: that at which features are in contact.
+    pub fn list(
+        &mut self,
+        mesh: &Mesh,
+        (rules, distance): (Option<&Rules>, f64),
+        given: Given,
+    ) -> Result<(), Error> {
         match given {
-            Precision::F32(x) => self.list_of(mesh, options, x),
-            Precision::F64(x) => self.list_of(mesh, options, x),
+            Precision::F32(x) => self.list_of(mesh, (rules, distance), x),
+            Precision::F64(x) => self.list_of(mesh, (rules, distance), x),
         }
     }
 
     fn list_of<T: Real>(
         &mut self,
         mesh: &Mesh,
-        options: &Options,
+        (rules, distance): (Option<&Rules>, f64),
         x: [&[[T; 3]]; 2],
     ) -> Result<(), Error> {
         let Self { features, broad_phase, pairs } = self;
-        let distance = options.min_distance;
         let vertices: Vec<Aabb<f64>> =
             (0..features.vertices.len()).map(|i| features.vertex_box(i, x, distance)).collect();
         let edges: Vec<Aabb<f64>> =
@@ -58,21 +64,13 @@ impl Codimensional {
         let rounded = |boxes: &[Aabb<f64>]| boxes.iter().map(Aabb::round_out).collect::<Vec<_>>();
         let (points, segments) = (rounded(&vertices), rounded(&edges));
         let all = [
-            (Kind::VertexEdge, broad_phase.pairs(&points, &segments)?, &edges),
-            (Kind::VertexVertex, broad_phase.self_pairs(&points)?, &vertices),
+            (broad_phase.pairs(&points, &segments)?, &edges),
+            (broad_phase.self_pairs(&points)?, &vertices),
         ];
-        for ((kind, found, second), out) in all.into_iter().zip(pairs) {
+        for ((kind, (found, second)), out) in KINDS.into_iter().zip(all).zip(pairs) {
             let overlap = |at: &Pair| vertices[at.a as usize].overlaps(&second[at.b as usize]);
-            out.clear();
-            out.extend(found.into_iter().filter(overlap).map(|at| features.pair(kind, at)).filter(
-                |&pair| {
-                    let [v, w, ..] = mesh.vertices_of(kind, pair);
-                    options.bodies.as_ref().is_none_or(|bodies| {
-                        bodies.wants(v, w) && !bodies.excludes(kind, pair.a, pair.b)
-                    })
-                },
-            ));
-            out.sort_unstable_by_key(|pair| (pair.a, pair.b));
+            let found = found.into_iter().filter(overlap);
+            features.candidates(kind, found, (mesh, rules), out);
         }
         Ok(())
     }
@@ -84,7 +82,7 @@ impl Codimensional {
         search: &'a Search<f64>,
         given: Given<'a>,
     ) -> impl Iterator<Item = Contact> + use<'a> {
-        let kinds = [Kind::VertexEdge, Kind::VertexVertex].into_iter().zip(&self.pairs);
+        let kinds = KINDS.into_iter().zip(&self.pairs);
         kinds.flat_map(|(kind, pairs)| pairs.iter().map(move |&pair| (kind, pair))).filter_map(
             move |(kind, pair)| match given {
                 Precision::F32(x) => contact(mesh, kind, pair, x, search),

@@ -1,0 +1,96 @@
+//! Times of impact as text in few digits: a time that is printed is never later than the true one.
+
+/// As a part of the step, for people: `0.000749 %`.
+pub fn percent(toi: f64) -> String {
+    let percent = down(toi, 3, 2);
+    if percent != 0.0 && percent < 1e-6 { format!("{percent:e} %") } else { format!("{percent} %") }
+}
+
+/// In a picture: `0.500`, and `7.49e-6` where that would say little.
+pub fn plain(toi: f64) -> String {
+    match toi {
+        0.0 => "0.000".into(),
+        ..0.01 => short(toi, 3),
+        ..0.1 => format!("{:.3}", down(toi, 2, 0)),
+        _ => format!("{:.3}", down(toi, 3, 0)),
+    }
+}
+
+/// In a table: `7.492e-6` in four digits.
+pub fn short(toi: f64, digits: usize) -> String {
+    if toi == 0.0 { "0".into() } else { format!("{:.*e}", digits - 1, down(toi, digits, 0)) }
+}
+
+/// A time in `[0, 1]` times a power of ten, cut after so many digits, at most 15.
+///
+/// Cut are the digits by which the number is known everywhere else (`{:?}`, JSON, CSV), so that a
+/// time which has few of them stays what it is.
+fn down(toi: f64, digits: usize, power: i32) -> f64 {
+    let text = format!("{toi:e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    // One place more for the point, which is there if there is more than one digit.
+    let kept = &mantissa[..mantissa.len().min(digits + 1)];
+    let exponent = exponent.parse::<i32>().unwrap_or_default() + power;
+    format!("{kept}e{exponent}").parse().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_of_a_step_have_three_digits_that_matter() {
+        for (toi, want) in [
+            (0.0, "0 %"),
+            (7.492069018333316e-6, "0.000749 %"),
+            (0.5, "50 %"),
+            (0.5f64.next_down(), "49.9 %"),
+            (0.07, "7 %"),
+            (1.0, "100 %"),
+            (1f64.next_down(), "99.9 %"),
+            (0.0123, "1.23 %"),
+            (0.009_999, "0.999 %"),
+            (1.99e-9, "1.99e-7 %"),
+            (1e-300, "1e-298 %"),
+            (f64::from_bits(1), "5e-322 %"),
+        ] {
+            assert_eq!(percent(toi), want);
+        }
+    }
+
+    #[test]
+    fn times_in_few_digits() {
+        let tois = [0.0, 0.5, 0.3, 1.0, 1f64.next_down(), 7.492069018333316e-6, 4.99999e-1];
+        let want = ["0", "5.00e-1", "3.00e-1", "1.00e0", "9.99e-1", "7.49e-6", "4.99e-1"];
+        assert_eq!(tois.map(|toi| short(toi, 3)), want);
+        let want = ["0.000", "0.500", "0.300", "1.000", "0.999", "7.49e-6", "0.499"];
+        assert_eq!(tois.map(plain), want);
+        assert_eq!([0.0999, 0.01, 0.00999].map(plain), ["0.099", "0.010", "9.99e-3"]);
+        assert_eq!(short(1.587_933_107_694_209_8e-3, 7), "1.587933e-3");
+    }
+
+    #[test]
+    fn no_time_becomes_later() {
+        let mut x = 1u64;
+        let mut n_later = 0;
+        for i in 0..20_000 {
+            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let toi = (x >> 11) as f64 / (1u64 << 53) as f64 * 0.5f64.powi(i % 1070);
+            for digits in [3, 5, 7] {
+                let printed: f64 = short(toi, digits).parse().unwrap();
+                let least = toi * (1.0 - 1.01 * 10f64.powi(1 - digits as i32));
+                assert!(printed <= toi && printed >= least, "{printed:e} for {toi:e}");
+                let rounded: f64 = format!("{toi:.*e}", digits - 1).parse().unwrap();
+                n_later += (rounded > toi) as usize;
+            }
+            let text = percent(toi);
+            let (mantissa, exponent) = match text.trim_end_matches(" %").split_once('e') {
+                Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().unwrap()),
+                None => (text.trim_end_matches(" %"), 0),
+            };
+            let part: f64 = format!("{mantissa}e{}", exponent - 2).parse().unwrap();
+            assert!(part <= toi && part >= toi * 0.989, "{text} for {toi:e}");
+        }
+        assert!(n_later > 10_000, "{n_later} numbers that round up show nothing");
+    }
+}
