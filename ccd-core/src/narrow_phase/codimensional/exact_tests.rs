@@ -100,7 +100,8 @@ fn meeting(random: &mut Random, k: u32) -> Thin {
 fn what_meets_exactly_is_never_missed_nor_late() {
     let mut random = Random::new(1);
     let scales = [(1.0, 0.0), (2f64.powi(-100), 0.0), (2f64.powi(100), 3.0), (1.0, 2f64.powi(27))];
-    let beyond = [(2f64.powi(-1050), 0.0), (2f64.powi(320), 0.0), (2f64.powi(-250), 1.0)];
+    let beyond =
+        [(2f64.powi(-525) * 2f64.powi(-525), 0.0), (2f64.powi(320), 0.0), (2f64.powi(-250), 1.0)];
     let (mut n, mut certain, mut n_start) = (0, 0, 0);
     for round in 0..4_000 {
         let k = random.below(9) as u32;
