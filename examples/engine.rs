@@ -134,7 +134,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let records: Vec<TouchGeometry> = bytemuck::cast_slice(records).to_vec();
     for (c, at) in contacts.iter().zip(&records) {
         let (time, point, normal) = (c.toi, at.point, at.normal);
-        println!("{:?} {} {} at {time:.6}, {:?}", c.kind, c.a, c.b, c.state);
+        println!("{:?} {} {} at {time}, {:?}", c.kind, c.a, c.b, c.state);
         println!("  vertices {:?}, in {point:.3?} along {normal:.3?}", at.vertices);
     }
     println!("{} contacts, {} pairs left undecided", n, words[1][0] + words[2][0]);

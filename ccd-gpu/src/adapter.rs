@@ -33,8 +33,8 @@ pub enum Path {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
     /// A number of `Device::adapters`, an adapter's PCI id (`0000:3b:00.0`, or `3b:00.0` in domain
-    /// 0), or a part of its name, in any case; one or two digits are never a part of a name. `None`:
-    /// the one that wgpu prefers, or what the environment variable `CCD_ADAPTER` says.
+    /// 0), or a part of its name, in any case; one or two digits are never a part of a name.
+    /// `None`: the one that wgpu prefers, or what the environment variable `CCD_ADAPTER` says.
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,
