@@ -8,37 +8,17 @@ use ccd_testkit::data::SCENES;
 /// Set to 1, this variable has nothing left out.
 const WHOLE: &str = "CCD_WHOLE";
 
-/// Tests of kernels that know no `f64`: a device that is used without it runs the same code.
-const ALIKE: [crate::Tests; 11] = [
-    crate::sorts::TESTS,
-    crate::pairs::TESTS,
-    crate::trees::TESTS,
-    crate::builders::TESTS,
-    crate::listed::TESTS,
-    crate::triangles::TESTS,
-    crate::intervals::TESTS,
-    crate::descent::TESTS,
-    crate::workers::TESTS,
-    crate::oriented::TESTS,
-    crate::stealing::TESTS,
-];
+/// Of the four devices two are run by all tests: the most native, with `f64`, and the most
+/// portable, WGSL without. The two between them are run by these tests of kernels by themselves and
+/// by all published queries.
+const OF_KERNELS: [crate::Tests; 3] =
+    [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS];
 
-/// Tests of what the host does around the kernels, which it does alike on every device: run as
-/// natively as there is, with `f64`, and as portably, without.
-const BY_THE_HOST: [crate::Tests; 5] = [
-    crate::changes::TESTS,
-    crate::kept_order::TESTS,
-    crate::rules::TESTS,
-    crate::failures::TESTS,
-    crate::sequences::TESTS,
-];
-
-/// Scenes of more edges are run as natively as there is, with `f64`: the other devices have the
-/// smaller ones.
+/// The most portable is not run by scenes of more edges.
 const MAX_EDGES: usize = 50_000;
 
-/// So are tests over many boxes or steps whose kernels other tests compare on the other devices:
-/// `steps_by_every_method` has all methods there.
+/// Nor by tests over many boxes or steps whose kernels other tests compare there:
+/// `steps_by_every_method` has all methods.
 const LONG: [&str; 7] = [
     "builders_and_hard_boxes",
     "changes_between_steps",
@@ -56,21 +36,15 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
     if whole || info.adapter.device_type != DeviceType::Cpu {
         return None;
     }
-    let is_of = |groups: &[crate::Tests]| {
-        groups.iter().flat_map(|tests| tests.iter()).any(|(test, _)| *test == name)
-    };
     let scene = name.strip_prefix("scene_").and_then(|s| SCENES.iter().find(|t| t.name == s));
     let is_large = scene.is_some_and(|scene| scene.size[1] > MAX_EDGES);
-    let native = info.wide && info.path == Path::Passthrough;
-    let between = info.wide != (info.path == Path::Passthrough);
-    let why = if is_of(&ALIKE) && !info.wide {
-        "the same kernels as with f64"
-    } else if is_of(&BY_THE_HOST) && between {
-        "by the host as on the other devices"
-    } else if !native && (is_large || LONG.contains(&name)) {
-        "long on an emulated GPU"
-    } else {
-        return None;
+    let of_kernels = || OF_KERNELS.iter().flat_map(|tests| tests.iter());
+    let why = match (info.path, info.wide) {
+        (Path::Passthrough, true) => return None,
+        (Path::Wgsl, false) if is_large || LONG.contains(&name) => "long on an emulated GPU",
+        (Path::Wgsl, false) => return None,
+        _ if name == "queries" || of_kernels().any(|(test, _)| *test == name) => return None,
+        _ => "as on the most native device and the most portable",
     };
     Some(format!("{why}: {WHOLE}=1"))
 }

@@ -15,7 +15,9 @@ pub fn run(root: &Path) -> Result<(), String> {
     crate::tidy::run(root)?;
     crate::python::check_lock(root)?;
     let features = XTASK_FEATURES.map(|feature| format!("xtask/{feature}")).join(",");
-    let clippy = ["cargo", "clippy", "--workspace", "--all-targets", "--features", &features];
+    // As the tests are built, so that procedural macros are compiled once.
+    let clippy =
+        ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--features", &features];
     command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
     bare_metal(root)?;
     command(root, &["cargo", "xtask", "loom"])?;
@@ -27,7 +29,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     crate::python::run(root)?;
     command_with(
         root,
-        &["cargo", "doc", "--workspace", "--no-deps"],
+        &["cargo", "doc", "--release", "--workspace", "--no-deps"],
         &[("RUSTDOCFLAGS", "-D warnings")],
     )
 }
