@@ -10,9 +10,9 @@
 //!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
-//! they take minutes and `tests/gpu` makes them: reported with the reason, and counted. So are
-//! rows of scenes that the uniform grid refuses, which must be for the crowding of its cells. What
-//! is left out by default a row says, too.
+//! they take minutes and `tests/gpu` makes them on its most native path: reported with the reason,
+//! and counted. So are rows of scenes that the uniform grid refuses, which must be for the crowding
+//! of its cells. What is left out by default a row says, too.
 
 mod rows;
 mod scenes;

@@ -11,8 +11,8 @@ const WHOLE: &str = "CCD_WHOLE";
 /// Of the four devices two are run by all tests: the most native, with `f64`, and the most
 /// portable, WGSL without. The two between them are run by these tests of kernels by themselves and
 /// by all published queries.
-const OF_KERNELS: [crate::Tests; 3] =
-    [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS];
+const OF_KERNELS: [crate::Tests; 4] =
+    [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS, crate::geometry::TESTS];
 
 /// The most portable is not run by scenes of more edges.
 const MAX_EDGES: usize = 50_000;
