@@ -62,8 +62,8 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(reading.frame)
 }
 
-/// The document and the data in a binary file. The crate takes what it does not check here as given:
-/// how long a binary file is, and that positions of a mesh are there.
+/// The document and the data in a binary file. Checked here is what the crate takes as given: how
+/// long a binary file is, and that positions of a mesh are there.
 fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document), ReadErrorKind> {
     let cut = || ReadErrorKind::Format("the file is cut short".into());
     let bad = |e| match e {
