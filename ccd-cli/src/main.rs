@@ -16,6 +16,7 @@ mod info;
 mod join;
 mod legend;
 mod letters;
+mod lines;
 mod manual;
 mod merge;
 mod mesh_file;

@@ -1,7 +1,8 @@
 //! `ccd merge`: the outputs of the parts of a sequence, joined; contacts in `join`.
 
+use super::lines::{LastLine, Share, Step, summarise};
 use super::output::{self, MeshSize};
-use super::sequence::{LastLine, Share, Step, summarise};
+use super::part::Part;
 use super::{Failure, Outcome, in_file, join};
 use clap::Args;
 use std::io::{BufRead, BufReader};
@@ -70,6 +71,10 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
     let Some(share) = last.part else {
         return Err(in_file(path, "is no part: it was made without --part"));
     };
+    let Part { index, of } = share.part;
+    if index == 0 || index > of {
+        return Err(in_file(path, format_args!("is part {index} of {of}; the first is 1")));
+    }
     lines.pop();
     let mut steps: Vec<Step> = Vec::new();
     let expected = share.part.steps(share.all_steps);

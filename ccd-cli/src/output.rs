@@ -57,7 +57,7 @@ fn is_zero(n: &u64) -> bool {
 impl Counts {
     /// All together.
     pub fn total(&self) -> u64 {
-        self.vf + self.ee + self.ve + self.vv
+        [self.ee, self.ve, self.vv].into_iter().fold(self.vf, u64::saturating_add)
     }
 }
 

@@ -2,12 +2,13 @@
 
 use super::check::step;
 use super::frames::Frames;
-use super::output::{self, Counts, MeshSize, TimesMs};
+use super::lines::{LastLine, Share, Step, Summary, step_ms, summarise};
+use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
 use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
 use clap::Args;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -33,22 +34,6 @@ pub struct Sequence {
     pub options: StepOptions,
 }
 
-/// A step; `frame` is its number among all steps, from 0, and that of the frame it begins with.
-#[derive(Serialize, Deserialize)]
-pub struct Step {
-    pub frame: usize,
-    /// What the step's end is called.
-    file: String,
-    candidates: Counts,
-    contacts: Counts,
-    undecided: u64,
-    /// Contacts at t = 0.
-    at_start: u64,
-    toi: Option<f64>,
-    rebuilt: bool,
-    times_ms: TimesMs,
-}
-
 #[derive(Serialize)]
 struct Json<'a> {
     mesh: MeshSize,
@@ -60,36 +45,6 @@ struct Json<'a> {
     part: Option<Share>,
     steps: Vec<Step>,
     summary: Summary,
-}
-
-/// The last of the lines of JSON.
-#[derive(Serialize, Deserialize)]
-pub struct LastLine {
-    #[serde(flatten)]
-    pub summary: Summary,
-    pub mesh: MeshSize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub part: Option<Share>,
-}
-
-/// Which of all steps were done.
-#[derive(Clone, Copy, Serialize, Deserialize)]
-pub struct Share {
-    #[serde(flatten)]
-    pub part: Part,
-    pub all_steps: usize,
-}
-
-#[derive(Serialize, Deserialize)]
-pub struct Summary {
-    pub steps: usize,
-    pub contacts: u64,
-    undecided: u64,
-    at_start: u64,
-    free_steps: usize,
-    rebuilt: usize,
-    median_ms: f64,
-    total_ms: f64,
 }
 
 impl Sequence {
@@ -221,10 +176,6 @@ impl Sequence {
     }
 }
 
-fn step_ms(s: &Step) -> f64 {
-    s.times_ms.total - s.times_ms.load
-}
-
 /// The first contact of all steps, for people.
 fn sentence(steps: &[Step]) -> String {
     match steps.iter().find_map(|step| step.toi.map(|time| (step, time))) {
@@ -244,22 +195,6 @@ fn sentence(steps: &[Step]) -> String {
 fn name(step: &Step) -> std::borrow::Cow<'_, str> {
     let path = std::path::Path::new(&step.file);
     path.file_name().map_or(step.file.as_str().into(), |name| name.to_string_lossy())
-}
-
-pub fn summarise(steps: &[Step]) -> Summary {
-    let mut times: Vec<f64> = steps.iter().map(step_ms).collect();
-    times.sort_unstable_by(f64::total_cmp);
-    Summary {
-        steps: steps.len(),
-        contacts: steps.iter().map(|s| s.contacts.total()).sum(),
-        undecided: steps.iter().map(|s| s.undecided).sum(),
-        at_start: steps.iter().map(|s| s.at_start).sum(),
-        free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
-        rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
-        median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),
-        // From a zero that has no sign: that of no steps is 0.
-        total_ms: times.iter().fold(0.0, |sum, time| sum + time),
-    }
 }
 
 fn print_head(session: &Session, share: Option<Share>) {

@@ -10,19 +10,11 @@ use super::{Frame, ReadErrorKind, quote};
 use base64::Engine;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
+use std::io::Read;
 use std::path::Path;
 
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let file = std::io::BufReader::new(std::fs::File::open(path)?);
-    let mut gltf = gltf::Gltf::from_reader(file).map_err(|e| match e {
-        gltf::Error::Io(e) | gltf::Error::Binary(gltf::binary::Error::Io(e))
-            if e.kind() == std::io::ErrorKind::UnexpectedEof =>
-        {
-            ReadErrorKind::Format("the file is cut short".into())
-        }
-        e => ReadErrorKind::Format(quote(&e.to_string())),
-    })?;
-    let mut blob = gltf.blob.take();
+    let (mut blob, gltf) = parse(&std::fs::read(path)?)?;
     let mut buffers = Vec::new();
     for buffer in gltf.buffers() {
         let bad = |what: String| ReadErrorKind::Element {
@@ -32,7 +24,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         };
         let data = match buffer.source() {
             gltf::buffer::Source::Bin => blob.take().ok_or_else(|| bad("has no data".into()))?,
-            gltf::buffer::Source::Uri(uri) => fetch(path, uri).map_err(bad)?,
+            gltf::buffer::Source::Uri(uri) => fetch(path, uri, buffer.length()).map_err(bad)?,
         };
         if data.len() < buffer.length() {
             let (has, says) = (data.len(), buffer.length());
@@ -70,13 +62,40 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(reading.frame)
 }
 
+/// The document and the data in a binary file. Checked here is what the crate takes as given: how
+/// long a binary file is, and that positions of a mesh are there.
+fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document), ReadErrorKind> {
+    let cut = || ReadErrorKind::Format("the file is cut short".into());
+    let bad = |e| match e {
+        gltf::Error::Binary(gltf::binary::Error::Io(_)) => cut(),
+        e => ReadErrorKind::Format(quote(&e.to_string())),
+    };
+    let mut whole = bytes;
+    if bytes.starts_with(b"glTF") || b"glTF".starts_with(bytes) {
+        let length = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+        let length = length.filter(|&length| length >= 12);
+        whole = length.and_then(|length| bytes.get(..length as usize)).ok_or_else(cut)?;
+    }
+    let read = gltf::Gltf::from_slice_without_validation(whole).map_err(bad)?;
+    let json = read.document.into_json();
+    for (at, mesh) in json.meshes.iter().enumerate() {
+        let mut lists = mesh.primitives.iter().flat_map(|primitive| primitive.attributes.values());
+        if lists.any(|list| list.value() >= json.accessors.len()) {
+            let what = "names a list that is not there".into();
+            return Err(ReadErrorKind::Element { element: "mesh", at, what });
+        }
+    }
+    Ok((read.blob, gltf::Document::from_json(json).map_err(bad)?))
+}
+
 /// A matrix, by columns, times a vector.
 fn apply(matrix: &[[f64; 4]; 4], v: [f64; 4]) -> [f64; 4] {
     [0, 1, 2, 3].map(|row| (0..4).map(|k| matrix[k][row] * v[k]).sum())
 }
 
-/// The bytes that an address means: of a file beside this one, or the address's own.
-fn fetch(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+/// The bytes that an address means: the first so many of a file beside this one, or the address's
+/// own.
+fn fetch(path: &Path, uri: &str, length: usize) -> Result<Vec<u8>, String> {
     if let Some(rest) = uri.strip_prefix("data:") {
         let (_, text) = rest.split_once(";base64,").ok_or("its data are not base64")?;
         return base64::engine::general_purpose::STANDARD.decode(text).map_err(|e| e.to_string());
@@ -85,7 +104,14 @@ fn fetch(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
         return Err(format!("`{uri}` is no file beside this one"));
     }
     let name = urlencoding::decode(uri).map_err(|e| format!("`{uri}`: {e}"))?;
-    std::fs::read(path.with_file_name(&*name)).map_err(|e| format!("`{name}`: {e}"))
+    let (path, mut bytes) = (path.with_file_name(&*name), Vec::new());
+    // A device may have no end, and a pipe may wait for ever.
+    let is_file = std::fs::metadata(&path).map(|of| of.is_file());
+    let read = is_file.and_then(|is_file| match is_file {
+        true => std::fs::File::open(path)?.take(length as u64).read_to_end(&mut bytes),
+        false => Err(std::io::Error::other("is no regular file")),
+    });
+    read.map(|_| bytes).map_err(|e| format!("`{name}`: {e}"))
 }
 
 struct Reading<'a> {
@@ -94,6 +120,32 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
+    /// Whether buffers hold a list, which the crate takes as given.
+    fn holds(&self, list: &gltf::Accessor) -> bool {
+        let all = |view: gltf::buffer::View, offset: usize, count: usize, size: usize| {
+            let bytes = self.buffers.get(view.buffer().index()).map_or(0, Vec::len);
+            let stride = view.stride().unwrap_or(size);
+            let last = count.checked_sub(1).and_then(|last| last.checked_mul(stride));
+            let end = last.and_then(|last| last.checked_add(offset)?.checked_add(size));
+            let view_end = view.offset().checked_add(view.length());
+            stride >= size
+                && end.is_some_and(|end| end <= view.length())
+                && view_end.is_some_and(|end| end <= bytes)
+        };
+        let sparse = list.sparse().is_none_or(|sparse| {
+            let (indices, values, n) = (sparse.indices(), sparse.values(), sparse.count());
+            all(indices.view(), indices.offset(), n, indices.index_type().size())
+                && all(values.view(), values.offset(), n, list.size())
+        });
+        // Without a view it is all zeros but for the sparse ones: no more than there are bytes.
+        let most = self.buffers.iter().map(Vec::len).max().unwrap_or(0);
+        sparse
+            && match list.view() {
+                Some(view) => all(view, list.offset(), list.count(), list.size()),
+                None => list.sparse().is_some() && list.count() <= most,
+            }
+    }
+
     fn primitive(
         &mut self,
         primitive: &gltf::Primitive,
@@ -104,28 +156,28 @@ impl Reading<'_> {
         if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
             return Err("has positions that are not three floats".into());
         }
-        let sizes = |a: &gltf::Accessor| {
-            let counts = [Some(a.count()), a.sparse().map(|sparse| sparse.count())];
-            counts.into_iter().flatten().all(|n| (1..=1 << 31).contains(&n))
-        };
         let is_index = |a: &gltf::Accessor| {
             let kind = matches!(a.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
             kind && a.dimensions() == Dimensions::Scalar
         };
-        if primitive.indices().is_some_and(|indices| !is_index(&indices)) {
+        let indices = primitive.indices();
+        if indices.as_ref().is_some_and(|indices| !is_index(indices)) {
             return Err("has indices that are no unsigned integers".into());
         }
-        if !sizes(&accessor) || primitive.indices().is_some_and(|indices| !sizes(&indices)) {
-            return Err("has a list of no elements, or of too many".into());
+        if [Some(&accessor), indices.as_ref()].into_iter().flatten().any(|a| a.count() == 0) {
+            return Err("has a list of no elements".into());
+        }
+        let outside = "has a list beyond the end of its buffer";
+        if ![Some(&accessor), indices.as_ref()].into_iter().flatten().all(|a| self.holds(a)) {
+            return Err(outside.into());
         }
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(|b| &b[..]));
-        let outside = "has a list beyond the end of its buffer";
         let mut vertices = Vec::new();
         for p in reader.read_positions().ok_or(outside)? {
             let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
             vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame.positions));
         }
-        let order: Vec<u32> = match primitive.indices() {
+        let order: Vec<u32> = match indices {
             None => vertices.clone(),
             Some(_) => {
                 let indices = reader.read_indices().ok_or(outside)?.into_u32();

@@ -198,9 +198,10 @@ fn extension(path: &Path) -> Option<String> {
 
 /// As much of a file's text as fits into a message.
 fn quote(text: &str) -> String {
-    match text.char_indices().nth(200) {
-        Some((end, _)) => format!("{}..", &text[..end - 2]),
-        None => text.to_owned(),
+    let place = |n| text.char_indices().nth(n).map(|(at, _)| at);
+    match (place(198), place(200)) {
+        (Some(end), Some(_)) => format!("{}..", &text[..end]),
+        _ => text.to_owned(),
     }
 }
 

@@ -17,6 +17,17 @@ pub(super) struct Header {
     pub big_endian: bool,
 }
 
+/// The longest header that is read: NumPy writes less than a thousandth of it.
+const LONGEST: u32 = 1 << 16;
+
+impl Header {
+    /// How long the numbers are, if that can be said.
+    pub fn n_bytes(&self) -> Option<u64> {
+        let numbers = self.n_vertices.checked_mul(if self.wide { 24 } else { 12 })?;
+        self.n_frames.checked_mul(numbers)
+    }
+}
+
 pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
     let bad = |what: &str| ReadErrorKind::Header(what.into());
     let mut first = [0; 8];
@@ -28,6 +39,9 @@ pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
     let n_bytes = if first[6] == 1 { 2 } else { 4 };
     from.read_exact(&mut size[..n_bytes]).map_err(|_| bad("the file ends in its header"))?;
     let length = u32::from_le_bytes(size);
+    if length > LONGEST {
+        return Err(bad(&format!("takes {length} bytes, more than {LONGEST}")));
+    }
     let mut text = Vec::new();
     from.take(length.into()).read_to_end(&mut text)?;
     if text.len() as u64 != u64::from(length) {

@@ -2,8 +2,8 @@
 
 use super::{Frame, ReadErrorKind, quote};
 use ply_rs_bw::parser::{Parser, Reader};
-use ply_rs_bw::ply::{Encoding, Header, Property, PropertyAccess, PropertyAccessResult};
-use std::io::BufRead;
+use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
+use std::io::{BufRead, ErrorKind};
 use std::path::Path;
 
 /// A vertex while it is read; a coordinate that the file lacks stays `None`.
@@ -30,6 +30,23 @@ fn number(property: &Property) -> Option<f64> {
         Property::Double(x) => x,
         _ => return None,
     })
+}
+
+impl Face {
+    fn corners(self) -> Result<Vec<u32>, String> {
+        let corners = self.0.ok_or("has no list vertex_indices of integers")?;
+        if corners.len() < 3 {
+            return Err(format!("has {} vertices, fewer than 3", corners.len()));
+        }
+        corners.into_iter().map(index).collect()
+    }
+}
+
+impl Edge {
+    fn ends(self) -> Result<[u32; 2], String> {
+        let [Some(v), Some(w)] = self.0 else { return Err("has no vertex1 or vertex2".into()) };
+        Ok([index(v)?, index(w)?])
+    }
 }
 
 impl PropertyAccess for Vertex {
@@ -97,90 +114,114 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let file = std::fs::File::open(path)?;
     let mut reader = Reader::new(std::io::BufReader::with_capacity(1 << 16, file));
     let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(stopped)?;
-    let mut frame = Frame::default();
     if !header.elements.contains_key("vertex") {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));
     }
+    let (encoding, line) = (header.encoding, reader.line().max(1));
+    let mut payload = Payload { rest: reader.into_inner(), line, encoding };
+    let mut frame = Frame::default();
     for element in header.elements.values() {
         let (count, limit) = (element.count as u64, crate::Error::MAX_ELEMENTS);
         if count > limit {
             let element = if element.name == "face" { "faces" } else { "vertices" };
             return Err(crate::Error::TooMany { element, count, limit }.into());
         }
+        let n = 0..element.count;
         match element.name.as_str() {
             "vertex" => {
-                for (at, v) in
-                    payload::<Vertex>(&mut reader, element, &header)?.into_iter().enumerate()
-                {
-                    let missing = || ReadErrorKind::Element {
-                        element: "vertex",
-                        at,
-                        what: "x, y or z is missing".into(),
+                for at in n {
+                    let [x, y, z] = payload.next::<Vertex>("vertex", at, element)?.0;
+                    let (Some(x), Some(y), Some(z)) = (x, y, z) else {
+                        let what = "x, y or z is missing".into();
+                        return Err(ReadErrorKind::Element { element: "vertex", at, what });
                     };
-                    let [x, y, z] = v.0;
-                    frame.positions.push([
-                        x.ok_or_else(missing)?,
-                        y.ok_or_else(missing)?,
-                        z.ok_or_else(missing)?,
-                    ]);
+                    frame.positions.push([x, y, z]);
                 }
             }
             "face" => {
-                for (at, f) in
-                    payload::<Face>(&mut reader, element, &header)?.into_iter().enumerate()
-                {
-                    let bad = |what: String| ReadErrorKind::Element { element: "face", at, what };
-                    let corners =
-                        f.0.ok_or_else(|| bad("has no list vertex_indices of integers".into()))?;
-                    let corners = corners
-                        .into_iter()
-                        .map(|i| index(i).map_err(bad))
-                        .collect::<Result<Vec<_>, _>>()?;
-                    if corners.len() < 3 {
-                        return Err(bad(format!("has {} vertices, fewer than 3", corners.len())));
-                    }
-                    frame.push_polygon(&corners);
+                for at in n {
+                    let corners = payload.next::<Face>("face", at, element)?.corners();
+                    let bad = |what| ReadErrorKind::Element { element: "face", at, what };
+                    frame.push_polygon(&corners.map_err(bad)?);
                 }
             }
             "edge" => {
-                for (at, e) in
-                    payload::<Edge>(&mut reader, element, &header)?.into_iter().enumerate()
-                {
-                    let bad = |what: String| ReadErrorKind::Element { element: "edge", at, what };
-                    let end = |i: Option<i64>| {
-                        index(i.ok_or_else(|| bad("has no vertex1 or vertex2".into()))?)
-                            .map_err(bad)
-                    };
-                    frame.edges.push([end(e.0[0])?, end(e.0[1])?]);
+                for at in n {
+                    let ends = payload.next::<Edge>("edge", at, element)?.ends();
+                    let bad = |what| ReadErrorKind::Element { element: "edge", at, what };
+                    frame.edges.push(ends.map_err(bad)?);
                 }
             }
+            // What has no properties takes no bytes, however many there are.
+            _ if element.properties.is_empty() && encoding != Encoding::Ascii => {}
             _ => {
-                payload::<Ignored>(&mut reader, element, &header)?;
+                for at in n {
+                    payload.next::<Ignored>("element", at, element)?;
+                }
             }
         }
     }
-    nothing_left(reader, header.encoding == Encoding::Ascii)?;
+    payload.nothing_left()?;
     Ok(frame)
 }
 
-/// Refuses what follows the last element, but for blank lines: a face that the header does not
-/// count would be left out.
-fn nothing_left(reader: Reader<impl BufRead>, is_text: bool) -> Result<(), ReadErrorKind> {
-    let (mut line, mut rest) = (reader.line(), reader.into_inner());
-    loop {
-        let bytes = rest.fill_buf()?;
-        if let Some(at) = bytes.iter().position(|byte| !byte.is_ascii_whitespace()) {
-            line += bytes[..at].iter().filter(|&&byte| byte == b'\n').count();
-            let what = "there is more than the header promises".to_owned();
-            return Err(match is_text {
-                true => ReadErrorKind::Line { line, what },
-                false => ReadErrorKind::Format(what),
-            });
-        }
-        line += bytes.iter().filter(|&&byte| byte == b'\n').count();
-        match bytes.len() {
-            0 => return Ok(()),
-            n => rest.consume(n),
+/// What follows the header, taken one by one: its counts are not trusted.
+struct Payload<R> {
+    rest: R,
+    /// Number of the next line, where this is text.
+    line: usize,
+    encoding: Encoding,
+}
+
+impl<R: BufRead> Payload<R> {
+    fn next<E: PropertyAccess>(
+        &mut self,
+        name: &'static str,
+        at: usize,
+        of: &ElementDef,
+    ) -> Result<E, ReadErrorKind> {
+        let ends = || {
+            let what = format!("the file ends here; the header promises {}", of.count);
+            ReadErrorKind::Element { element: name, at, what }
+        };
+        let parser = Parser::new();
+        let read = match self.encoding {
+            Encoding::BinaryBigEndian => parser.read_big_endian_element(&mut self.rest, of),
+            Encoding::BinaryLittleEndian => parser.read_little_endian_element(&mut self.rest, of),
+            Encoding::Ascii => {
+                let (mut text, line) = (String::new(), self.line);
+                if self.rest.read_line(&mut text)? == 0 {
+                    return Err(ends());
+                }
+                self.line += 1;
+                return parser.read_ascii_element(&text, of).map_err(|_| {
+                    let what = format!("`{}` is no {}", quote(text.trim()), quote(&of.name));
+                    ReadErrorKind::Line { line, what }
+                });
+            }
+        };
+        read.map_err(|e| if e.kind() == ErrorKind::UnexpectedEof { ends() } else { stopped(e) })
+    }
+
+    /// Refuses what follows the last element, but for blank lines: a face that the header does not
+    /// count would be left out.
+    fn nothing_left(self) -> Result<(), ReadErrorKind> {
+        let Self { mut rest, mut line, encoding } = self;
+        loop {
+            let bytes = rest.fill_buf()?;
+            if let Some(at) = bytes.iter().position(|byte| !byte.is_ascii_whitespace()) {
+                line += bytes[..at].iter().filter(|&&byte| byte == b'\n').count();
+                let what = "there is more than the header promises".to_owned();
+                return Err(match encoding {
+                    Encoding::Ascii => ReadErrorKind::Line { line, what },
+                    _ => ReadErrorKind::Format(what),
+                });
+            }
+            line += bytes.iter().filter(|&&byte| byte == b'\n').count();
+            match bytes.len() {
+                0 => return Ok(()),
+                n => rest.consume(n),
+            }
         }
     }
 }
@@ -200,19 +241,4 @@ fn stopped(e: ply_rs_bw::parser::ParseError) -> ReadErrorKind {
 
 fn index(i: i64) -> Result<u32, String> {
     u32::try_from(i).map_err(|_| format!("vertex index {i} is not in 0 .. 2^32"))
-}
-
-fn payload<E: PropertyAccess>(
-    reader: &mut Reader<impl BufRead>,
-    element: &ply_rs_bw::ply::ElementDef,
-    header: &Header,
-) -> Result<Vec<E>, ReadErrorKind> {
-    let items = Parser::<E>::new().read_payload_for_element(reader, element, header);
-    let items = items.map_err(stopped)?;
-    if items.len() != element.count {
-        let what = format!("the file ends here; the header promises {}", element.count);
-        let name = if element.name == "face" { "face" } else { "vertex" };
-        return Err(ReadErrorKind::Element { element: name, at: items.len(), what });
-    }
-    Ok(items)
 }

@@ -35,8 +35,8 @@ impl PointCache {
     /// Ends of the names of files that are read.
     pub const EXTENSIONS: [&str; 4] = ["npy", "npz", "pc2", "mdd"];
 
-    /// Opens a file and checks that it is as long as its header says. An `.npz` archive is
-    /// unpacked in memory.
+    /// Opens a file and checks that it is as long as its header says. The array of an `.npz`
+    /// archive is unpacked in memory.
     ///
     /// # Errors
     /// A header that is not understood, an archive with no array `(frames, n, 3)` or with several,
@@ -159,11 +159,14 @@ fn of_archive(path: &Path, file: BufReader<File>) -> Result<PointCache, ReadErro
             return Err(ReadErrorKind::Format(quote(&what)));
         }
     };
+    let mut entry = archive.by_index(at).map_err(bad)?;
+    let header = npy::header(&mut entry)?;
+    // As much as is promised and one byte, which would be too many: little may unpack to a lot.
+    let most = header.n_bytes().unwrap_or(0).saturating_add(1);
     let mut bytes = Vec::new();
-    archive.by_index(at).map_err(bad)?.read_to_end(&mut bytes)?;
+    entry.take(most).read_to_end(&mut bytes)?;
     let length = bytes.len() as u64;
-    let header = npy::header(&mut &bytes[..])?;
-    of_array(path, Box::new(Cursor::new(bytes)), length, header)
+    of_array(path, Box::new(Cursor::new(bytes)), length, npy::Header { start: 0, ..header })
 }
 
 fn of_array(
@@ -172,13 +175,12 @@ fn of_array(
     length: u64,
     header: npy::Header,
 ) -> Result<PointCache, ReadErrorKind> {
+    let needed = header.n_bytes().and_then(|n| n.checked_add(header.start));
     let npy::Header { start, n_frames, n_vertices, wide, big_endian } = header;
     let limit = crate::Error::MAX_ELEMENTS;
     if n_vertices > limit {
         return Err(crate::Error::TooMany { element: "vertices", count: n_vertices, limit }.into());
     }
-    let frame = n_vertices * 3 * if wide { 8 } else { 4 };
-    let needed = n_frames.checked_mul(frame).and_then(|n| n.checked_add(start));
     if needed != Some(length) {
         let what = format!(
             "{n_frames} frames of {n_vertices} vertices take {} bytes; the file has {length}",

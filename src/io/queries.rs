@@ -160,10 +160,18 @@ fn kind_of(path: &Path) -> Option<Kind> {
     })
 }
 
+/// Digits of an integer: those of the longest that a reduced fraction needs are 324.
+const LONGEST: usize = 4096;
+
 /// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another
 /// query.
+///
+/// Longer integers than [`LONGEST`] are refused before that is known, which would take long.
 fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
     let parse = |s: &str| {
+        if s.len() > LONGEST {
+            return Err(format!("`{}` has more than {LONGEST} digits", quote(s)));
+        }
         s.trim().parse::<BigInt>().map_err(|_| format!("`{}` is not an integer", quote(s)))
     };
     let (n, d) = (parse(numerator)?, parse(denominator)?);

@@ -120,6 +120,12 @@ fn bad_scenes_are_refused() {
     refused(uri("nowhere.bin"), "`nowhere.bin`");
     refused(uri("http://a/b.bin"), "no file beside");
     refused(uri(&Scene::default().uri[..90]), "buffer 1 (counted from 1)");
+    if cfg!(unix) {
+        refused(uri("/dev/null"), "is no regular file");
+    }
+    let json = Scene::default().json();
+    let strides = json.replacen("\"byteLength\": 48", "\"byteLength\": 48, \"byteStride\": 8", 1);
+    check_refused("stride.gltf", strides.as_bytes(), "beyond the end");
     let accessors = |from: &str, to: &str| {
         let accessors = Scene::default().accessors;
         assert!(accessors.contains(from));
@@ -132,8 +138,29 @@ fn bad_scenes_are_refused() {
     refused(accessors("\"count\": 4", "\"count\": 2"), "names a vertex");
     refused(accessors("\"type\": \"VEC3\"", "\"type\": \"VEC2\""), "three floats");
     refused(accessors("5123", "5126"), "unsigned");
+    let primitive = r#"{"attributes": {"POSITION": 2}}"#;
+    refused(Scene { primitive, ..Scene::default() }, "names a list that is not there");
     let nodes = r#"{"mesh": 0, "children": [1]}, {"children": [0]}"#;
     refused(Scene { nodes, ..Scene::default() }, "two parents");
     check_refused("none.gltf", br#"{"asset": {"version": "2.0"}}"#, "no scene");
     check_refused("text.gltf", b"solid", "text.gltf");
+}
+
+#[test]
+fn lists_of_zeros_are_as_long_as_the_file() {
+    let sparse = r#""sparse": {"count": 2, "indices": {"bufferView": 1, "componentType": 5123},
+        "values": {"bufferView": 0}}"#;
+    let scene = |count: usize| {
+        let positions = format!(
+            r#"{{"componentType": 5126, "count": {count}, "type": "VEC3", "min": [0, 0, 0],
+            "max": [1, 2, 0], {sparse}}}, {{"bufferView": 1, "componentType": 5123, "count": 6,
+            "type": "SCALAR"}}"#
+        );
+        Scene { accessors: positions, ..Scene::default() }.json()
+    };
+    // The second of six is what the file says; the others are zero.
+    assert_eq!(read("a.gltf", scene(6).as_bytes()).unwrap().positions.len(), 2);
+    let long = scene(1 << 22);
+    let error = super::small(long.as_bytes(), || read("b.gltf", long.as_bytes())).unwrap_err();
+    assert!(error.contains("beyond the end"), "{error}");
 }

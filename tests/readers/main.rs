@@ -2,6 +2,8 @@
 //! words.
 
 mod gltf;
+#[path = "../../fuzz/fuzz_targets/memory.rs"]
+mod memory;
 mod over_time;
 
 use ccd::io::{Frame, read_frame};
@@ -152,6 +154,10 @@ fn errors_name_the_place_and_quote_little() {
         let error = read(name, text.as_bytes()).unwrap_err();
         assert!(error.len() < 420 && !error.contains('\n'), "{name}: {error}");
     }
+    // Letters of more than one byte where a quotation is cut.
+    let stars = format!("v 0 0 {}\n", "\u{2605}".repeat(300));
+    check_refused("stars.obj", stars.as_bytes(), "\u{2605}..` is not a number");
+    check_refused("a.glb", b"glTF\x02\0\0\0\x03\0\0\0", "the file is cut short");
     check_refused("a.ply", b"", "end of file");
     check_refused("a.ply", b"plx\n", "line 1: Expected magic number 'ply': `plx`");
     check_refused("a.glb", b"gl", "the file is cut short");
@@ -192,4 +198,41 @@ fn ply_says_which_element_lacks_what() {
     refused("uchar int", "uchar float", "face 1 (counted from 1): has no list vertex_indices");
     refused("vertex2", "vertex3", "edge 1 (counted from 1): has no vertex1 or vertex2");
     refused("\n1 2\n", "\n1 -2\n", "edge 1 (counted from 1): vertex index -2 is not in 0 ..");
+}
+
+/// Reads a small file, which must not take more memory than its bytes and some buffers.
+fn small<T>(content: &[u8], read: impl FnOnce() -> T) -> T {
+    memory::bounded(content.len(), 64, 1 << 20, read)
+}
+
+#[test]
+fn counts_of_ply_are_not_trusted() {
+    let body = "element nothing 2000000000\nelement vertex 1000000\n";
+    let text = format!("ply\nformat binary_little_endian 1.0\n{body}end_header\n");
+    let error = small(text.as_bytes(), || read("a.ply", text.as_bytes())).unwrap_err();
+    assert!(error.contains("vertex 1 (counted from 1): x, y or z is missing"), "{error}");
+    for format in ["ascii", "binary_big_endian"] {
+        let text = format!(
+            "ply\nformat {format} 1.0\nelement vertex 2000000000\nproperty char x\n\
+             property char y\nproperty char z\nend_header\n0 0 0\n0 0 0\n"
+        );
+        let error = small(text.as_bytes(), || read("a.ply", text.as_bytes())).unwrap_err();
+        assert!(error.contains("file ends here; the header promises 2000000000"), "{error}");
+    }
+    let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty char x\nproperty char y\n\
+        property char z\nend_header\n0 0 zero\n";
+    check_refused("a.ply", text.as_bytes(), "line 8: `0 0 zero` is no vertex");
+}
+
+#[test]
+fn integers_of_queries_are_not_too_long() {
+    let dir = tempfile::tempdir().unwrap();
+    let row = |n: usize| format!("{}1,1,0,1,0,1\n", "0".repeat(n));
+    let read = |text: String| {
+        let path = write(dir.path(), "vf.csv", text.as_bytes());
+        ccd::io::read_queries(&path).map_err(|e| e.to_string())
+    };
+    assert_eq!(read(row(300).repeat(8)).unwrap().queries.len(), 1);
+    let error = read(row(1_000_000).repeat(8)).unwrap_err();
+    assert!(error.contains("has more than 4096 digits"), "{error}");
 }

@@ -128,3 +128,20 @@ fn what_does_not_fit_is_refused() {
     let says = "frame 3 (counted from 1): vertex 2 (counted from 1): z = NaN";
     assert!(error.contains(says), "{error}");
 }
+
+#[test]
+fn archives_unpack_to_what_they_promise() {
+    let dir = tempfile::tempdir().unwrap();
+    let refused = |array: Vec<u8>, says: &str| {
+        let file = npz(&[("x.npy", array)], zip::CompressionMethod::Deflated);
+        let error = super::small(&file, || open(dir.path(), "a.npz", &file)).err().expect(says);
+        assert!(error.contains(says), "{error:?} does not say {says:?}");
+    };
+    let mut long = npy("<f4", 1, "(3, 2, 3)", "False");
+    long.resize(1 << 24, 0);
+    refused(long, "3 frames of 2 vertices take 72 bytes; the file has 73");
+    let mut head = b"\x93NUMPY\x02\0".to_vec();
+    head.extend((1u32 << 24).to_le_bytes());
+    head.resize(1 << 24, b' ');
+    refused(head, "takes 16777216 bytes, more than 65536");
+}

@@ -19,6 +19,8 @@ mod report;
 #[cfg(feature = "algorithms")]
 mod schedulers;
 mod shaders;
+#[cfg(feature = "soak")]
+mod soak;
 mod tidy;
 mod tint;
 mod wasm;
@@ -98,6 +100,15 @@ enum Task {
         /// Measure this alone
         #[arg(long, value_enum)]
         only: Option<compile_times::Part>,
+    },
+    /// One session and one device through changing meshes, bodies and methods; fails if contacts
+    /// change or memory grows
+    Soak {
+        /// How long; three cycles at least
+        #[arg(long, default_value_t = 60.0)]
+        minutes: f64,
+        #[arg(long, default_value = "cpu", value_parser = ["cpu", "gpu"])]
+        backend: String,
     },
 }
 
@@ -180,6 +191,7 @@ fn main() -> ExitCode {
         }
         Task::Report { runs, .. } => report_task(root, runs),
         Task::CompileTimes { only } => compile_times::run(root, only),
+        Task::Soak { minutes, backend } => soak_task(root, minutes, &backend),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -294,4 +306,17 @@ fn loom_task(_root: &Path, name: &str, here: bool) -> Result<(), String> {
 fn loom_task(root: &Path, name: &str, _here: bool) -> Result<(), String> {
     let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "loom", "--", "loom"];
     ci::command(root, &[&build[..], &[name]].concat())
+}
+
+#[cfg(feature = "soak")]
+fn soak_task(_root: &Path, minutes: f64, backend: &str) -> Result<(), String> {
+    soak::run(minutes, backend)
+}
+
+/// Without what it runs: builds itself again with it.
+#[cfg(not(feature = "soak"))]
+fn soak_task(root: &Path, minutes: f64, backend: &str) -> Result<(), String> {
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "soak", "--", "soak"];
+    let minutes = minutes.to_string();
+    ci::command(root, &[&build[..], &["--minutes", &minutes, "--backend", backend]].concat())
 }

@@ -62,6 +62,11 @@ pub fn parts_are_joined_to_the_whole() {
     check_refused(&["merge", &a, &write("two.jsonl", &twice), &c], "line 2: step 3 is not");
     check_refused(&["merge", &write("whole.jsonl", &whole)], "without --part");
     check_refused(&["merge", &write("text.jsonl", "hello\n")], "was not finished");
+    for (from, to) in [("\"index\":2", "\"index\":0"), ("\"of\":3", "\"of\":0")] {
+        assert!(of_b.contains(from), "{of_b}");
+        let path = write("none.jsonl", &of_b.replace(from, to));
+        check_refused(&["merge", &path], "the first is 1");
+    }
     check_refused(&["sequence", &folder, "--part", "4/3"], "i from 1 to n");
     let said = text(&ccd(&["sequence", &folder, "--part", "2/3"]).stdout);
     assert!(said.contains("2 of 3: steps 3 to 6 of 11"), "{said}");

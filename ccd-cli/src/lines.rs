@@ -1,0 +1,75 @@
+//! The lines of `ccd sequence --json-lines`, which `ccd merge` reads: steps, and their summary.
+
+use super::output::{Counts, MeshSize, TimesMs};
+use super::part::Part;
+use serde::{Deserialize, Serialize};
+
+/// A step; `frame` is its number among all steps, from 0, and that of the frame it begins with.
+#[derive(Serialize, Deserialize)]
+pub struct Step {
+    pub frame: usize,
+    /// What the step's end is called.
+    pub file: String,
+    pub candidates: Counts,
+    pub contacts: Counts,
+    pub undecided: u64,
+    /// Contacts at t = 0.
+    pub at_start: u64,
+    pub toi: Option<f64>,
+    pub rebuilt: bool,
+    pub times_ms: TimesMs,
+}
+
+/// The last of the lines of JSON.
+#[derive(Serialize, Deserialize)]
+pub struct LastLine {
+    #[serde(flatten)]
+    pub summary: Summary,
+    pub mesh: MeshSize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<Share>,
+}
+
+/// Which of all steps were done.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+pub struct Share {
+    #[serde(flatten)]
+    pub part: Part,
+    pub all_steps: usize,
+}
+
+#[derive(Serialize, Deserialize)]
+pub struct Summary {
+    pub steps: usize,
+    pub contacts: u64,
+    pub undecided: u64,
+    pub at_start: u64,
+    pub free_steps: usize,
+    pub rebuilt: usize,
+    pub median_ms: f64,
+    pub total_ms: f64,
+}
+
+/// Milliseconds of a step without loading.
+pub fn step_ms(s: &Step) -> f64 {
+    s.times_ms.total - s.times_ms.load
+}
+
+/// All steps together.
+pub fn summarise(steps: &[Step]) -> Summary {
+    let mut times: Vec<f64> = steps.iter().map(step_ms).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    // Lines that were changed by hand may hold any numbers.
+    let sum = |of: fn(&Step) -> u64| steps.iter().map(of).fold(0, u64::saturating_add);
+    Summary {
+        steps: steps.len(),
+        contacts: sum(|s| s.contacts.total()),
+        undecided: sum(|s| s.undecided),
+        at_start: sum(|s| s.at_start),
+        free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
+        rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
+        median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),
+        // From a zero that has no sign: that of no steps is 0.
+        total_ms: times.iter().fold(0.0, |sum, time| sum + time),
+    }
+}
