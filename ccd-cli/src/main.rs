@@ -40,9 +40,9 @@ use std::process::ExitCode;
 /// one frame to the next, with the time of impact in [0, 1]. No contact is missed and no time is
 /// late. Contacts that cannot be certified are reported with the state "undecided".
 ///
-/// A contact is where features touch on their way. A first frame that already passes through itself
-/// need not have any: `check` and `sequence` look at it exactly, edges against faces, and say so. If
-/// it does not, and no step has a contact, then nothing passes through anything at any time.
+/// A contact is where features touch on their way. A first frame that already passes through
+/// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
+/// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
 ///
 /// Exit status: 0 done; 1 contacts were found, or a first frame that intersects itself, and
 /// --fail-on-contact was given; 2 bad use or bad input.

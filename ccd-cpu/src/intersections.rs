@@ -35,8 +35,8 @@ pub struct Intersection {
     pub edge: u32,
     /// The face.
     pub face: u32,
-    /// [`State::Undecided`]: coordinates beyond 2^200, or below 2^-200 and not zero, for which
-    /// nothing is calculated exactly; their boxes overlap.
+    /// [`State::Undecided`]: not certainly apart, with coordinates beyond 2^200, or below 2^-200
+    /// and not zero, for which nothing is calculated exactly.
     pub state: State,
 }
 

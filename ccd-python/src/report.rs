@@ -26,8 +26,8 @@ pub struct Report {
     vertices: Py<PyArray2<u32>>,
     /// Least time of impact; None without contact.
     earliest_toi: Option<f64>,
-    /// Numbers of candidates, pairs of features whose swept boxes overlap, of each kind in the order
-    /// of `Kind`.
+    /// Numbers of candidates, pairs of features whose swept boxes overlap, of each kind in the
+    /// order of `Kind`.
     n_candidates: (u64, u64, u64, u64),
     /// Number of contacts that are undecided.
     n_undecided: u64,

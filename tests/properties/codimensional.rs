@@ -113,8 +113,8 @@ fn goes_through(x: &[[f64; 3]], [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
     volume(a, b, c, p) != volume(a, b, c, q) && around.iter().all(|&side| side == around[0])
 }
 
-/// Edges that cross at a distance of 24, whose ends are further, and so nearly parallel that rounded
-/// numbers take them for that: they are near from 24 on, and not from half of it.
+/// Edges that cross at a distance of 24, whose ends are further, and so nearly parallel that
+/// rounded numbers take them for that: they are near from 24 on, and not from half of it.
 #[test]
 fn edges_that_are_nearly_parallel_are_as_near_as_they_are() {
     // Vectors of length 3 at right angles.
