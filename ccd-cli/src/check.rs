@@ -1,6 +1,7 @@
 //! `ccd check`: contacts between two frames.
 
 use super::output::{self, Counts, MeshSize, TimesMs};
+use super::start::Intersections;
 use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, read_frame};
@@ -38,6 +39,8 @@ struct Json<'a> {
     undecided: u64,
     /// Contacts at t = 0.
     at_start: u64,
+    /// Of the first frame with itself.
+    intersections: &'a Intersections,
     toi: Option<f64>,
     backend: &'static str,
     adapter: Option<&'a str>,
@@ -46,6 +49,8 @@ struct Json<'a> {
     /// What kernels took to compile, on a GPU.
     compile_ms: Option<f64>,
     times_ms: TimesMs,
+    /// What it took to look at the first frame alone.
+    intersections_ms: f64,
 }
 
 impl Check {
@@ -63,7 +68,9 @@ impl Check {
         if let Some(file) = listed {
             list_candidates(&mut session, self.options.precision, &t0, &t1, file)?;
         }
-        step(&mut session, self.options.precision, (&self.t0, &t0), (&self.t1, &t1))?;
+        let precision = self.options.precision;
+        let start = look_at_start(&session, precision, &self.t0, &t0)?;
+        step(&mut session, precision, (&self.t0, &t0), (&self.t1, &t1))?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         if let Some(mut file) = file {
@@ -88,6 +95,7 @@ impl Check {
                 contacts: contacts.into(),
                 undecided: report.undecided,
                 at_start: output::at_start(report),
+                intersections: &start,
                 toi: report.toi,
                 backend: place.backend(),
                 adapter: place.adapter(),
@@ -95,12 +103,13 @@ impl Check {
                 threads: place.threads(),
                 compile_ms: compilation.map(|done| done.time.as_secs_f64() * 1e3),
                 times_ms: TimesMs::new(load, report),
+                intersections_ms: start.ms,
             })?;
         } else if self.options.prints_text() && !self.lists_to_stdout() {
-            print(&session, load, compilation);
+            print(&session, &start, load, compilation);
         }
         output::flush();
-        Ok(contacts.total() > 0)
+        Ok(contacts.total() > 0 || start.pairs > 0)
     }
 
     fn lists_to_stdout(&self) -> bool {
@@ -125,10 +134,15 @@ fn list_candidates(
     Ok(())
 }
 
-fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation>) {
+fn print(
+    session: &Session,
+    start: &Intersections,
+    load: f64,
+    compilation: Option<ccd::gpu::Compilation>,
+) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
-    output::say!("{}", output::sentence(report));
+    output::say!("{}", output::sentence(report, start));
     output::line("mesh", MeshSize::from(mesh));
     if mesh.n_degenerate() > 0 {
         output::line(
@@ -146,8 +160,9 @@ fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation
     output::explain(report.undecided, output::at_start(report), min_distance, "the first frame");
     match report.toi {
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
-        None => output::line("earliest", "none: the whole step is free"),
+        None => output::line("earliest", "none"),
     }
+    start.print();
     backend::print_compilation(compilation);
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
     let parts = match place {
@@ -164,6 +179,17 @@ fn print(session: &Session, load: f64, compilation: Option<ccd::gpu::Compilation
     output::line("", parts);
 }
 
+/// Looks at the frame that steps start from, alone.
+pub fn look_at_start(
+    session: &Session,
+    precision: Precision,
+    path: &Path,
+    frame: &Frame,
+) -> Result<Intersections, Failure> {
+    let x = precision.round(&frame.positions);
+    Intersections::of(session, &x).map_err(|e| named(e.into(), precision, path, path))
+}
+
 /// One step between two frames; an error in coordinates names the file.
 pub fn step(
     session: &mut Session,
@@ -175,20 +201,25 @@ pub fn step(
         Precision::F64 => session.step(&t0.1.positions, &t1.1.positions).map(|_| ()),
         Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
     };
-    result.map_err(|e| match e {
+    result.map_err(|e| named(e, precision, t0.0, t1.0))
+}
+
+/// An error of a step between two files, with the one that it is in.
+fn named(e: Error, precision: Precision, t0: &Path, t1: &Path) -> Failure {
+    match e {
         Error::Input(ccd::Error::Coordinate { time, vertex, axis, value }) => {
             let name = ["x", "y", "z"][axis as usize];
             let precision = precision.name();
             let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
-            in_file(if time == 0 { t0.0 } else { t1.0 }, format_args!("{what} {precision}"))
+            in_file(if time == 0 { t0 } else { t1 }, format_args!("{what} {precision}"))
         }
         Error::Input(ccd::Error::FixedMoves { vertex }) => {
-            let (vertex, from) = (vertex + 1, t0.0.display());
+            let (vertex, from) = (vertex + 1, t0.display());
             let what = format!("vertex {vertex} (counted from 1) is not where it is in {from}");
-            in_file(t1.0, format_args!("{what}, and its body is --fixed"))
+            in_file(t1, format_args!("{what}, and its body is --fixed"))
         }
         _ => e.into(),
-    })
+    }
 }
 
 impl Precision {

@@ -2,6 +2,7 @@
 
 use super::output::{Counts, MeshSize, TimesMs};
 use super::part::Part;
+use super::start::Intersections;
 use serde::{Deserialize, Serialize};
 
 /// A step; `frame` is its number among all steps, from 0, and that of the frame it begins with.
@@ -28,6 +29,9 @@ pub struct LastLine {
     pub mesh: MeshSize,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<Share>,
+    /// Of the first frame of all with itself: the first part says it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub intersections: Option<Intersections>,
 }
 
 /// Which of all steps were done.

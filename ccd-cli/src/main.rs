@@ -28,6 +28,7 @@ mod plot;
 mod queries;
 mod rows;
 mod sequence;
+mod start;
 mod toi;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -40,8 +41,12 @@ use std::process::ExitCode;
 /// one frame to the next, with the time of impact in [0, 1]. No contact is missed and no time is
 /// late. Contacts that cannot be certified are reported with the state "undecided".
 ///
-/// Exit status: 0 done; 1 contacts were found and --fail-on-contact was given; 2 bad use or bad
-/// input.
+/// A contact is where features touch on their way. A first frame that already passes through
+/// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
+/// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
+///
+/// Exit status: 0 done; 1 contacts were found, or a first frame that intersects itself, and
+/// --fail-on-contact was given; 2 bad use or bad input.
 #[derive(Parser)]
 #[command(name = "ccd", version, max_term_width = 100)]
 struct Cli {
@@ -161,7 +166,7 @@ struct StepOptions {
     /// step); `-` is standard output
     #[arg(long, value_name = "OUT.png")]
     picture: Option<PathBuf>,
-    /// Exit with status 1 if there is a contact
+    /// Exit with status 1 if there is a contact, or if the first frame intersects itself
     #[arg(long)]
     fail_on_contact: bool,
 }

@@ -3,6 +3,7 @@
 use super::lines::{LastLine, Share, Step, summarise};
 use super::output::{self, MeshSize};
 use super::part::Part;
+use super::start::Intersections;
 use super::{Failure, Outcome, in_file, join};
 use clap::Args;
 use std::io::{BufRead, BufReader};
@@ -24,6 +25,7 @@ struct Output<'a> {
     steps: Vec<Step>,
     share: Share,
     mesh: MeshSize,
+    intersections: Option<Intersections>,
 }
 
 impl Merge {
@@ -45,9 +47,9 @@ impl Merge {
         }
         let steps: Vec<Step> = parts.iter_mut().flat_map(|part| part.steps.drain(..)).collect();
         let summary = summarise(&steps);
-        let any = summary.contacts > 0;
-        let Output { mesh, .. } = parts.remove(0);
-        output::json(&LastLine { summary, mesh, part: None })?;
+        let Output { mesh, intersections, .. } = parts.remove(0);
+        let any = summary.contacts > 0 || intersections.as_ref().is_some_and(|of| of.pairs > 0);
+        output::json(&LastLine { summary, mesh, part: None, intersections })?;
         output::flush();
         Ok(any)
     }
@@ -90,7 +92,8 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
         let what = format!("holds {} steps; its part has {}", steps.len(), expected.len());
         return Err(in_file(path, what));
     }
-    Ok(Output { path, lines, steps, share, mesh: last.mesh })
+    let LastLine { mesh, intersections, .. } = last;
+    Ok(Output { path, lines, steps, share, mesh, intersections })
 }
 
 /// Whether lines are what `sequence --json` prints.

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 /// Options of every command that looks for pairs.
 #[derive(Args)]
-#[command(next_help_heading = "How pairs are found (all ways find the same; see `ccd list`)")]
+#[command(next_help_heading = "How pairs are found (all find the same contacts; see `ccd list`)")]
 pub struct MethodOptions {
     /// Broad phase
     #[arg(long, value_name = "NAME", value_parser = named::<BroadPhaseMethod>())]
@@ -46,7 +46,8 @@ pub struct MethodOptions {
     /// from a list
     #[arg(long, value_enum)]
     orphans: Option<OnOff>,
-    /// Whether --pipeline triangles skips regions that certainly do not touch themselves
+    /// Whether --pipeline triangles skips regions that certainly do not touch themselves: their
+    /// pairs are no candidates, and none of them is undecided
     #[arg(long, value_enum)]
     cones: Option<OnOff>,
     /// Which of two nodes --traversal simultaneous and cut expand

@@ -1,5 +1,6 @@
 //! What commands print: text and JSON.
 
+use super::start::Intersections;
 use super::{Failure, toi};
 use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
@@ -143,11 +144,12 @@ pub fn milliseconds(ms: f64) -> String {
 }
 
 /// What a step found, in one sentence for people.
-pub fn sentence(report: &Report) -> String {
-    match report.toi {
-        None => "No contact: the whole step is free.".into(),
-        Some(0.0) => "There are contacts from the start of the step on.".into(),
-        Some(time) => format!("First contact after {} of the step.", toi::percent(time)),
+pub fn sentence(report: &Report, start: &Intersections) -> String {
+    match (report.toi, start.verb()) {
+        (None, None) => "No contact: the whole step is free.".into(),
+        (None, Some(verb)) => format!("No contact, but the first frame {verb}."),
+        (Some(0.0), _) => "There are contacts from the start of the step on.".into(),
+        (Some(time), _) => format!("First contact {} of the step.", toi::when(time)),
     }
 }
 
@@ -163,9 +165,10 @@ pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
         line("", "undecided: too close to tell in rounded numbers; treat as contacts");
     }
     if at_start > 0 {
+        // Some are undecided, and a time of 0 may be that much early.
         let why = match min_distance > 0.0 {
-            true => "is within the minimum distance",
-            false => "touches or passes through itself",
+            true => "is or may be within the minimum distance",
+            false => "may touch or pass through itself",
         };
         line("", format_args!("{at_start} at t = 0: {first} {why}"));
     }

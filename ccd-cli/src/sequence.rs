@@ -1,10 +1,11 @@
 //! `ccd sequence`: a session over many frames.
 
-use super::check::step;
+use super::check::{self, step};
 use super::frames::Frames;
 use super::lines::{LastLine, Share, Step, Summary, step_ms, summarise};
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
+use super::start::Intersections;
 use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
 use clap::Args;
@@ -45,6 +46,8 @@ struct Json<'a> {
     part: Option<Share>,
     steps: Vec<Step>,
     summary: Summary,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    intersections: Option<Intersections>,
 }
 
 impl Sequence {
@@ -63,6 +66,11 @@ impl Sequence {
         let polygons = before.polygons.clone();
         let mut session = self.options.session(mesh)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
+        let precision = self.options.precision;
+        let is_first = self.part.is_none_or(|part| part.index == 1);
+        let start =
+            is_first.then(|| check::look_at_start(&session, precision, &frames.name(0), &before));
+        let start = start.transpose()?;
         let bar = output::progress(todo.len(), "steps");
         let mut steps: Vec<Step> = Vec::new();
         let is_text = self.options.prints_text() && !self.json_lines;
@@ -74,7 +82,6 @@ impl Sequence {
             let after = frames.next(&before, i + 1)?;
             load += start.elapsed().as_secs_f64() * 1e3;
             let [path_0, path_1] = [i, i + 1].map(|at| frames.name(at));
-            let precision = self.options.precision;
             step(&mut session, precision, (&path_0, &before), (&path_1, &after))?;
             let report = session.report();
             let row = Step {
@@ -106,7 +113,7 @@ impl Sequence {
         }
         bar.finish_and_clear();
         let ends = [frames.name(todo.start), frames.name(todo.end)];
-        self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share)
+        self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share, start)
     }
 
     fn finish(
@@ -116,6 +123,7 @@ impl Sequence {
         first: usize,
         steps: Vec<Step>,
         part: Option<Share>,
+        start: Option<Intersections>,
     ) -> Outcome {
         let summary = summarise(&steps);
         let compilation = backend::compilation(session);
@@ -129,7 +137,7 @@ impl Sequence {
             let series = [("time of a step, ms", &times[..]), ("contacts", &contacts)];
             plot::write(path, &title, ("step", first), series)?;
         }
-        let any = summary.contacts > 0;
+        let any = summary.contacts > 0 || start.as_ref().is_some_and(|start| start.pairs > 0);
         let place = session.place();
         if self.options.json {
             let (backend, precision) = (place.backend(), self.options.precision.name());
@@ -144,11 +152,13 @@ impl Sequence {
                 part,
                 steps,
                 summary,
+                intersections: start,
             })?;
         } else if self.json_lines {
-            output::json(&LastLine { summary, mesh: session.mesh().into(), part })?;
+            let mesh = session.mesh().into();
+            output::json(&LastLine { summary, mesh, part, intersections: start })?;
         } else if self.options.prints_text() {
-            output::say!("{}", sentence(&steps));
+            output::say!("{}", sentence(&steps, start.as_ref()));
             let text = format!(
                 "{} steps, {} of them free; {} contacts, {} undecided",
                 summary.steps, summary.free_steps, summary.contacts, summary.undecided
@@ -160,6 +170,7 @@ impl Sequence {
                 self.options.min_distance,
                 "the start",
             );
+            start.iter().for_each(Intersections::print);
             backend::print_compilation(compilation);
             let ms = output::milliseconds;
             let text = format!("median {} a step on {place}", ms(summary.median_ms));
@@ -177,14 +188,17 @@ impl Sequence {
 }
 
 /// The first contact of all steps, for people.
-fn sentence(steps: &[Step]) -> String {
+fn sentence(steps: &[Step], start: Option<&Intersections>) -> String {
     match steps.iter().find_map(|step| step.toi.map(|time| (step, time))) {
         None if steps.is_empty() => "No step in this part.".into(),
-        None => "No contact in any step.".into(),
+        None => match start.and_then(Intersections::verb) {
+            None => "No contact in any step.".into(),
+            Some(verb) => format!("No contact in any step, but the first frame {verb}."),
+        },
         Some((step, time)) => {
             let when = match time {
                 0.0 => "at the start".into(),
-                _ => format!("after {}", toi::percent(time)),
+                _ => toi::when(time),
             };
             format!("First contact {when} of step {}, to {}.", step.frame, name(step))
         }

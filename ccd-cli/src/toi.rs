@@ -1,9 +1,17 @@
 //! Times of impact as text in few digits: a time that is printed is never later than the true one.
 
-/// As a part of the step, for people: `0.000749 %`.
-pub fn percent(toi: f64) -> String {
-    let percent = down(toi, 3, 2);
-    if percent != 0.0 && percent < 1e-6 { format!("{percent:e} %") } else { format!("{percent} %") }
+/// As a part of the step, for people: `after 0.000749 %`; `just before 50 %`, if the number nearest
+/// to it in as many digits is later by no more than a time may be early.
+pub fn when(toi: f64) -> String {
+    let nearest: f64 = format!("{toi:.2e}").parse().unwrap_or(toi);
+    let is_near = nearest > toi && nearest - toi <= f64::min(2e-6, 2e-4 * nearest);
+    let (word, time) = if is_near { ("just before", nearest) } else { ("after", toi) };
+    let percent = down(time, 3, 2);
+    if percent != 0.0 && percent < 1e-6 {
+        format!("{word} {percent:e} %")
+    } else {
+        format!("{word} {percent} %")
+    }
 }
 
 /// In a picture: `0.500`, and `7.49e-6` where that would say little.
@@ -41,20 +49,23 @@ mod tests {
     #[test]
     fn parts_of_a_step_have_three_digits_that_matter() {
         for (toi, want) in [
-            (0.0, "0 %"),
-            (7.492069018333316e-6, "0.000749 %"),
-            (0.5, "50 %"),
-            (0.5f64.next_down(), "49.9 %"),
-            (0.07, "7 %"),
-            (1.0, "100 %"),
-            (1f64.next_down(), "99.9 %"),
-            (0.0123, "1.23 %"),
-            (0.009_999, "0.999 %"),
-            (1.99e-9, "1.99e-7 %"),
-            (1e-300, "1e-298 %"),
-            (f64::from_bits(1), "5e-322 %"),
+            (0.0, "after 0 %"),
+            (7.492069018333316e-6, "after 0.000749 %"),
+            (0.5, "after 50 %"),
+            (0.5f64.next_down(), "just before 50 %"),
+            (0.499_999, "just before 50 %"),
+            (0.499_99, "after 49.9 %"),
+            (0.07, "after 7 %"),
+            (1.0, "after 100 %"),
+            (1f64.next_down(), "just before 100 %"),
+            (0.0123, "after 1.23 %"),
+            (0.009_999, "just before 1 %"),
+            (0.009_99, "after 0.999 %"),
+            (1.99e-9, "after 1.99e-7 %"),
+            (1e-300, "after 1e-298 %"),
+            (f64::from_bits(1), "after 5e-322 %"),
         ] {
-            assert_eq!(percent(toi), want);
+            assert_eq!(when(toi), want);
         }
     }
 
@@ -83,13 +94,20 @@ mod tests {
                 let rounded: f64 = format!("{toi:.*e}", digits - 1).parse().unwrap();
                 n_later += (rounded > toi) as usize;
             }
-            let text = percent(toi);
-            let (mantissa, exponent) = match text.trim_end_matches(" %").split_once('e') {
+            let text = when(toi);
+            let is_before = text.starts_with("just before");
+            let number = text.trim_start_matches("just before ").trim_start_matches("after ");
+            let number = number.trim_end_matches(" %");
+            let (mantissa, exponent) = match number.split_once('e') {
                 Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().unwrap()),
-                None => (text.trim_end_matches(" %"), 0),
+                None => (number, 0),
             };
             let part: f64 = format!("{mantissa}e{}", exponent - 2).parse().unwrap();
-            assert!(part <= toi && part >= toi * 0.989, "{text} for {toi:e}");
+            let fits = match is_before {
+                true => part > toi && part - toi <= 2e-6 && part <= toi * 1.000_201,
+                false => part <= toi && part >= toi * 0.989,
+            };
+            assert!(fits, "{text} for {toi:e}");
         }
         assert!(n_later > 10_000, "{n_later} numbers that round up show nothing");
     }

@@ -2,6 +2,7 @@
 
 use crate::broad_phase::BroadPhase;
 use crate::threads::Threads;
+use ccd_core::layout::Pair;
 use ccd_core::model::contact::State;
 use ccd_core::model::error::check_coordinates;
 use ccd_core::model::mesh::Mesh;
@@ -34,8 +35,8 @@ pub struct Intersection {
     pub edge: u32,
     /// The face.
     pub face: u32,
-    /// [`State::Undecided`]: coordinates beyond 2^200, or below 2^-200 and not zero, for which
-    /// nothing is calculated exactly; their boxes overlap.
+    /// [`State::Undecided`]: not certainly apart, with coordinates beyond 2^200, or below 2^-200
+    /// and not zero, for which nothing is calculated exactly.
     pub state: State,
 }
 
@@ -85,11 +86,9 @@ fn find(mesh: &Mesh, x: Slices<Points, 1>, options: &Options) -> Result<Vec<Inte
             mesh.edges().iter().map(|ids| around(&x, ids)).collect::<Vec<_>>(),
             mesh.faces().iter().map(|ids| around(&x, ids)).collect(),
         ];
-        let pairs = boxes.pairs(&edges, &faces)?.to_vec();
-        let mut found = vec![None; pairs.len()];
-        threads.fill(&mut found, |i| {
-            let (edge, face) =
-                (mesh.edges()[pairs[i].a as usize], mesh.faces()[pairs[i].b as usize]);
+        let pairs = boxes.pairs(&edges, &faces)?;
+        let meet = |pair: &Pair| {
+            let (edge, face) = (mesh.edges()[pair.a as usize], mesh.faces()[pair.b as usize]);
             let is_wanted = options.bodies.as_ref().is_none_or(|b| b.wants(edge[0], face[0]));
             if edge.iter().any(|v| face.contains(v)) || !is_wanted {
                 return None;
@@ -100,8 +99,11 @@ fn find(mesh: &Mesh, x: Slices<Points, 1>, options: &Options) -> Result<Vec<Inte
                 Some(false) => return None,
                 None => State::Undecided,
             };
-            Some(Intersection { edge: pairs[i].a, face: pairs[i].b, state })
-        });
+            Some(Intersection { edge: pair.a, face: pair.b, state })
+        };
+        let parts: Vec<&[Pair]> = pairs.runs().flat_map(|run| run.chunks(4096)).collect();
+        let mut found = vec![Vec::new(); parts.len()];
+        threads.each(&mut found, &|k, out| out.extend(parts[k].iter().filter_map(meet)));
         let mut all: Vec<Intersection> = found.into_iter().flatten().collect();
         all.sort_unstable_by_key(|i| (i.edge, i.face));
         Ok(all)

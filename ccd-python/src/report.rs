@@ -26,9 +26,9 @@ pub struct Report {
     vertices: Py<PyArray2<u32>>,
     /// Least time of impact; None without contact.
     earliest_toi: Option<f64>,
-    /// Numbers of candidates, vertex-face and edge-edge: pairs of features whose swept boxes
-    /// overlap.
-    n_candidates: (u64, u64),
+    /// Numbers of candidates, pairs of features whose swept boxes overlap, of each kind in the
+    /// order of `Kind`.
+    n_candidates: (u64, u64, u64, u64),
     /// Number of contacts that are undecided.
     n_undecided: u64,
     /// Where the time went, in milliseconds, by name.
@@ -77,14 +77,14 @@ pub struct Columns {
     state: Vec<u8>,
     vertices: Vec<u32>,
     earliest_toi: Option<f64>,
-    n_candidates: (u64, u64),
+    n_candidates: (u64, u64, u64, u64),
     n_undecided: u64,
     times: ccd::Times,
 }
 
 impl Columns {
     pub fn new(report: &ccd::Report, mesh: &ccd::Mesh) -> Self {
-        let of = &report.contacts;
+        let (of, n) = (&report.contacts, report.candidates);
         let vertices =
             of.iter().flat_map(|c| mesh.vertices_of(c.kind, ccd::Pair { a: c.a, b: c.b }));
         Self {
@@ -95,7 +95,7 @@ impl Columns {
             state: of.iter().map(|c| state_number(c.state)).collect(),
             vertices: vertices.collect(),
             earliest_toi: report.toi,
-            n_candidates: (report.candidates.vf, report.candidates.ee),
+            n_candidates: (n.vf, n.ee, n.ve, n.vv),
             n_undecided: report.undecided,
             times: report.times,
         }

@@ -8,6 +8,7 @@ use ccd::any::{self, Backend};
 use ccd::{Bodies, Coordinate, Options};
 use numpy::PyArray2;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use std::sync::Mutex;
 
 /// Continuous collision detection of one mesh over many steps: keep it for the next frames.
@@ -134,17 +135,18 @@ impl Session {
     }
 
     /// All candidates of the step: pairs of features without a common vertex whose swept boxes
-    /// overlap. Two arrays of shape (n, 2), uint32, in no particular order: vertex and face, and
-    /// two edges, the lesser id first.
-    #[allow(clippy::type_complexity, reason = "two arrays")]
+    /// overlap. Four arrays of shape (n, 2), uint32, in no particular order, in that of `Kind`:
+    /// vertex and face; two edges, the lesser id first; and of particles (vertices of no edge) and
+    /// rods (edges of no face) particle and rod, and two particles, the lesser id first.
     fn candidates<'py>(
         &self,
         py: Python<'py>,
         x0: &Bound<'py, PyAny>,
         x1: &Bound<'py, PyAny>,
-    ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
-        let [vf, ee] = self.with(py, x0, x1, Candidates)?;
-        Ok((pair_array(py, vf)?, pair_array(py, ee)?))
+    ) -> PyResult<Bound<'py, PyTuple>> {
+        let all = self.with(py, x0, x1, Candidates)?;
+        let arrays: Vec<_> = all.into_iter().map(|of| pair_array(py, of)).collect::<PyResult<_>>()?;
+        PyTuple::new(py, arrays)
     }
 
     /// Where steps run: "2 threads", or the name of the GPU.
@@ -200,15 +202,16 @@ impl Call for Earliest {
 }
 
 impl Call for Candidates {
-    type Found = [Vec<u32>; 2];
+    type Found = [Vec<u32>; 4];
     fn call<T: Coordinate>(
         self,
         session: &mut any::Session,
         x0: &[[T; 3]],
         x1: &[[T; 3]],
-    ) -> Result<[Vec<u32>; 2], any::Error> {
+    ) -> Result<[Vec<u32>; 4], any::Error> {
         let all = session.candidates(x0, x1)?;
-        Ok([all.vf, all.ee].map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
+        let kinds = [all.vf, all.ee, all.ve, all.vv];
+        Ok(kinds.map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
     }
 }
 

@@ -79,6 +79,42 @@ def test_threads_give_one_result():
     assert Session(Mesh(faces), threads=2).place == "2 threads"
 
 
+def test_candidates_are_of_every_kind():
+    """Of triangles, rods and particles: every pair whose swept boxes overlap, by brute force."""
+    random = np.random.default_rng(4)
+    faces, rods = np.arange(90).reshape(30, 3), np.arange(90, 150).reshape(30, 2)
+    x0 = random.random((200, 3))
+    x0[:90] = np.repeat(x0[:90:3], 3, axis=0) + 0.2 * random.random((90, 3))
+    x1 = x0 + 0.3 * random.random((200, 3))
+    mesh = Mesh(faces, edges=rods, n_vertices=200)
+    edges, particles = mesh.edges.tolist(), list(range(150, 200))
+
+    def boxes(features):
+        x = [np.concatenate([x0[list(of)], x1[list(of)]]) for of in features]
+        return np.array([p.min(axis=0) for p in x]), np.array([p.max(axis=0) for p in x])
+
+    def overlapping(a, b, of_a, of_b):
+        (low, high), (low_b, high_b) = boxes(a), boxes(b)
+        hit = (low[:, None] <= high_b[None]) & (low_b[None] <= high[:, None])
+        pairs = np.argwhere(hit.all(axis=2)).tolist()
+        return {(of_a[i], of_b[j]) for i, j in pairs if not set(a[i]) & set(b[j])}
+
+    vertices, thin = [[v] for v in range(200)], [i for i, e in enumerate(edges) if e[0] >= 90]
+    ids, rods, alone = range(len(edges)), [edges[i] for i in thin], vertices[150:]
+    want = [
+        overlapping(vertices, mesh.faces.tolist(), range(200), range(30)),
+        {(i, j) for i, j in overlapping(edges, edges, ids, ids) if i < j},
+        overlapping(alone, rods, particles, thin),
+        {(i, j) for i, j in overlapping(alone, alone, particles, particles) if i < j},
+    ]
+    session = Session(mesh)
+    found = session.candidates(x0, x1)
+    assert len(found) == 4
+    for pairs, of_kind in zip(found, want):
+        assert len(pairs) == len(of_kind) > 2 and {tuple(p) for p in pairs.tolist()} == of_kind
+    assert session.step(x0, x1).n_candidates == tuple(len(of_kind) for of_kind in want)
+
+
 def test_boxes_overlap():
     low = np.random.default_rng(2).random((300, 3))
     boxes = np.stack([low, low + 0.1], axis=1)

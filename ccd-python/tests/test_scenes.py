@@ -77,7 +77,8 @@ def check_candidates(ours, listed, a, b):
 def test_candidates_are_those_of_ipctk(scene):
     """Up to half a million pairs of a kind: ipctk lists them as objects, some microseconds each.
     The other lists are compared by number, below."""
-    vf, ee = Session(scene.mesh).candidates(scene.x0, scene.x1)
+    vf, ee, ve, vv = Session(scene.mesh).candidates(scene.x0, scene.x1)
+    assert len(ve) == len(vv) == 0
     candidates = ipctk_candidates(scene)
     vertices, edges, faces = boxes(scene)
     compared = []
@@ -95,7 +96,7 @@ def test_candidates_are_those_of_ipctk(scene):
 
 
 def test_counts_are_published(scene):
-    vf, ee = Session(scene.mesh).candidates(scene.x0, scene.x1)
+    vf, ee, _, _ = Session(scene.mesh).candidates(scene.x0, scene.x1)
     counts = {
         "cloth-ball": (1_655_541, 5_197_332),
         "cloth-funnel": (7_319, 33_770),

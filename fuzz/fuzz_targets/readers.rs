@@ -20,6 +20,8 @@ mod merge;
 mod output;
 #[path = "../../ccd-cli/src/part.rs"]
 mod part;
+#[path = "../../ccd-cli/src/start.rs"]
+mod start;
 #[path = "../../ccd-cli/src/toi.rs"]
 mod toi;
 

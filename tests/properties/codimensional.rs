@@ -113,6 +113,26 @@ fn goes_through(x: &[[f64; 3]], [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
     volume(a, b, c, p) != volume(a, b, c, q) && around.iter().all(|&side| side == around[0])
 }
 
+/// Edges that cross at a distance of 24, whose ends are further, and so nearly parallel that
+/// rounded numbers take them for that: they are near from 24 on, and not from half of it.
+#[test]
+fn edges_that_are_nearly_parallel_are_as_near_as_they_are() {
+    // Vectors of length 3 at right angles.
+    let at = |[a, b, c]: [f64; 3]| -> [f64; 3] {
+        let axes = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [2.0, -2.0, 1.0]];
+        std::array::from_fn(|k| a * axes[0][k] + b * axes[1][k] + c * axes[2][k])
+    };
+    let far = 2f64.powi(27);
+    let x = [[-far, 0.0, 0.0], [far, 0.0, 0.0], [-far, -5.0, 8.0], [far, 5.0, 8.0]].map(at);
+    let mesh = Mesh::with_edges(4, &[], &[[0, 1], [2, 3]]).unwrap();
+    let d = mesh.distance(Kind::EdgeEdge, Pair { a: 0, b: 1 }, &x);
+    assert!(d.least <= 24.0 && d.greatest >= 24.0 && d.greatest - d.least < 24e-6, "{d:?}");
+    for (distance, want) in [(14.0, 0), (23.99, 0), (24.0, 1), (25.0, 1)] {
+        let near = ccd::near_at_rest(&mesh, &x, distance).unwrap();
+        assert_eq!((near.vf.len(), near.ee.len()), (0, want), "{distance}");
+    }
+}
+
 /// What is near at rest is what every pair says, between its bounds; and a session that leaves it
 /// out has the contacts that are left. Also of rods, and where particles are in contact with them,
 /// which stay.

@@ -43,6 +43,10 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("candidates_are_listed", outputs::candidates_are_listed),
     ("pairs_of_boxes_are_written", outputs::pairs_of_boxes_are_written),
     ("people_are_told_what_it_means", outputs::people_are_told_what_it_means),
+    (
+        "a_first_frame_that_intersects_itself_is_told",
+        outputs::a_first_frame_that_intersects_itself_is_told,
+    ),
     ("the_demo_writes_its_frames", outputs::the_demo_writes_its_frames),
     ("parts_are_joined_to_the_whole", parts::parts_are_joined_to_the_whole),
     ("slurm_says_which_part", parts::slurm_says_which_part),

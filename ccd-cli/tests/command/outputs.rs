@@ -143,21 +143,25 @@ pub fn people_are_told_what_it_means() {
         said
     };
     let found = said(&["check", &a, &b]);
-    // Contact is at 0.5, the time found a little earlier: no digit may make it later.
-    assert!(found.starts_with("First contact after 49.9 % of the step.\nmesh"), "{found}");
+    // Contact is at 0.5, the time found a little earlier.
+    assert!(found.starts_with("First contact just before 50 % of the step.\nmesh"), "{found}");
     assert!(found.contains("(swept boxes overlap)"), "{found}");
     assert!(said(&["check", &a, &c]).starts_with("No contact: the whole step is free.\n"));
     // The corner lies in the square from the start.
     let start = said(&["check", &low, &b]);
     assert!(start.starts_with("There are contacts from the start of the step on.\n"), "{start}");
-    assert!(start.contains("at t = 0: the first frame touches or passes through"), "{start}");
+    assert!(
+        start.contains("at t = 0: the first frame may touch or pass through itself"),
+        "{start}"
+    );
+    assert!(start.contains("the first frame touches or passes through itself: 2 pairs\n"));
     let near = said(&["check", &low, &b, "--min-distance", "0.01"]);
-    assert!(near.contains("at t = 0: the first frame is within the minimum distance"), "{near}");
+    assert!(near.contains("at t = 0: the first frame is or may be within the minimum"), "{near}");
     assert!(start.contains("undecided: too close to tell"), "{start}");
     let steps = said(&["sequence", &a, &c, &b]);
     assert!(steps.contains("First contact after 44.4 % of step 1, to b.obj.\n"), "{steps}");
     let steps = said(&["sequence", &a, &b, &low]);
-    assert!(steps.contains("First contact after 49.9 % of step 0, to b.obj.\n"), "{steps}");
+    assert!(steps.contains("First contact just before 50 % of step 0, to b.obj.\n"), "{steps}");
     assert!(steps.contains(" 4.9999e-1 "), "{steps}");
     assert!(said(&["sequence", &a, &c]).contains("No contact in any step.\n"));
     assert!(!steps.contains(" vv "), "{steps}");
@@ -173,6 +177,62 @@ pub fn people_are_told_what_it_means() {
         line.split_whitespace().take(6).collect::<Vec<_>>().join(" ")
     };
     assert_eq!([cells(1), cells(2)], ["step vf ee ve vv undec.", "0 0 0 0 1 0"], "{steps}");
+}
+
+/// Of a triangle that sticks in another no feature meets one of its kind: there is no contact while
+/// they stand still, which is not the same as that they are apart.
+pub fn a_first_frame_that_intersects_itself_is_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, [x, y]: [f64; 2]| {
+        let path = dir.path().join(name);
+        let corners = format!("v {x} -1 .2\nv {x} 1 .2\nv 5 {y} 5\n");
+        let text = format!("v 0 0 0\nv 1 0 0\nv 0 0 1\n{corners}f 1 2 3\nf 4 5 6\n");
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let (inside, deep, apart) =
+        (write("0.obj", [0.2, 1.0]), write("1.obj", [0.2, 2.0]), write("2.obj", [3.0, 1.0]));
+    let found = serde_json::json!({
+        "pairs": 2, "undecided": 0, "example": {"edge": [1, 2], "face": [3, 4, 5]}
+    });
+    let none = serde_json::json!({"pairs": 0, "undecided": 0, "example": null});
+    let status = |args: &[&str]| ccd(&[args, &["--fail-on-contact"]].concat()).status.code();
+    for (first, last, want) in [(&inside, &inside, &found), (&apart, &apart, &none)] {
+        let value = json(&ccd(&["check", first, last, "--json"]));
+        assert_eq!((&value["toi"], &value["intersections"]), (&serde_json::Value::Null, want));
+        let is_found = want["pairs"] != 0;
+        let text = text(&ccd(&["check", first, last]).stdout);
+        assert_eq!(text.starts_with("No contact, but the first frame touches or"), is_found);
+        assert_eq!(text.contains("such as edge 1 2 and face 3 4 5 ("), is_found, "{text}");
+        assert_eq!(text.contains("whole step is free"), !is_found, "{text}");
+        assert_eq!(text.contains("the first frame does not intersect itself"), !is_found);
+        assert_eq!(status(&["check", first, last]), Some(is_found as i32));
+        assert_eq!(status(&["sequence", first, last]), Some(is_found as i32));
+        let text = self::text(&ccd(&["sequence", first, last]).stdout);
+        assert_eq!(text.contains("No contact in any step, but the first"), is_found, "{text}");
+        // The first part says it, also one without a step; a later frame is the steps' to judge.
+        let parts = ["1/3", "2/3", "3/3"].map(|part| {
+            let frames = ["sequence", first, &deep, "--json-lines", "--part", part];
+            let path = dir.path().join(format!("{}.jsonl", &part[..1]));
+            std::fs::write(&path, ccd(&frames).stdout).unwrap();
+            path.to_str().unwrap().to_owned()
+        });
+        let last_line = |args: &[&str]| -> serde_json::Value {
+            let lines = self::text(&ccd(args).stdout);
+            serde_json::from_str(lines.lines().last().unwrap()).unwrap()
+        };
+        let read = |path: &str| std::fs::read_to_string(path).unwrap();
+        let told = parts.each_ref().map(|path| read(path).contains("\"intersections\""));
+        assert_eq!(told, [true, false, false]);
+        let merged = last_line(&["merge", &parts[2], &parts[0], &parts[1]]);
+        let whole = last_line(&["sequence", first, &deep, "--json-lines"]);
+        assert_eq!((&merged["intersections"], &whole["intersections"]), (want, want));
+    }
+    // Bodies that are not looked at are not looked at here.
+    let bodies = dir.path().join("bodies.txt");
+    std::fs::write(&bodies, "0 0 0 0 0 0").unwrap();
+    let of_bodies = ["--bodies", bodies.to_str().unwrap(), "--no-self-contact"];
+    assert_eq!(status(&[&["check", &inside, &deep], &of_bodies[..]].concat()), Some(0));
 }
 
 pub fn the_demo_writes_its_frames() {

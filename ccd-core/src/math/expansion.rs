@@ -65,6 +65,12 @@ impl Expansion {
             .map_or(Ordering::Equal, |x| if *x > 0.0 { Ordering::Greater } else { Ordering::Less })
     }
 
+    /// The number itself, off by at most 4 units of roundoff: of parts that rounding to the nearest
+    /// leaves, each exceeds twice the sum of those below it.
+    pub fn value(&self) -> f64 {
+        self.0.iter().sum()
+    }
+
     /// Whether it is zero.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
@@ -113,8 +119,9 @@ fn halves(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::real::Num;
     use num_rational::BigRational;
-    use num_traits::{FromPrimitive, Zero};
+    use num_traits::{FromPrimitive, Signed, Zero};
     use std::vec::Vec;
 
     fn exact(x: &Expansion) -> BigRational {
@@ -148,6 +155,8 @@ mod tests {
             let want = &p * &q * (r - s) * &p;
             assert_eq!(exact(&all), want);
             assert_eq!(all.sign(), want.cmp(&BigRational::zero()));
+            let off = (exact(&Expansion::of(all.value())) - &want).abs();
+            assert!(off <= want.abs() * exact(&Expansion::of(4.0 * f64::UNIT)));
             cancelled += all.clone().minus(&all).is_zero() as usize;
             // A product that rounding would take for another.
             let (one, tiny) = (Expansion::of(1.0), Expansion::of(f64::EPSILON / 8.0));

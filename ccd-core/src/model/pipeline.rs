@@ -1,7 +1,8 @@
 //! The ways from boxes to pairs of features, as choices: what each is is said in
 //! [`catalogue`](super::catalogue).
 
-/// What pairs a step looks for first; contacts do not depend on it.
+/// What pairs a step looks for first. Contacts do not depend on it, nor do candidates, but for what
+/// [`TriangleOptions::cones`] certifies.
 ///
 /// ```
 /// use ccd_core::model::options::Options;

@@ -49,7 +49,7 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
 }
 
 /// The same among the sides of the patch.
-pub(super) fn closest_of_sides<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3] {
+fn closest_of_sides<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3] {
     let a_b = sub(a, b);
     let sides = match patch {
         Patch::Triangle => {

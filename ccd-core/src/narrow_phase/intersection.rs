@@ -10,17 +10,42 @@ use core::cmp::Ordering::{self, Equal, Greater, Less};
 
 type Point = [f64; 3];
 
-/// Whether the segment from `p` to `q` and the triangle have a point in common; `None` if exact
-/// arithmetic would overflow or underflow: some coordinate is not zero and beyond 2^200 or below
-/// 2^-200.
+/// Whether the segment from `p` to `q` and the triangle have a point in common; `None` if they are
+/// not certainly apart, and exact arithmetic would overflow or underflow: some coordinate is not
+/// zero and beyond 2^200 or below 2^-200.
 pub fn segment_meets_triangle(segment: [Point; 2], triangle: [Point; 3]) -> Option<bool> {
+    let sides = certain_sides(segment, triangle);
+    if sides[0].is_some() && sides[0] == sides[1] {
+        return Some(false);
+    }
     let safe = |points: &[Point]| points.iter().flatten().all(|&x| is_safe(x));
-    (safe(&segment) && safe(&triangle)).then(|| meets(segment, triangle))
+    (safe(&segment) && safe(&triangle)).then(|| meets(segment, triangle, sides))
 }
 
-fn meets([p, q]: [Point; 2], [a, b, c]: [Point; 3]) -> bool {
+/// On which side of the plane of the triangle the ends of the segment are, where rounded numbers
+/// tell.
+fn certain_sides(segment: [Point; 2], [a, b, c]: [Point; 3]) -> [Option<Ordering>; 2] {
+    let (v, w) = (sub(b, a), sub(c, a));
+    let (normal, size) = (cross(w, v), max_abs(v) * max_abs(w));
+    segment.map(|x| {
+        let u = sub(x, a);
+        certain_sign(dot(u, normal), max_abs(u) * size)
+    })
+}
+
+/// The sign of a determinant that was calculated with rounding, if that is certain. `size`: the
+/// product of the greatest elements of its rows.
+fn certain_sign(value: f64, size: f64) -> Option<Ordering> {
+    // Each of six products of three differences is rounded by at most 5 u of what it may be, the
+    // sums of them by 4 u more; twice as much, and what vanishes.
+    let bound = size * (6.0 * 20.0 * f64::EPSILON / 2.0) + 256.0 * f64::MIN_POSITIVE;
+    (value.abs() > bound).then_some(if value > 0.0 { Greater } else { Less })
+}
+
+fn meets([p, q]: [Point; 2], [a, b, c]: [Point; 3], known: [Option<Ordering>; 2]) -> bool {
     let sides = [[a, b], [b, c], [c, a]];
-    match (orientation(a, b, c, p), orientation(a, b, c, q)) {
+    let side = |known: Option<Ordering>, x| known.unwrap_or_else(|| orientation(a, b, c, x));
+    match (side(known[0], p), side(known[1], q)) {
         (Equal, Equal) => {
             let is_flat = (0..3).all(|axis| turn(axis, a, b, c) == Equal);
             sides.into_iter().any(|side| segments_meet([p, q], side))
@@ -66,13 +91,9 @@ fn lies_in([a, b, c]: [Point; 3], p: Point) -> bool {
 /// On which side of the plane through `a b c` the point `d` is: the sign of a determinant.
 fn orientation(a: Point, b: Point, c: Point, d: Point) -> Ordering {
     let (u, v, w) = (sub(a, d), sub(b, d), sub(c, d));
-    let value = dot(u, cross(v, w));
-    // Each of six products of three differences is rounded by at most 5 u of what it may be, the
-    // sums of them by 4 u more; twice as much, and what vanishes.
     let size = max_abs(u) * max_abs(v) * max_abs(w);
-    let bound = size * (6.0 * 20.0 * f64::EPSILON / 2.0) + 256.0 * f64::MIN_POSITIVE;
-    if value.abs() > bound {
-        return if value > 0.0 { Greater } else { Less };
+    if let Some(sign) = certain_sign(dot(u, cross(v, w)), size) {
+        return sign;
     }
     let rows = [a, b, c].map(|x| [0, 1, 2].map(|k| Expansion::difference(x[k], d[k])));
     let minor =

@@ -11,7 +11,10 @@ pub mod containment;
 pub mod coplanarity;
 pub mod cubic_roots;
 pub mod decide;
+#[cfg(any(feature = "alloc", test))]
 pub mod distance;
+#[cfg(any(feature = "alloc", test))]
+mod exact_distance;
 #[cfg(any(feature = "alloc", test))]
 pub mod intersection;
 pub mod query;

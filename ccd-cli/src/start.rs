@@ -1,0 +1,72 @@
+//! Whether the first frame already passes through itself, exactly: steps from there on cannot tell,
+//! for what is through stays through without a contact.
+
+use super::output;
+use ccd::any::Session;
+use ccd::{BroadPhaseMethod, Scheduling, State};
+use serde::{Deserialize, Serialize};
+use std::time::Instant;
+
+/// Edges and faces of the first frame that have a point in common but no vertex.
+#[derive(Serialize, Deserialize)]
+pub struct Intersections {
+    pub pairs: usize,
+    /// Of these, with coordinates so large or small that only their boxes were compared.
+    undecided: usize,
+    /// The first pair.
+    example: Option<Example>,
+    /// How long it took.
+    #[serde(skip)]
+    pub ms: f64,
+}
+
+/// The vertices of an edge and of a face.
+#[derive(Serialize, Deserialize)]
+struct Example {
+    edge: [u32; 2],
+    face: [u32; 3],
+}
+
+impl Intersections {
+    /// Of the mesh of a session, where its bodies want pairs; by the same threads, on the CPU.
+    pub fn of(session: &Session, x: &[[f64; 3]]) -> Result<Self, ccd::Error> {
+        let start = Instant::now();
+        let mesh = session.mesh();
+        let options = session.options().clone().with_broad_phase(BroadPhaseMethod::default());
+        let options = options.with_scheduling(Scheduling::default());
+        let found = ccd::intersections(mesh, x, &options)?;
+        let example = |i: &ccd::Intersection| Example {
+            edge: mesh.edges()[i.edge as usize],
+            face: mesh.faces()[i.face as usize],
+        };
+        Ok(Self {
+            pairs: found.len(),
+            undecided: found.iter().filter(|i| i.state == State::Undecided).count(),
+            example: found.first().map(example),
+            ms: start.elapsed().as_secs_f64() * 1e3,
+        })
+    }
+
+    /// What the first frame does, if it does: in words.
+    pub fn verb(&self) -> Option<&'static str> {
+        match self.pairs {
+            0 => None,
+            n if n == self.undecided => Some("may touch or pass through itself"),
+            _ => Some("touches or passes through itself"),
+        }
+    }
+
+    /// Says it in lines of text.
+    pub fn print(&self) {
+        let ms = output::milliseconds(self.ms);
+        let (Some(verb), Some(Example { edge, face })) = (self.verb(), &self.example) else {
+            let text = format!("the first frame does not intersect itself (exact, {ms})");
+            return output::line("start", text);
+        };
+        let text = format!("the first frame {verb}: {} pairs", self.pairs);
+        output::line("start", text);
+        let ([a, b], [c, d, e]) = (edge, face);
+        output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));
+        output::line("", "what is through stays through without contact, what is apart apart");
+    }
+}
