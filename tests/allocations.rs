@@ -116,9 +116,10 @@ fn check_forms_and_changes() {
 fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
     let sheet = crumpled_sheet(150, 1);
     let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
+    let side = x.len().isqrt();
     // A bowl, of which nothing touches anything.
     let at = |v: usize| {
-        let (i, j) = ((v % 151) as f64, (v / 151) as f64);
+        let (i, j) = ((v % side) as f64, (v / side) as f64);
         [i + 0.01 * j, 0.01 * (i * i + j * j), j]
     };
     let bowl: Vec<[f64; 3]> = (0..x.len()).map(at).collect();
