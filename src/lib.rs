@@ -102,6 +102,7 @@ struct SolverPage;
 
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
+pub use ccd_core::model::cancel::CancelToken;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;

@@ -1,9 +1,10 @@
-//! A warm session allocates nothing.
+//! A warm session allocates nothing; and what a session holds for its mesh is no more than the
+//! estimate by which a limit of memory is kept.
 #![deny(unsafe_code)]
 
 use ccd::{
-    BroadPhaseMethod, Options, Pipeline, Posed, Scheduling, Session, Strided, Traversal,
-    TreeOptions,
+    BroadPhaseMethod, CancelToken, Error, Options, Pipeline, Posed, Scheduling, Session, Strided,
+    Traversal, TreeOptions,
 };
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
@@ -13,21 +14,26 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 struct Counting;
 
 static CALLS: AtomicUsize = AtomicUsize::new(0);
+/// Bytes that are allocated and not freed.
+static LIVE: AtomicUsize = AtomicUsize::new(0);
 
 #[allow(unsafe_code, reason = "the trait of allocators is unsafe; this one only counts")]
 // SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         CALLS.fetch_add(1, Ordering::Relaxed);
+        LIVE.fetch_add(layout.size(), Ordering::Relaxed);
         // SAFETY: the caller's promises are passed on.
         unsafe { System.alloc(layout) }
     }
     unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
+        LIVE.fetch_sub(layout.size(), Ordering::Relaxed);
         // SAFETY: the caller's promises are passed on.
         unsafe { System.dealloc(p, layout) }
     }
     unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         CALLS.fetch_add(1, Ordering::Relaxed);
+        LIVE.fetch_add(size.wrapping_sub(layout.size()), Ordering::Relaxed);
         // SAFETY: the caller's promises are passed on.
         unsafe { System.realloc(p, layout, size) }
     }
@@ -50,6 +56,7 @@ fn count(
         .with_pipeline(pipeline)
         .with_scheduling(scheduling);
     let mut session = Session::new(step.mesh, options).unwrap();
+    session.set_cancel_token(CancelToken::new());
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);
         // Forwards and backwards in turn; every third time only the earliest time.
@@ -104,17 +111,53 @@ fn check_forms_and_changes() {
     assert!(calls.iter().all(|&n| n == 0), "forms and changes: {calls:?}");
 }
 
+/// Steps with few pairs hold what the mesh needs: no more than the estimate, and not so little that
+/// it would be a bad one.
+fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
+    let sheet = crumpled_sheet(150, 1);
+    let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
+    let side = x.len().isqrt();
+    // A bowl, of which nothing touches anything.
+    let at = |v: usize| {
+        let (i, j) = ((v % side) as f64, (v / side) as f64);
+        [i + 0.01 * j, 0.01 * (i * i + j * j), j]
+    };
+    let bowl: Vec<[f64; 3]> = (0..x.len()).map(at).collect();
+    for threads in [1, 2] {
+        let options = Options::default()
+            .with_threads(threads)
+            .with_broad_phase(method)
+            .with_pipeline(pipeline)
+            .with_scheduling(scheduling);
+        let limited = options.clone().with_max_memory(0);
+        let Some(Error::Memory { bytes, .. }) = Session::new(mesh.clone(), limited).err() else {
+            panic!("no memory was enough");
+        };
+        let before = LIVE.load(Ordering::Relaxed);
+        let mut session = Session::new(mesh.clone(), options.clone()).unwrap();
+        let gathered = Strided::<f64>::of(&bowl);
+        for _ in 0..3 {
+            assert!(session.step(&gathered, &bowl).unwrap().contacts.is_empty());
+        }
+        let held = (LIVE.load(Ordering::Relaxed) - before) as u64;
+        println!("{:.2} {held} of {bytes}: {options:?}", held as f64 / bytes as f64);
+        assert!(held <= bytes && 6 * held > bytes, "{held} bytes, not {bytes}: {options:?}");
+    }
+}
+
 #[test]
 fn warm_sessions_allocate_nothing() {
     for method in ccd::every("cpu").filter(|&method| is_near_default(method)) {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
             check(method, pipeline, Scheduling::default());
+            check_estimate(method, pipeline, Scheduling::default());
         }
     }
     let cut = TreeOptions::default().traversal(Traversal::CUT);
     for scheduling in Scheduling::every("cpu") {
         for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::Tree(cut)] {
             check(method, Pipeline::Features, scheduling);
+            check_estimate(method, Pipeline::Features, scheduling);
         }
     }
     check_forms_and_changes();

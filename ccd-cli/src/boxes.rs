@@ -138,14 +138,14 @@ fn pairs<'a>(
 }
 
 /// Pairs as little-endian numbers of 32 bits, two each, sorted.
-fn write(out: Box<dyn Write>, pairs: Pairs) -> std::io::Result<()> {
+fn write(out: files::Output, pairs: Pairs) -> std::io::Result<()> {
     let mut pairs: Vec<[u32; 2]> = pairs.iter().map(|pair| [pair.a, pair.b]).collect();
     pairs.sort_unstable();
     let mut out = BufWriter::with_capacity(1 << 16, out);
     for id in pairs.as_flattened() {
         out.write_all(&id.to_le_bytes())?;
     }
-    out.flush()
+    out.into_inner()?.done()
 }
 
 fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {

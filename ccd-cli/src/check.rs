@@ -77,6 +77,7 @@ impl Check {
             let [x0, x1] = [&t0, &t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
             file.write(0, &report.contacts, &step)?;
+            file.done()?;
         }
         if let Some(path) = &self.options.picture {
             let title = output::title(&[&self.t0, &self.t1], &session.place());
@@ -131,7 +132,7 @@ fn list_candidates(
     for (kind, pairs) in Kind::ALL.into_iter().zip([found.vf, found.ee, found.ve, found.vv]) {
         file.write(kind, pairs.iter())?;
     }
-    Ok(())
+    file.done()
 }
 
 fn print(

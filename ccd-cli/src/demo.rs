@@ -3,7 +3,9 @@
 use super::backend::BackendOptions;
 use super::cloth::{Cloth, N_CLOTH, PUSH_DISTANCE};
 use super::method::MethodOptions;
-use super::{Failure, Outcome, backend, files, in_file, mesh_file, output, picture, plot};
+use super::{
+    Failure, Outcome, backend, files, in_file, interrupt, mesh_file, output, picture, plot,
+};
 use ccd::Mesh;
 use clap::Args;
 use std::path::PathBuf;
@@ -51,6 +53,7 @@ impl Demo {
         let mut n_calls = 0;
         for frame in 0..self.frames {
             for _ in 0..STEPS {
+                interrupt::check()?;
                 cloth.step()?;
             }
             self.write_frame(frame + 1, &cloth)?;

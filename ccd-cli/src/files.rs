@@ -1,10 +1,10 @@
 //! The files that commands write: opened before any work, `-` for standard output, and none that is
-//! read or written otherwise.
+//! read or written otherwise. Each is written beside its place, and put there once it is whole.
 
 use super::output::ended;
-use super::{Failure, in_file};
-use std::fs::File;
-use std::io::Write;
+use super::{Failure, in_file, interrupt};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Refuses a path that ends otherwise than in what is written to it.
@@ -21,23 +21,94 @@ pub fn is_stdout(path: &Path) -> bool {
 }
 
 /// Creates a file, or opens standard output for `-`.
-pub fn create(path: &Path, extension: &str) -> Result<Box<dyn Write>, Failure> {
+pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
     if is_stdout(path) {
-        return Ok(Box::new(std::io::stdout()));
+        return Ok(Output { to: Box::new(io::stdout()), places: None });
     }
     check_extension(path, extension)?;
-    Ok(Box::new(File::create(path).map_err(|e| in_file(path, e))?))
+    Output::beside(path).map_err(|e| in_file(path, e))
 }
 
-/// Looks whether a file can be created, which is done once there is something to write: until then
-/// what an earlier run wrote stays.
+/// Looks whether a file can be created, which is done once there is something to write.
 pub fn open(path: &Path, extension: &str) -> Result<(), Failure> {
-    if is_stdout(path) {
-        return Ok(());
+    create(path, extension).map(drop)
+}
+
+/// A file that is in its place once it is done: until then what was there stays, and if it is never
+/// done, nothing of it.
+pub struct Output {
+    to: Box<dyn Write>,
+    /// Where it is and where it belongs, if it is no stream.
+    places: Option<[PathBuf; 2]>,
+}
+
+impl Output {
+    /// For the file of this name.
+    pub fn beside(path: &Path) -> io::Result<Self> {
+        // So that there is somebody who ends with an error.
+        interrupt::token();
+        // What a link points to is replaced, and not the link.
+        let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let there = fs::metadata(&place).ok();
+        if there.is_some() {
+            // What must not be written is not replaced either.
+            let to = File::options().write(true).open(&place)?;
+            if !there.as_ref().is_some_and(fs::Metadata::is_file) {
+                return Ok(Self { to: Box::new(to), places: None });
+            }
+        }
+        let name = place.file_name().ok_or(ErrorKind::IsADirectory)?.to_string_lossy();
+        let mut attempt = 0;
+        loop {
+            let beside =
+                place.with_file_name(format!(".{name}.{}-{attempt}.part", std::process::id()));
+            let created = File::options().write(true).create_new(true).open(&beside);
+            match created {
+                Err(e) if e.kind() == ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
+                other => {
+                    let to = other?;
+                    if let Some(there) = there {
+                        to.set_permissions(there.permissions())?;
+                    }
+                    return Ok(Self { to: Box::new(to), places: Some([beside, place]) });
+                }
+            }
+        }
     }
-    check_extension(path, extension)?;
-    let opened = File::options().write(true).create(true).truncate(false).open(path);
-    opened.map(drop).map_err(|e| in_file(path, e))
+
+    /// All was written.
+    pub fn done(mut self) -> io::Result<()> {
+        self.to.flush()?;
+        if interrupt::happened() {
+            return Err(ErrorKind::Interrupted.into());
+        }
+        // Closed first: elsewhere than on Unix what is open cannot be renamed.
+        self.to = Box::new(io::sink());
+        match &self.places {
+            Some([beside, place]) => fs::rename(beside, place),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.to.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        self.to = Box::new(io::sink());
+        if let Some([beside, _]) = &self.places {
+            // After it was renamed there is none.
+            let _ = fs::remove_file(beside);
+        }
+    }
 }
 
 /// Why something could not be written; ends the program where nobody reads standard output.

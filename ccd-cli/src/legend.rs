@@ -146,7 +146,7 @@ pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result
         .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
         .map_err(|e| in_file(path, e))?;
     let mut to = files::create(path, "png")?;
-    to.write_all(&png).and_then(|()| to.flush()).map_err(|e| files::failed(path, e))
+    to.write_all(&png).and_then(|()| to.done()).map_err(|e| files::failed(path, e))
 }
 
 #[cfg(test)]

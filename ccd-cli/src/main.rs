@@ -13,6 +13,7 @@ mod environment;
 mod files;
 mod frames;
 mod info;
+mod interrupt;
 mod join;
 mod legend;
 mod letters;
@@ -46,7 +47,8 @@ use std::process::ExitCode;
 /// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
 ///
 /// Exit status: 0 done; 1 contacts were found, or a first frame that intersects itself, and
-/// --fail-on-contact was given; 2 bad use or bad input.
+/// --fail-on-contact was given; 2 bad use or bad input; 130 ended by Ctrl-C. Files are written
+/// whole or not at all.
 #[derive(Parser)]
 #[command(name = "ccd", version, max_term_width = 100)]
 struct Cli {
@@ -156,6 +158,10 @@ struct StepOptions {
     /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
+    /// Memory that may be held, in bytes, or with K, M or G (2G); more is an error. Not counted
+    /// are the mesh and what is read and written
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    max_memory: Option<u64>,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -210,20 +216,33 @@ impl StepOptions {
             .with_min_distance(self.min_distance)
             .with_bodies(self.bodies.of(&mesh)?)
             .with_threads(self.threads)
+            .with_max_memory(self.max_memory)
             .with_broad_phase(self.method.method()?)
             .with_pipeline(self.method.pipeline()?)
             .with_scheduling(self.method.scheduling()?);
         let choice = self.backend.choose(mesh.edges().len())?;
-        ccd::any::Session::new(&choice, mesh, options).map_err(|e| match e {
+        let session = ccd::any::Session::new(&choice, mesh, options);
+        let mut session = session.map_err(|e| match e {
             ccd::any::Error::Input(ccd::Error::MixedBodies { element, at, bodies: [a, b] }) => {
                 let element = if element == "face" { "triangle" } else { element };
                 let at = at + 1;
                 let what = format!("{element} {at} (counted from 1) joins bodies {a} and {b}");
                 in_file(self.bodies.file().unwrap_or("--bodies".as_ref()), what)
             }
-            _ => e.into(),
-        })
+            _ => Failure::from(e),
+        })?;
+        session.set_cancel_token(interrupt::token());
+        Ok(session)
     }
+}
+
+/// A number of bytes: `1000`, `64K`, `512M`, `2G`.
+fn bytes(text: &str) -> Result<u64, String> {
+    let units = [("K", 10), ("M", 20), ("G", 30)];
+    let unit = units.into_iter().find_map(|(name, bits)| Some((text.strip_suffix(name)?, bits)));
+    let (number, bits) = unit.unwrap_or((text, 0));
+    let number = number.parse::<u64>().ok().filter(|n| n.leading_zeros() >= bits);
+    number.map(|n| n << bits).ok_or("a whole number, and K, M or G after it or not".into())
 }
 
 /// Why a command ends with status 2.
@@ -286,6 +305,10 @@ fn main() -> ExitCode {
     match outcome {
         Ok(true) if fail_on_contact => ExitCode::from(1),
         Ok(_) => ExitCode::SUCCESS,
+        Err(_) if interrupt::happened() => {
+            complain(&Failure("interrupted".into()));
+            ExitCode::from(interrupt::STATUS)
+        }
         Err(failure) => {
             complain(&failure);
             ExitCode::from(2)

@@ -1,7 +1,9 @@
 //! `ccd completions` and `ccd man`: what shells and `man` read.
 
+use super::files::Output;
 use super::{Cli, Failure, Outcome, in_file, output};
 use clap::{Args, CommandFactory};
+use std::io::Write;
 use std::path::PathBuf;
 
 #[derive(Args)]
@@ -44,6 +46,11 @@ impl Man {
         let mut text = Vec::new();
         page.render(&mut text).map_err(|e| in_file(&path, e))?;
         let text = String::from_utf8_lossy(&text).replace(".SH EXTRA\n", ".SH EXTRA\n.nf\n");
-        std::fs::write(&path, text).map_err(|e| in_file(&path, e))
+        let write = || {
+            let mut out = Output::beside(&path)?;
+            out.write_all(text.as_bytes())?;
+            out.done()
+        };
+        write().map_err(|e| in_file(&path, e))
     }
 }

@@ -1,5 +1,6 @@
 //! Meshes written to files: PLY, binary, little-endian, positions as `f64`.
 
+use super::files::Output;
 use super::{Failure, in_file};
 use ccd::Mesh;
 use std::io::{BufWriter, Write};
@@ -11,7 +12,7 @@ pub fn write_ply(path: &Path, mesh: &Mesh, x: &[[f64; 3]]) -> Result<(), Failure
 }
 
 fn write(path: &Path, mesh: &Mesh, x: &[[f64; 3]]) -> std::io::Result<()> {
-    let mut out = BufWriter::new(std::fs::File::create(path)?);
+    let mut out = BufWriter::new(Output::beside(path)?);
     write!(
         out,
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n\
@@ -29,5 +30,5 @@ fn write(path: &Path, mesh: &Mesh, x: &[[f64; 3]]) -> std::io::Result<()> {
             out.write_all(&v.to_le_bytes())?;
         }
     }
-    out.flush()
+    out.into_inner()?.done()
 }

@@ -1,7 +1,7 @@
 //! `ccd queries`: elemental queries against the answers in their files.
 
 use super::rows::{self, Rows};
-use super::{Failure, Outcome, Precision, files, output};
+use super::{Failure, Outcome, Precision, files, interrupt, output};
 use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
 use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
 use clap::{Args, ValueEnum};
@@ -87,6 +87,7 @@ impl Queries {
         let mut total = Counts::default();
         let mut total_ns = 0.0;
         for path in &self.files {
+            interrupt::check()?;
             let queries = match self.kind {
                 None => read_queries(path)?,
                 Some(KindName::Vf) => read_queries_of(path, Kind::VertexFace)?,
@@ -107,6 +108,7 @@ impl Queries {
             bar.inc(1);
         }
         bar.finish_and_clear();
+        out.map_or(Ok(()), Rows::done)?;
         total.ns_per_query = per_query(total_ns, total.queries);
         let any = total.hits > 0;
         if self.json {

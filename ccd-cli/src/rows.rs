@@ -20,7 +20,7 @@ const COLUMNS: &str = "kind,a,b,toi,state,v0,v1,v2,v3,polygon,px,py,pz,nx,ny,nz,
 /// A file of rows, or standard output.
 pub struct Rows<'a> {
     path: &'a Path,
-    writer: BufWriter<Box<dyn Write>>,
+    writer: BufWriter<files::Output>,
 }
 
 impl<'a> Rows<'a> {
@@ -37,6 +37,12 @@ impl<'a> Rows<'a> {
 
     pub fn flush(&mut self) -> Result<(), Failure> {
         self.writer.flush().map_err(|e| files::failed(self.path, e))
+    }
+
+    /// Puts the file in its place.
+    pub fn done(self) -> Result<(), Failure> {
+        let written = self.writer.into_inner().map_err(|e| e.into_error());
+        written.and_then(|out| out.done()).map_err(|e| files::failed(self.path, e))
     }
 }
 
@@ -85,6 +91,11 @@ impl<'a> ContactFile<'a> {
         }
         self.rows.flush()
     }
+
+    /// Puts the file in its place.
+    pub fn done(self) -> Result<(), Failure> {
+        self.rows.done()
+    }
 }
 
 /// Vertices of a pair.
@@ -126,6 +137,11 @@ impl<'a> CandidateFile<'a> {
             self.0.row(format_args!("{},{a},{b}", kind(of)))?;
         }
         self.0.flush()
+    }
+
+    /// Puts the file in its place.
+    pub fn done(self) -> Result<(), Failure> {
+        self.0.done()
     }
 }
 

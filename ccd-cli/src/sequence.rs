@@ -112,6 +112,7 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
+        file.map_or(Ok(()), rows::ContactFile::done)?;
         let ends = [frames.name(todo.start), frames.name(todo.end)];
         self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share, start)
     }

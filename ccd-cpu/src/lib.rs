@@ -7,7 +7,7 @@
 //! | `step/` | boxes and tables, candidates, the narrow phase |
 //! | `broad_phase/` | sources of pairs: blocks, the binary tree; boxes alone |
 //! | `simd/` | lanes of each instruction set |
-//! | `sort.rs`, `threads.rs` | the radix sort; where work runs |
+//! | `sort.rs`, `threads.rs`, `stop.rs` | the radix sort; where work runs; what ends it early |
 #![deny(unsafe_code)]
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
@@ -20,6 +20,7 @@ mod session;
 mod simd;
 mod sort;
 mod step;
+mod stop;
 mod threads;
 
 pub use broad_phase::descent_times::DescentTimes;

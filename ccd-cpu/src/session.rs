@@ -10,7 +10,7 @@ use crate::step::candidates::Given;
 use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::{expand, find};
-use crate::step::narrow_phase::Worker;
+use crate::step::narrow_phase::{CONTACTS, Worker};
 use crate::step::prepare::{Positions, Prepared};
 use crate::step::selection::Selection;
 use crate::threads::Threads;
@@ -20,10 +20,12 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
 use ccd_core::model::report::Report;
-use passes::{collect, detect, least_toi};
+use changes::check_pipeline;
+use passes::{collect, detect, least_toi, prepare};
 use std::sync::Arc;
 
 mod changes;
+mod memory;
 mod once;
 mod passes;
 
@@ -63,6 +65,8 @@ pub struct Session {
     mesh: Arc<Mesh>,
     options: Options,
     threads: Threads,
+    /// Bytes held for the mesh, from above.
+    of_mesh: u64,
     prepared: Prepared,
     selection: Selection,
     method: Method,
@@ -81,7 +85,7 @@ impl Session {
     ///
     /// # Errors
     /// What [`Options::check`] refuses; [`Error::Method`] for what a CPU does not have;
-    /// [`Error::Threads`].
+    /// [`Error::Threads`]; [`Error::Memory`].
     pub fn new(mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, Error> {
         Self::of(mesh.into(), options)
     }
@@ -91,7 +95,9 @@ impl Session {
         options.check(&mesh)?;
         let method = Method::new(options.broad_phase, options.scheduling)?;
         check_pipeline(&options)?;
-        let threads = Threads::new(options.threads)?;
+        let mut threads = Threads::new(options.threads)?;
+        let of_mesh = memory::for_mesh(&mesh, &options, threads.count());
+        threads.stop = memory::stop(None, &options, of_mesh)?;
         let selection = Selection::new(&options)?;
         let mut prepared = Prepared::new(&mesh, &options);
         prepared.set_rules(&mesh, selection.rules.as_ref());
@@ -102,6 +108,7 @@ impl Session {
             mesh,
             options,
             threads,
+            of_mesh,
             method,
             workers: Vec::new(),
             listers: Default::default(),
@@ -127,7 +134,7 @@ impl Session {
         self.threads.count()
     }
 
-    /// What the last step found.
+    /// What the last call found; empty if that ended with an error.
     pub fn report(&self) -> &Report {
         &self.report
     }
@@ -146,7 +153,8 @@ impl Session {
     /// # Errors
     /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
     /// their type says; [`Error::FixedMoves`]; [`Error::CrowdedCells`] and [`Error::TooMany`] where
-    /// a method was chosen that has such limits. The session stays as it was.
+    /// a method was chosen that has such limits; [`Error::Memory`] and [`Error::Cancelled`]. The
+    /// session stays usable, and its report is empty.
     pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
     where
         A: AsPositions + ?Sized,
@@ -247,7 +255,12 @@ impl Session {
     /// Finds contacts in a window of the step, or only the earliest time of impact.
     #[inline(never)]
     fn run(&mut self, ends: Ends, window: [f64; 2], earliest: bool) -> Result<(), Error> {
-        self.gather(ends, |this, given| this.run_given(given, window, earliest))
+        clear(&mut self.report);
+        let done = self.gather(ends, |this, given| this.run_given(given, window, earliest));
+        if done.is_err() {
+            clear(&mut self.report);
+        }
+        done
     }
 
     /// Works on positions as slices.
@@ -256,6 +269,7 @@ impl Session {
         ends: Ends,
         work: impl FnOnce(&mut Self, Given) -> Result<(), Error>,
     ) -> Result<(), Error> {
+        self.threads.stop.begin()?;
         let mut gathered = std::mem::take(&mut self.gathered);
         let done = gathered.slices(ends).and_then(|given| work(self, given));
         self.gathered = gathered;
@@ -278,9 +292,11 @@ impl Session {
         } = self;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
+            let stop = &*threads.stop;
             prepared.boxes(threads, mesh, options, &x)?;
+            stop.check()?;
             prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, selection, &x, WHOLE, false);
+            let scene = prepared.scene(mesh, options, selection, &x, WHOLE, false, stop);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -292,6 +308,7 @@ impl Session {
                     find(kind, threads, method, prepared, &scene, 1, lists);
                 }
             }
+            stop.check()?;
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
             }
@@ -321,9 +338,8 @@ impl Session {
             let start = Instant::now();
             workers.resize_with(threads.count(), Worker::default);
             workers.iter_mut().for_each(Worker::reset);
-            report.contacts.clear();
-            report.times = Default::default();
             report.set_mesh(mesh);
+            let stop = &*threads.stop;
             prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
@@ -332,11 +348,12 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, selection, &x, window, false),
+                    &prepared.scene(mesh, options, selection, &x, window, false, stop),
                     SAMPLE,
                     workers,
                     report,
                 );
+                stop.check()?;
                 let n_features = mesh.n_vertices() + mesh.edges().len() + mesh.faces().len();
                 if let Some(bound) = least_toi(workers)
                     && report.candidates.total() * SAMPLE as u64
@@ -350,22 +367,30 @@ impl Session {
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, selection, &x, window, !earliest),
+                &prepared.scene(mesh, options, selection, &x, window, !earliest, stop),
                 1,
                 workers,
                 report,
             );
-            collect(workers, report);
+            stop.check()?;
+            // The last that calls a filter: where that panics there are no contacts yet.
+            let listed = Instant::now();
+            if let Some(of) = codimensional {
+                of.list(threads, mesh, (options, selection), x.given)?;
+            }
+            report.times.narrow += milliseconds(listed);
+            collect(workers, report, stop)?;
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
             if let Some(of) = codimensional {
-                of.list(threads, mesh, (options, selection), x.given)?;
                 let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
-                for &contact in of.decide(threads, mesh, &options.search(window), x.given) {
-                    report.add(contact, !earliest);
+                let found = of.decide(threads, mesh, &options.search(window), x.given)?;
+                if !stop.reserve(CONTACTS, &mut report.contacts, found.len()) {
+                    return stop.check();
                 }
+                found.iter().for_each(|&contact| report.add(contact, !earliest));
             }
             report.times.narrow += milliseconds(joined);
             report.front = method.front();
@@ -375,12 +400,12 @@ impl Session {
     }
 }
 
-/// Refuses a pipeline that a CPU does not have.
-fn check_pipeline(options: &Options) -> Result<(), Error> {
-    match options.pipeline.lacking("cpu") {
-        Some(name) => Err(Error::Method { name, backend: "cpu" }),
-        None => Ok(()),
-    }
+/// Empties a report, which keeps its buffer.
+fn clear(report: &mut Report) {
+    let mut contacts = std::mem::take(&mut report.contacts);
+    contacts.clear();
+    *report = Report::default();
+    report.contacts = contacts;
 }
 
 /// All times of a step.
@@ -390,23 +415,3 @@ const SAMPLE: usize = 64;
 /// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
 /// than it saves: both take some 25 ns each.
 const CANDIDATES_PER_FEATURE: u64 = 2;
-
-/// Boxes and trees of a step up to the time that matters.
-fn prepare(
-    threads: &Threads,
-    prepared: &mut Prepared,
-    method: &mut Method,
-    mesh: &Mesh,
-    (options, selection): (&Options, &Selection),
-    x: &Positions,
-    report: &mut Report,
-) -> Result<(), Error> {
-    let start = Instant::now();
-    prepared.boxes(threads, mesh, options, x)?;
-    report.times.boxes += milliseconds(start);
-    let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
-    report.rebuilt = rebuilt || (report.rebuilt && x.again);
-    report.times.build += milliseconds(start);
-    Ok(())
-}

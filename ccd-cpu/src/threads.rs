@@ -1,8 +1,10 @@
 //! Where work runs: in the calling thread, on rayon's current pool, or on a pool of a wanted size.
 
+use crate::stop::Stop;
 use ccd_core::Error;
 use ccd_core::model::options::Options;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
 /// slow each other down.
@@ -18,17 +20,20 @@ const ALONE: bool = cfg!(all(target_family = "wasm", not(target_feature = "atomi
 pub struct Threads {
     pool: Option<rayon::ThreadPool>,
     count: usize,
+    /// What ends their work early.
+    pub stop: Arc<Stop>,
 }
 
 impl Threads {
     /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
     /// calling thread, with no pool at all, and so does 0 where threads cannot be.
     pub fn new(count: usize) -> Result<Self, Error> {
+        let of = |pool, count| Ok(Self { pool, count, stop: Arc::default() });
         match count {
-            0 if ALONE => Ok(Self { pool: None, count: 1 }),
+            0 if ALONE => of(None, 1),
             2.. if ALONE => Err(Error::Threads { count, limit: 1 }),
-            0 => Ok(Self { pool: None, count: rayon::current_num_threads() }),
-            1 => Ok(Self { pool: None, count: 1 }),
+            0 => of(None, rayon::current_num_threads()),
+            1 => of(None, 1),
             _ => {
                 let limit = Options::MAX_THREADS;
                 let refused = Error::Threads { count, limit };
@@ -36,7 +41,7 @@ impl Threads {
                     return Err(refused);
                 }
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-                Ok(Self { pool: Some(pool.map_err(|_| refused)?), count })
+                of(Some(pool.map_err(|_| refused)?), count)
             }
         }
     }

@@ -4,6 +4,7 @@
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
 use crate::kernel_cache::KernelFile;
+use crate::memory::Memory;
 use crate::pipeline::{self, Pipeline};
 use crate::shaders::module;
 use ccd_core::kernel::{Id, TABLE};
@@ -26,6 +27,8 @@ use std::time::{Duration, Instant};
 #[derive(Clone)]
 pub struct Device {
     inner: Arc<Inner>,
+    /// What buffers may take, if there is a limit.
+    memory: Option<Arc<Memory>>,
 }
 
 struct Inner {
@@ -207,7 +210,7 @@ impl Device {
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
         let lost = Arc::default();
         let inner = Inner { device, queue, info, lost, pipelines, cache, compilation };
-        Ok(Self { inner: Arc::new(inner) })
+        Ok(Self { inner: Arc::new(inner), memory: None })
     }
 
     /// What compiling kernels took so far; each is compiled when it is first used, side by side
@@ -294,6 +297,17 @@ impl Device {
         waited.map(|_| ()).map_err(|e| Error::Lost { why: e.to_string() })
     }
 
+    /// The same device for one who may hold so many bytes of buffers, and holds none yet.
+    pub(crate) fn limited(&self, limit: Option<u64>) -> Self {
+        let memory = limit.map(|limit| Arc::new(Memory::new(limit)));
+        Self { inner: self.inner.clone(), memory }
+    }
+
+    /// What buffers may take, if there is a limit.
+    pub(crate) fn memory(&self) -> Option<&Memory> {
+        self.memory.as_deref()
+    }
+
     /// A buffer, or why there is none.
     pub(crate) fn buffer(
         &self,
@@ -308,13 +322,20 @@ impl Device {
         if bytes > limit {
             return Err(Error::TooLarge { what, bytes, limit });
         }
+        if let Some(memory) = self.memory() {
+            memory.take(what, bytes)?;
+        }
         let descriptor = wgpu::BufferDescriptor {
             label: Some(what),
             size: bytes,
             usage,
             mapped_at_creation: false,
         };
-        self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor))
+        let made = self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor));
+        if made.is_err() {
+            self.give_back(bytes);
+        }
+        made
     }
 
     /// A buffer that was made for the same purpose, if it is there and large enough; else a new

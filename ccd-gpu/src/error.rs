@@ -23,7 +23,8 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The input was refused; nothing was computed from it.
+    /// The input was refused, and nothing was computed from it; or a limit of the caller's ended
+    /// the call.
     #[error(transparent)]
     Input(#[from] ccd_core::Error),
     /// There is no adapter that fits.
@@ -77,4 +78,16 @@ pub enum Error {
         /// What the device says.
         why: String,
     },
+}
+
+impl Error {
+    /// Whether less would have been possible: a buffer was too large, for the device or for the
+    /// memory of the device or of the session.
+    pub(crate) fn is_of_memory(&self) -> bool {
+        use ccd_core::Error::Memory;
+        let Self::Input(Memory { .. }) = self else {
+            return matches!(self, Self::TooLarge { .. } | Self::OutOfMemory { .. });
+        };
+        true
+    }
 }

@@ -152,12 +152,12 @@ impl List {
         // Some more, as the next frame may want more; without it where the device has too little
         // for that.
         let larger = wanted.saturating_add(wanted / 4);
+        let before = self.buffer.size();
         *self = match Self::new(device, self.what, self.words, larger) {
-            Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => {
-                Self::new(device, self.what, self.words, wanted)?
-            }
+            Err(e) if e.is_of_memory() => Self::new(device, self.what, self.words, wanted)?,
             other => other?,
         };
+        device.give_back(before);
         Ok(true)
     }
 }

@@ -34,6 +34,7 @@ mod error;
 mod growable_list;
 pub mod harness;
 mod kernel_cache;
+mod memory;
 mod pipeline;
 mod readback;
 mod recorder;

@@ -9,6 +9,7 @@ use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, WHOLE, cpu_fallback};
 use ccd_core::layout::Pair;
+use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
@@ -98,10 +99,11 @@ impl Session {
     #[inline(never)]
     fn of(device: &Device, mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
         changes::check(&mesh, &options)?;
+        let device = device.limited(options.max_memory);
         Ok(Self {
-            frames: Frames::new(device, &mesh, &options)?,
-            codimensional: Codimensional::new(device, &mesh, &options)?,
-            device: device.clone(),
+            frames: Frames::new(&device, &mesh, &options)?,
+            codimensional: Codimensional::new(&device, &mesh, &options)?,
+            device,
             mesh,
             options,
             report: Report::default(),
@@ -115,9 +117,10 @@ impl Session {
     /// # Errors
     /// What the device refuses.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
-        self.frames.move_to(device, &self.mesh, &self.options)?;
-        self.codimensional = Codimensional::new(device, &self.mesh, &self.options)?;
-        self.device = device.clone();
+        let device = device.limited(self.options.max_memory);
+        self.frames.move_to(&device, &self.mesh, &self.options)?;
+        self.codimensional = Codimensional::new(&device, &self.mesh, &self.options)?;
+        self.device = device;
         Ok(())
     }
 
@@ -134,6 +137,18 @@ impl Session {
     /// The device.
     pub fn device(&self) -> &Device {
         &self.device
+    }
+
+    /// From now on calls end with [`ccd_core::Error::Cancelled`] once this token is cancelled,
+    /// before the next frame is submitted: one that was submitted runs to its end. `None`: none
+    /// does. The session stays usable.
+    pub fn set_cancel_token(&mut self, token: impl Into<Option<CancelToken>>) {
+        self.frames.cancel = token.into();
+    }
+
+    /// The token that ends calls.
+    pub fn cancel_token(&self) -> Option<&CancelToken> {
+        self.frames.cancel.as_ref()
     }
 
     /// What the last step found. Of its times, `total` is wall clock; stages are in

@@ -1,7 +1,10 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{Aabb, AsPositions, Bodies, BroadPhaseMethod, Mesh, Options, Pair, Report, Scheduling};
+use crate::{
+    Aabb, AsPositions, Bodies, BroadPhaseMethod, CancelToken, Mesh, Options, Pair, Report,
+    Scheduling,
+};
 use std::sync::Arc;
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
@@ -113,6 +116,14 @@ impl Session {
     }
 
     pub fn set_fixed_motion(&mut self, _: bool) -> Result<(), Error> {
+        match *self {}
+    }
+
+    pub fn set_cancel_token(&mut self, _: impl Into<Option<CancelToken>>) {
+        match *self {}
+    }
+
+    pub fn cancel_token(&self) -> Option<&CancelToken> {
         match *self {}
     }
 

@@ -4,7 +4,7 @@ mod rules;
 
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
 use crate::positions::{AsPositions, Ends, PositionView, Precision, ends};
-use crate::{Bodies, Coordinate, Mesh, Options, Report};
+use crate::{Bodies, CancelToken, Coordinate, Mesh, Options, Report};
 use std::sync::Arc;
 
 /// Continuous collision detection of one mesh over many steps, on the CPU or on a GPU: the calls
@@ -272,6 +272,15 @@ impl Session {
         }
     }
 
+    /// From now on calls end with [`crate::Error::Cancelled`] once this token is cancelled: see
+    /// [`crate::Session::set_cancel_token`]. On a GPU a frame that was submitted runs to its end.
+    pub fn set_cancel_token(&mut self, token: impl Into<Option<CancelToken>>) {
+        match &mut self.0 {
+            Either::Cpu(on) => on.set_cancel_token(token),
+            Either::Gpu { on, .. } => on.set_cancel_token(token),
+        }
+    }
+
     /// What the last step found.
     pub fn report(&self) -> &Report {
         match &self.0 {
@@ -316,5 +325,7 @@ impl Session {
 
 /// What takes over from a GPU.
 fn on_cpu(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
-    crate::Session::new(on.mesh().clone(), on.options().clone())
+    let mut session = crate::Session::new(on.mesh().clone(), on.options().clone())?;
+    session.set_cancel_token(on.cancel_token().cloned());
+    Ok(session)
 }

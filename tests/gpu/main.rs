@@ -19,6 +19,7 @@ mod grazing;
 mod intervals;
 mod kept_order;
 mod kernels;
+mod limits;
 mod listed;
 mod oriented;
 mod pairs;
@@ -127,6 +128,7 @@ fn main() {
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
+            limits::TESTS,
             codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,

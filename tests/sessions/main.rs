@@ -4,6 +4,8 @@
 mod any_order;
 mod changes;
 mod data;
+mod ends_early;
 mod forms;
 mod leaving;
+mod limits;
 mod send_sync;

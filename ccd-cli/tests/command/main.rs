@@ -3,6 +3,8 @@
 mod backends;
 mod bench;
 mod files;
+#[cfg(unix)]
+mod interrupted;
 mod meshes;
 mod methods;
 mod outputs;
@@ -55,6 +57,12 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("outputs_never_lie_over_files", files::outputs_never_lie_over_files),
     ("everything_goes_to_standard_output", files::everything_goes_to_standard_output),
     ("contacts_of_parts_are_joined", files::contacts_of_parts_are_joined),
+    #[cfg(unix)]
+    ("ctrl_c_leaves_whole_files_or_none", interrupted::ctrl_c_leaves_whole_files_or_none),
+    #[cfg(unix)]
+    ("a_second_ctrl_c_ends_at_once", interrupted::a_second_ctrl_c_ends_at_once),
+    #[cfg(unix)]
+    ("memory_is_limited", interrupted::memory_is_limited),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[

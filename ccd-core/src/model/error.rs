@@ -1,4 +1,4 @@
-//! What can be wrong with input: what, where, and the value.
+//! What can be wrong with input, and limits that a caller set: what, where, and the value.
 
 mod checks;
 
@@ -9,7 +9,8 @@ pub use checks::{
 
 use crate::narrow_phase::query::LEAST_TOLERANCE;
 
-/// Why input was refused. Nothing was computed from it.
+/// Why there is no answer: input was refused, and nothing was computed from it; or a limit that
+/// the caller set ended the call, [`Error::Memory`] or [`Error::Cancelled`].
 ///
 /// ```
 /// use ccd_core::Error;
@@ -217,6 +218,20 @@ pub enum Error {
         /// Most that are possible.
         limit: usize,
     },
+    /// A session would hold more memory than [`Options::max_memory`](super::options::Options)
+    /// allows. It was not allocated.
+    Memory {
+        /// What the memory is for.
+        what: &'static str,
+        /// Bytes wanted for it, besides those that are held.
+        bytes: u64,
+        /// Bytes that the session holds.
+        held: u64,
+        /// Bytes that it may hold.
+        limit: u64,
+    },
+    /// The session's cancel token was cancelled.
+    Cancelled,
 }
 
 impl Error {
@@ -339,6 +354,14 @@ impl core::fmt::Display for Error {
             Error::Threads { count, limit } => {
                 write!(f, "cannot start {count} threads; at most {limit} are possible")
             }
+            Error::Memory { what, bytes, held, limit } => {
+                write!(
+                    f,
+                    "{what} need {bytes} bytes besides the {held} that are held; the limit of \
+                     memory is {limit}"
+                )
+            }
+            Error::Cancelled => f.write_str("cancelled"),
         }
     }
 }

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "alloc")]
 pub mod bodies;
+#[cfg(feature = "alloc")]
+pub mod cancel;
 pub mod catalogue;
 #[cfg(feature = "alloc")]
 pub mod codimensional;

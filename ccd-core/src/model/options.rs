@@ -51,6 +51,17 @@ pub struct Options {
     /// contact at the start, among it everything that touches where the minimum distance is 0: see
     /// [`approach`](crate::narrow_phase::approach).
     pub leave_contact: bool,
+    /// Bytes of memory that a session may hold; `None`: no limit. What would go beyond is refused
+    /// with [`Error::Memory`] before it is allocated, and the session stays usable.
+    ///
+    /// Counted are what a session has for its mesh (boxes, trees, tables, and what each thread has
+    /// of its own), as an estimate from above that is made when it gets the mesh, and every list
+    /// whose length depends on where things are: contacts, candidates, pairs of nodes, fronts. On a
+    /// GPU, the session's buffers there. Not counted are the mesh and the bodies themselves, stacks
+    /// of threads, the old part of a list while it is copied to a longer one, compiled kernels,
+    /// what a GPU's results take on the host, and of [`Pipeline::Triangles`] on a CPU the orphans:
+    /// pairs of features that are listed once a mesh.
+    pub max_memory: Option<u64>,
 }
 
 impl Default for Options {
@@ -64,6 +75,7 @@ impl Default for Options {
             scheduling: Scheduling::default(),
             tolerance: TOI_TOLERANCE,
             leave_contact: false,
+            max_memory: None,
         }
     }
 }
@@ -127,6 +139,13 @@ impl Options {
     #[must_use]
     pub fn with_leave_contact(mut self, leave_contact: bool) -> Self {
         self.leave_contact = leave_contact;
+        self
+    }
+
+    /// With this [`Options::max_memory`], or none.
+    #[must_use]
+    pub fn with_max_memory(mut self, max_memory: impl Into<Option<u64>>) -> Self {
+        self.max_memory = max_memory.into();
         self
     }
 

@@ -30,6 +30,7 @@
 //!  (3, 5) (3, 6)      (3, 5), which is the one to write it
 //! ```
 
+use crate::stop::Stop;
 use crate::threads::Own;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::model::report::FrontCounts;
@@ -90,11 +91,16 @@ impl Fronts {
 
     /// A step is over: what was written is kept, if it may be. `can_lift`: the tree of pairs lifts
     /// fronts.
-    pub fn end(&mut self, at: usize, can_lift: bool) {
+    pub fn end(&mut self, at: usize, can_lift: bool, stop: &Stop) {
         let others = self.fronts.iter().enumerate().filter(|&(i, _)| i != at);
         let used: usize = others.map(|(_, front)| front.bytes()).sum();
         let most = (self.options.memory as usize) << 20;
-        self.fronts[at].end(&self.options, most.saturating_sub(used), can_lift);
+        let front = &mut self.fronts[at];
+        let before = front.bytes() as u64;
+        let most = (most.saturating_sub(used) as u64).min(before.saturating_add(stop.left()));
+        front.end(&self.options, most as usize, can_lift);
+        // There is room for that: nobody else takes any now.
+        stop.take(front.bytes() as u64 - before);
     }
 
     /// What the fronts of the last step were.
@@ -184,6 +190,7 @@ impl List {
     }
 
     fn grow(&mut self, room: usize) {
+        self.slots.reserve_exact(room.saturating_sub(self.slots.len()));
         self.slots.resize_with(room, AtomicU64::default);
     }
 

@@ -71,11 +71,23 @@ impl Search {
         if let (Some(of_b), Some(b)) = (&mut *of_b, b) {
             of_b.refit(threads, source.order(), b, false);
             workers.resize_with(1, Lister::default);
-            let sink = Listing::<false> { a: of_a, b: of_b, slack: 0.0, confirm: None };
+            let sink = Listing::<false> {
+                a: of_a,
+                b: of_b,
+                slack: 0.0,
+                confirm: None,
+                stop: &threads.stop,
+            };
             source.find(threads, (of_a, Some(of_b)), 1, &sink, &mut workers);
         } else {
             workers.resize_with(1, Lister::default);
-            let sink = Listing::<true> { a: of_a, b: of_a, slack: 0.0, confirm: None };
+            let sink = Listing::<true> {
+                a: of_a,
+                b: of_a,
+                slack: 0.0,
+                confirm: None,
+                stop: &threads.stop,
+            };
             source.find(threads, (of_a, None), 1, &sink, &mut workers);
         }
         order_runs(&workers, &mut runs);

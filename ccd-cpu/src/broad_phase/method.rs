@@ -165,7 +165,12 @@ impl PairSource for Listed {
         let (active, idle) = workers.split_at_mut(n);
         let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
             let Own((scratch, list)) = own;
-            let mut hand_on = |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
+            let mut hand_on = |rows: &[Row]| {
+                // A task may be all of the search.
+                if !threads.stop.is_stopped() {
+                    crate::simd::run_rows!(HandOn { rows, sink, worker })
+                }
+            };
             let mut rows = Rows::new(list, &mut hand_on);
             source.task(k, sides, scratch, &mut rows);
             rows.flush();

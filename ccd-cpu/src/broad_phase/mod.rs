@@ -42,7 +42,8 @@ mod uniform_grid;
 mod worlds;
 
 use crate::clock::{Instant, milliseconds};
-use crate::simd::RowSimd;
+use crate::simd::{RowSimd, WIDTH};
+use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
@@ -201,6 +202,11 @@ impl BroadPhase {
         self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 
+    /// From now on a part of what these threads work on, which ends with it.
+    pub(crate) fn join(&mut self, threads: &Threads) {
+        self.threads.stop = threads.stop.clone();
+    }
+
     #[inline(never)]
     fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
         let start = Instant::now();
@@ -218,11 +224,12 @@ impl BroadPhase {
             method.order().survey(threads, &[&side.boxes])?;
             side.leaves.build(threads, method.order(), &side.boxes, Marks::default());
             let slack = slack(&side.boxes, &side.boxes);
-            let sink = Listing::<true> { a: &side.leaves, b: &side.leaves, slack, confirm };
+            let (a, b, stop) = (&side.leaves, &side.leaves, &*threads.stop);
+            let sink = Listing::<true> { a, b, slack, confirm, stop };
             times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
             times.search = milliseconds(start) - times.build;
-            Ok(())
+            threads.stop.check()
         })
     }
 
@@ -244,11 +251,12 @@ impl BroadPhase {
             a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
             b.leaves.build(threads, method.order(), &b.boxes, Marks::default());
             let slack = slack(&a.boxes, &b.boxes);
-            let sink = Listing::<false> { a: &a.leaves, b: &b.leaves, slack, confirm };
+            let (a, b, stop) = (&a.leaves, &b.leaves, &*threads.stop);
+            let sink = Listing::<false> { a, b, slack, confirm, stop };
             times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
             times.search = milliseconds(start) - times.build;
-            Ok(())
+            threads.stop.check()
         })
     }
 }
@@ -276,6 +284,7 @@ struct Listing<'a, const WITHIN: bool> {
     b: &'a LeafBoxes,
     slack: f32,
     confirm: Option<Confirm<'a>>,
+    stop: &'a Stop,
 }
 
 impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
@@ -299,7 +308,9 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
                 simd.overlaps_surely(&self.a.blocks()[a], lane, &self.b.blocks()[b], self.slack);
             mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
-        simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
+        if self.stop.reserve("overlapping boxes", &mut lister.pairs, WIDTH) {
+            simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
+        }
     }
 
     fn begin(&self, lister: &mut Lister, task: usize) {

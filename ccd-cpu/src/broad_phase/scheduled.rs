@@ -9,9 +9,10 @@ use crate::broad_phase::pair_source::{
     Gathered, Order, PairSink, PairSource, Pairs, PairsOfNodes, Row, Rows, Sides,
 };
 use crate::broad_phase::scheduler::hand::Hand;
-use crate::broad_phase::scheduler::{self, Lists, Schedule};
+use crate::broad_phase::scheduler::{self, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::Instant;
+use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::broad_phase::pair_descent::NodePair;
@@ -144,11 +145,11 @@ impl PairSource for Scheduled {
         let timed = times.is_some();
         let lift = descent.fronts.as_ref().is_some_and(|fronts| part == 1 && fronts.lifts(sets));
         source.descend(threads, sides, lift, &mut |pairs| {
-            descent.run(workers.len(), sets, pairs, part, times, &mut |job| {
+            descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
                 threads.each_with(workers, buffers, &|worker, Own(own)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
-                    own.work(K::ORDERED, timed, &mut hand_on, job);
+                    own.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
                 });
             });
         });
@@ -168,6 +169,11 @@ impl PairSource for Scheduled {
     }
 }
 
+/// Most pairs of nodes that one is expanded to: of eight boxes with eight.
+const MOST_CHILDREN: usize = 64;
+/// What there is no memory for, if there is none.
+const ROWS: &str = "rows of overlaps";
+
 /// Does something with the outlet of every worker.
 type Work<'w> = &'w (dyn Fn(&mut Outlet) + Sync);
 
@@ -175,7 +181,7 @@ impl Descent {
     /// Finds all pairs of leaves, or those below every `part`-th task.
     fn run(
         &mut self,
-        n_workers: usize,
+        (n_workers, stop): (usize, &Stop),
         sets: [Option<usize>; 2],
         pairs: Pairs,
         part: usize,
@@ -197,8 +203,8 @@ impl Descent {
             pieces.prepare(n_workers);
             resumed.prepare(n_workers);
             let lift = front.is_some_and(|front| front.is_lifted());
-            resume(tree, kept, written, lift, [pieces, resumed], launch);
-            resumed.gather(tasks);
+            resume(tree, kept, written, lift, [pieces, resumed], stop, launch);
+            resumed.gather(tasks, stop);
             watch.lap(|times| &mut times.shared_out);
         } else {
             tasks.extend_from_slice(roots);
@@ -219,13 +225,16 @@ impl Descent {
             every(part, tasks);
             watch.lap(|times| &mut times.split);
         }
-        schedule.run(n_workers, tasks, &mut |job| {
+        schedule.run(n_workers, tasks, stop, &mut |job| {
             launch(&|outlet| {
                 let Outlet { worker, rows, n_expanded, times } = outlet;
                 let front = written.map(|list| list.writer(*worker));
                 let mut traces = Traces { rows, front, n_expanded: 0 };
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
-                    tree.expand(pairs, out, &mut traces);
+                    let room = pairs.len() * MOST_CHILDREN;
+                    if !stop.is_stopped() && stop.reserve(PAIRS_OF_NODES, out, room) {
+                        tree.expand(pairs, out, &mut traces);
+                    }
                 };
                 match times {
                     Some(times) => times.job(*worker, job, &mut expand),
@@ -235,8 +244,9 @@ impl Descent {
             });
         });
         watch.lap(|times| &mut times.shared_out);
-        if let Some((fronts, at)) = of {
-            fronts.end(at, tree.lifts());
+        // Of a search that is not complete no front is kept; that of the one before still holds.
+        if let Some((fronts, at)) = of.filter(|_| !stop.is_stopped()) {
+            fronts.end(at, tree.lifts(), stop);
         }
         watch.lap(|times| &mut times.keep);
     }
@@ -266,6 +276,7 @@ fn resume(
     written: Option<&List>,
     lift: bool,
     [pieces, resumed]: [&Lists; 2],
+    stop: &Stop,
     launch: &mut dyn FnMut(Work),
 ) {
     let counter = AtomicUsize::new(0);
@@ -280,6 +291,9 @@ fn resume(
             }
             piece.clear();
             kept.piece(k, &mut piece);
+            if stop.is_stopped() || !stop.reserve(PAIRS_OF_NODES, &mut out, piece.len()) {
+                break;
+            }
             let mut resume = || tree.resume(&piece, &mut out, &mut traces, lift);
             match outlet.times {
                 Some(times) => times.front(resume),
@@ -313,11 +327,16 @@ impl Buffers {
         &mut self,
         keep: bool,
         timed: bool,
+        stop: &Stop,
         hand_on: &mut (dyn FnMut(&[Row]) + Send),
         work: Work,
     ) {
         let Self { worker, list, all, n_expanded, times } = self;
-        let mut keep_them = |rows: &[Row]| all.extend_from_slice(rows);
+        let mut keep_them = |rows: &[Row]| {
+            if stop.reserve(ROWS, all, rows.len()) {
+                all.extend_from_slice(rows);
+            }
+        };
         let times = timed.then_some(&*times);
         let mut timed = |rows: &[Row]| match times {
             Some(times) => times.rows(|| hand_on(rows)),
@@ -335,7 +354,9 @@ impl Buffers {
 fn put_in_order(threads: &Threads, buffers: &mut [Own<Buffers>], rows: &mut Vec<Row>) {
     rows.clear();
     for Own(own) in buffers {
-        rows.append(&mut own.all);
+        if threads.stop.reserve(ROWS, rows, own.all.len()) {
+            rows.append(&mut own.all);
+        }
     }
     threads.sort(rows, |row| (row.a, row.b, row.mask));
     rows.dedup_by(|next, row| {

@@ -57,8 +57,8 @@ impl Tasks {
     }
 }
 
-/// Has workers take the tasks `0`, `part`, `2 part` .. below `n` from a shared counter; `run` does
-/// one, with what the worker gathers and what it needs for itself.
+/// Has workers take the tasks `0`, `part`, `2 part` .. below `n` from a shared counter, until the
+/// call is to end; `run` does one, with what the worker gathers and what it needs for itself.
 pub fn share<K: PairSink, X: Send>(
     threads: &Threads,
     n: usize,
@@ -72,7 +72,7 @@ pub fn share<K: PairSink, X: Send>(
     threads.each_with(workers, scratch, &|worker, scratch| {
         loop {
             let k = counter.fetch_add(part, Ordering::Relaxed);
-            if k >= n {
+            if k >= n || threads.stop.is_stopped() {
                 sink.end(worker);
                 break;
             }

@@ -4,16 +4,45 @@ use crate::broad_phase::method::Method;
 use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Scene;
 use crate::step::find::{expand, find};
-use crate::step::narrow_phase::Worker;
-use crate::step::prepare::Prepared;
+use crate::step::narrow_phase::{CONTACTS, Worker};
+use crate::step::prepare::{Positions, Prepared};
+use crate::step::selection::Selection;
+use crate::stop::Stop;
 use crate::threads::Threads;
+use ccd_core::Error;
 use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
 use ccd_core::model::report::{Report, TriangleCounts};
 use std::time::Duration;
 
 /// The least time of impact that any worker found.
 pub fn least_toi(workers: &[Worker]) -> Option<f64> {
     workers.iter().filter_map(|w| w.toi).reduce(f64::min)
+}
+
+/// Boxes and trees of a step up to the time that matters.
+///
+/// # Errors
+/// Those of the positions and of the method, and of [`Stop::check`].
+pub fn prepare(
+    threads: &Threads,
+    prepared: &mut Prepared,
+    method: &mut Method,
+    mesh: &Mesh,
+    (options, selection): (&Options, &Selection),
+    x: &Positions,
+    report: &mut Report,
+) -> Result<(), Error> {
+    let start = Instant::now();
+    prepared.boxes(threads, mesh, options, x)?;
+    report.times.boxes += milliseconds(start);
+    threads.stop.check()?;
+    let start = Instant::now();
+    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
+    report.rebuilt = rebuilt || (report.rebuilt && x.again);
+    report.times.build += milliseconds(start);
+    threads.stop.check()
 }
 
 /// Finds and decides all candidates, or those of every `part`-th task.
@@ -57,18 +86,27 @@ fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
 }
 
 /// Joins the workers' contacts.
-pub fn collect(workers: &mut [Worker], report: &mut Report) {
+///
+/// # Errors
+/// Those of [`Stop::check`].
+pub fn collect(workers: &mut [Worker], report: &mut Report, stop: &Stop) -> Result<(), Error> {
     let start = Instant::now();
     let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
+    if !stop.reserve(CONTACTS, &mut report.contacts, total) {
+        return stop.check();
+    }
     report.contacts.reserve(total);
     for worker in workers.iter_mut() {
         report.contacts.extend_from_slice(&worker.contacts);
         // Whichever worker finds them next time, there is room.
         worker.contacts.clear();
-        worker.contacts.reserve(total + total / 8);
+        if !stop.is_limited() {
+            worker.contacts.reserve(total + total / 8);
+        }
     }
     report.toi = least_toi(workers);
     report.undecided =
         report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     report.times.narrow += milliseconds(start);
+    Ok(())
 }

@@ -8,6 +8,7 @@ use crate::broad_phase::pair_source::PairSink;
 use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::Leaves;
 use crate::step::selection::Selection;
+use crate::stop::Stop;
 use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
 use ccd_core::broad_phase::swept_box;
 use ccd_core::layout::Pair;
@@ -42,7 +43,12 @@ pub struct Scene<'a> {
     pub slack: Option<f32>,
     /// Keep contacts, or only the least time of impact.
     pub keep_contacts: bool,
+    /// What ends the step early.
+    pub stop: &'a Stop,
 }
+
+/// What there is no memory for, if there is none.
+const CANDIDATES: &str = "candidates";
 
 impl Scene<'_> {
     /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of
@@ -110,12 +116,15 @@ impl Take for Lister {
     fn take<S: RowSimd>(
         &mut self,
         simd: S,
-        _scene: &Scene,
+        scene: &Scene,
         kind: Kind,
         id: u32,
         ids: &[u32; WIDTH],
         mask: u32,
     ) {
+        if !scene.stop.reserve(CANDIDATES, &mut self.pairs, WIDTH) {
+            return;
+        }
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
             _ => simd.append::<true>(&mut self.pairs, id, ids, mask),
@@ -123,8 +132,10 @@ impl Take for Lister {
     }
 
     #[inline(always)]
-    fn take_one(&mut self, _scene: &Scene, _kind: Kind, pair: Pair) {
-        self.pairs.push(pair);
+    fn take_one(&mut self, scene: &Scene, _kind: Kind, pair: Pair) {
+        if scene.stop.reserve(CANDIDATES, &mut self.pairs, 1) {
+            self.pairs.push(pair);
+        }
     }
 
     fn begin(&mut self, task: usize) {

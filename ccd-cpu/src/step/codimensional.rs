@@ -5,6 +5,7 @@
 
 use crate::broad_phase::BroadPhase;
 use crate::step::candidates::Given;
+use crate::step::narrow_phase::CONTACTS;
 use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::layout::Pair;
@@ -60,6 +61,7 @@ impl Codimensional {
     ) -> Result<(), Error> {
         let Self { features, broad_phase, vertices, edges, pairs, .. } = self;
         let distance = options.min_distance;
+        broad_phase.join(threads);
         vertices.resize(features.vertices.len(), NOTHING);
         threads.fill(vertices, |i| match given {
             Precision::F32(x) => features.vertex_box(i, x, distance),
@@ -75,23 +77,30 @@ impl Codimensional {
                 Kind::VertexEdge => broad_phase.pairs(vertices, edges)?,
                 _ => broad_phase.self_pairs(vertices)?,
             };
+            out.clear();
+            if !threads.stop.reserve("candidates", out, found.len()) {
+                break;
+            }
             features.candidates(kind, found.iter(), (mesh, selection.rules.as_ref()), out);
             if let Some(filter) = &selection.filter {
                 out.retain(|pair| filter(kind, pair.a, pair.b));
             }
         }
-        Ok(())
+        threads.stop.check()
     }
 
     /// Decides the candidates that were listed; contacts in their order. Part by part: most
     /// candidates are no contact, and a contact takes six times the room of one.
+    ///
+    /// # Errors
+    /// Those of [`Stop::check`](crate::stop::Stop::check).
     pub fn decide(
         &mut self,
         threads: &Threads,
         mesh: &Mesh,
         search: &Search<f64>,
         given: Given,
-    ) -> &[Contact] {
+    ) -> Result<&[Contact], Error> {
         let Self { pairs, decided, contacts, .. } = self;
         contacts.clear();
         for (kind, pairs) in KINDS.into_iter().zip(pairs) {
@@ -102,10 +111,15 @@ impl Codimensional {
                     Precision::F32(x) => contact(mesh, kind, part[i], x, search),
                     Precision::F64(x) => contact(mesh, kind, part[i], x, search),
                 });
-                contacts.extend(decided.iter().copied().flatten());
+                let n = decided.iter().flatten().count();
+                threads.stop.check()?;
+                if threads.stop.reserve(CONTACTS, contacts, n) {
+                    contacts.extend(decided.iter().copied().flatten());
+                }
             }
         }
-        contacts
+        threads.stop.check()?;
+        Ok(contacts)
     }
 }
 

@@ -21,6 +21,9 @@ use std::time::Duration;
 /// it touches.
 const QUEUE: usize = 512;
 
+/// What there is no memory for, if there is none.
+pub const CONTACTS: &str = "contacts";
+
 /// What one worker gathers.
 #[derive(Debug, Default)]
 #[repr(align(128))]
@@ -77,7 +80,7 @@ impl Worker {
         };
         let Some(contact) = Contact::of(kind, pair, answer) else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
-        if scene.keep_contacts {
+        if scene.keep_contacts && scene.stop.reserve(CONTACTS, &mut self.contacts, 1) {
             self.contacts.push(contact);
         }
     }

@@ -10,6 +10,7 @@ use crate::step::leaves::Leaves;
 use crate::step::selection::Selection;
 use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
+use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::math::vec3::max_abs;
@@ -83,6 +84,8 @@ impl<T: Real> Ends<'_, T> {
 #[derive(Debug)]
 pub struct Prepared {
     built: bool,
+    /// Whether the last step was prepared to the end, so that all parts of this are of one step.
+    whole: bool,
     scans: Vec<Scan>,
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
@@ -145,6 +148,7 @@ impl Prepared {
         };
         Self {
             built: false,
+            whole: true,
             scans: Vec::new(),
             scan: Scan::default(),
             table: Vec::new(),
@@ -201,6 +205,10 @@ impl Prepared {
         x: &Positions,
     ) -> Result<(), Error> {
         let Positions { from, until, .. } = *x;
+        if !std::mem::replace(&mut self.whole, false) {
+            self.forget_order();
+            self.still.forget();
+        }
         let made = match x.given {
             Precision::F32([x0, x1]) => {
                 self.vertices(threads, options, &Ends { x0, x1, from, until })
@@ -210,7 +218,9 @@ impl Prepared {
             }
         };
         if made.is_err() {
+            // Nothing but that was touched.
             self.still.forget();
+            self.whole = true;
         }
         made?;
         let Self { vertices, edges, faces, still, .. } = self;
@@ -245,6 +255,7 @@ impl Prepared {
         x: &Positions<'a>,
         window: [f64; 2],
         keep_contacts: bool,
+        stop: &'a Stop,
     ) -> Scene<'a> {
         let rounds_boxes = match x.given {
             Precision::F32(_) => self.scan.rounds_boxes::<f32>(options.min_distance),
@@ -263,6 +274,7 @@ impl Prepared {
             search: options.search(window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
             keep_contacts,
+            stop,
         }
     }
 
@@ -333,9 +345,11 @@ impl Prepared {
             if first {
                 triangles.certify(threads, mesh, x.given);
             }
-            return self.triangle_leaves(threads, method, rules, first);
+            let rebuilt = self.triangle_leaves(threads, method, rules, first)?;
+            self.whole = true;
+            return Ok(rebuilt);
         }
-        let Self { vertices, edges, faces, table, still, .. } = self;
+        let Self { whole, vertices, edges, faces, table, still, .. } = self;
         let mut holds = still.holds();
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
@@ -361,6 +375,7 @@ impl Prepared {
         vertices.leaves.place(threads, table, holds);
         edges.leaves.place(threads, table, holds);
         faces.leaves.place(threads, table, holds);
+        *whole = true;
         Ok(loose)
     }
 

@@ -31,6 +31,9 @@ pub struct TrianglePairs<'a, W> {
     pub worker: PhantomData<fn(W)>,
 }
 
+/// Orphans after which a worker looks whether to go on.
+const PART: usize = 1024;
+
 /// One feature of each of eight triangles.
 #[derive(Clone, Copy)]
 struct Side<'a, const N: usize> {
@@ -292,6 +295,9 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
             worker.begin(usize::MAX - n_workers + k);
             let mut orphans = 0;
             for i in n * k / n_workers..n * (k + 1) / n_workers {
+                if i % PART == 0 && threads.stop.is_stopped() {
+                    break;
+                }
                 let (kind, pair) = if i < n_vf {
                     (Kind::VertexFace, sets.vf()[i])
                 } else {

@@ -88,6 +88,8 @@ impl BroadPhase {
     ) -> Result<Self, Error> {
         method::check(method)?;
         method::check_scheduling(method, scheduling)?;
+        // One of a session counts what that holds.
+        let device = &device.limited(None);
         Ok(Self {
             method,
             scheduling,

@@ -59,8 +59,10 @@ impl Session {
 
     fn change(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
         check(&mesh, &options)?;
-        let codimensional = Codimensional::new(&self.device, &mesh, &options)?;
-        self.frames.change(&self.device, &mesh, &options)?;
+        let device = self.device.limited(options.max_memory);
+        let codimensional = Codimensional::new(&device, &mesh, &options)?;
+        self.frames.change(&device, &mesh, &options)?;
+        self.device = device;
         (self.mesh, self.options, self.codimensional) = (mesh, options, codimensional);
         Ok(())
     }

@@ -19,16 +19,20 @@ pub struct ContactOrder {
     sort: Sort,
     /// Contacts in order, without a header.
     pub ordered: wgpu::Buffer,
+    /// What all of this takes, if there is a limit of memory.
+    pub bytes: u64,
 }
 
 impl ContactOrder {
     /// For so many contacts at most.
     pub fn new(device: &Device, room: u32) -> Result<Self, Error> {
         let bytes = room as u64 * size_of::<Touch>() as u64;
-        Ok(Self {
-            sort: Sort::new(device, room)?,
-            ordered: device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?,
-        })
+        let make = || {
+            let sort = Sort::new(device, room)?;
+            Ok((sort, device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?))
+        };
+        let ((sort, ordered), bytes) = device.counting(make)?;
+        Ok(Self { sort, ordered, bytes })
     }
 
     /// Contacts for which there is room.

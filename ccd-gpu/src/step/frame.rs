@@ -14,6 +14,7 @@ use crate::growable_list::{HEADER_BYTES, Header, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
+use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
@@ -38,6 +39,10 @@ pub struct Frames {
     order: KeptOrder,
     /// Of the contacts on the device.
     pub geometry: Geometry,
+    /// What ends frames before they are submitted.
+    pub cancel: Option<CancelToken>,
+    /// Bytes of the last bodies that were set, if there is a limit of memory.
+    of_bodies: u64,
 }
 
 /// What a frame gave.
@@ -69,6 +74,8 @@ impl Frames {
             at_once: 0,
             order: KeptOrder::default(),
             geometry: Geometry::default(),
+            cancel: None,
+            of_bodies: 0,
         })
     }
 
@@ -96,13 +103,19 @@ impl Frames {
     ) -> Result<(), Error> {
         self.order.forget();
         self.bench.forget();
-        self.buffers.set_bodies(device, mesh, options)
+        let buffers = &mut self.buffers;
+        let ((), bytes) = device.counting(|| buffers.set_bodies(device, mesh, options))?;
+        device.give_back(std::mem::replace(&mut self.of_bodies, bytes));
+        Ok(())
     }
 
     /// Goes on with another mesh or other options, in the buffers that are there as far as they are
     /// large enough. The next frame sorts; nothing changes if this fails.
     pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
-        self.buffers = Buffers::reusing(device, mesh, options, Some(&self.buffers))?;
+        // What is reused cannot be counted anew.
+        let old = Some(&self.buffers).filter(|_| device.memory().is_none());
+        self.buffers = Buffers::reusing(device, mesh, options, old)?;
+        self.of_bodies = 0;
         self.bench.forget();
         self.order.forget();
         // Contacts there are those of other ids.
@@ -116,7 +129,9 @@ impl Frames {
         self.order.forget();
         self.geometry.listed = false;
         for list in self.buffers.lists_mut().into_vec() {
+            let before = list.buffer().size();
             *list = list.resized(device, entries)?;
+            device.give_back(before);
         }
         self.bench.forget();
         Ok(())
@@ -187,6 +202,11 @@ impl Frames {
     ) -> Result<Found, Error> {
         self.geometry.listed = false;
         loop {
+            if self.cancel.as_ref().is_some_and(CancelToken::is_cancelled) {
+                // What was uploaded is in no order yet.
+                self.order.forget();
+                return Err(ccd_core::Error::Cancelled.into());
+            }
             match self.attempt(device, options, (goal, window), contacts)? {
                 Some(found) => {
                     self.geometry.listed = goal == Goal::Contacts;
@@ -234,14 +254,14 @@ impl Frames {
         };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
         if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
-            buffers.order = None;
+            device.give_back(buffers.order.take().map_or(0, |old| old.bytes));
             bench.forget();
             // As for lists: some more, or else just enough; where there is no memory even for that,
             // the host sorts.
             let with_some_more = ContactOrder::new(device, n + n / 4);
             match with_some_more.or_else(|_| ContactOrder::new(device, n)) {
                 Ok(order) => buffers.order = Some(order),
-                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => buffers.to_order = 0,
+                Err(e) if e.is_of_memory() => buffers.to_order = 0,
                 Err(e) => return Err(e),
             }
         }

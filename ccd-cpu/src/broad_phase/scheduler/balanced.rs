@@ -18,6 +18,7 @@
 //! always gets on, however few pairs there are.
 
 use super::{Launch, Lists, Schedule, drain};
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -39,7 +40,7 @@ impl Balanced {
 }
 
 impl Schedule for Balanced {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch) {
         self.stacks.prepare(n_workers);
         while !tasks.is_empty() {
             self.stacks.deal(tasks);
@@ -57,7 +58,7 @@ impl Schedule for Balanced {
                     }
                 }
             });
-            self.stacks.gather(tasks);
+            self.stacks.gather(tasks, stop);
         }
     }
 }

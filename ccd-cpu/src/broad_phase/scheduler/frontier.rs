@@ -13,6 +13,7 @@
 //! where they are found and never queued.
 
 use super::{Launch, Lists, Schedule};
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -26,7 +27,7 @@ pub struct Frontier {
 }
 
 impl Schedule for Frontier {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch) {
         self.next.prepare(n_workers);
         while !tasks.is_empty() {
             let (next, counter, queue) = (&self.next, AtomicUsize::new(0), &*tasks);
@@ -41,7 +42,7 @@ impl Schedule for Frontier {
                 }
             });
             tasks.clear();
-            self.next.gather(tasks);
+            self.next.gather(tasks, stop);
         }
     }
 }

@@ -20,6 +20,7 @@
 
 use super::stealing::{Deques, ROUNDS, pause};
 use super::{Launch, Lists, Schedule, drain};
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 
 /// Pairs of a batch.
@@ -52,7 +53,7 @@ impl LazyStealing {
 }
 
 impl Schedule for LazyStealing {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, _stop: &Stop, launch: Launch) {
         self.stacks.prepare(n_workers);
         self.deques.deal(n_workers, tasks, &self.stacks);
         let (deques, stacks) = (&self.deques, &self.stacks);

@@ -26,6 +26,7 @@ mod stealing;
 #[cfg(test)]
 mod tests;
 
+use crate::stop::Stop;
 use crate::threads::Own;
 use balanced::Balanced;
 use ccd_core::Error;
@@ -52,7 +53,9 @@ pub type Launch<'l> = &'l mut dyn FnMut(Job);
 pub trait Schedule: Debug + Send + Sync {
     /// Has all tasks expanded, and all that is found below them; none is left. Results do not
     /// depend on who does what.
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch);
+    ///
+    /// What an earlier run left, one that unwound, is gone.
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch);
 }
 
 /// The scheduler of a choice.
@@ -70,6 +73,8 @@ pub fn new(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
 
 /// Pairs that are expanded together: the last of a stack.
 const BATCH: usize = 16;
+/// What there is no memory for, if there is none.
+pub const PAIRS_OF_NODES: &str = "pairs of nodes of trees";
 /// Pairs that a list has room for from the beginning, so that it rarely grows later.
 const ROOM: usize = 1 << 13;
 
@@ -80,6 +85,9 @@ pub struct Lists(Vec<Own<Mutex<Vec<NodePair>>>>);
 impl Lists {
     /// One each for so many workers, all empty.
     pub fn prepare(&mut self, n_workers: usize) {
+        for Own(list) in &mut self.0 {
+            list.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
+        }
         self.0.resize_with(n_workers, || Own(Mutex::new(Vec::with_capacity(ROOM))));
     }
 
@@ -98,10 +106,16 @@ impl Lists {
         tasks.clear();
     }
 
-    /// Moves all that is in the lists to `into`.
-    pub fn gather(&mut self, into: &mut Vec<NodePair>) {
+    /// Moves all that is in the lists to `into`, unless the call is to end for it.
+    pub fn gather(&mut self, into: &mut Vec<NodePair>, stop: &Stop) {
         for Own(list) in &mut self.0 {
-            into.append(list.get_mut().unwrap_or_else(PoisonError::into_inner));
+            let list = list.get_mut().unwrap_or_else(PoisonError::into_inner);
+            if stop.reserve(PAIRS_OF_NODES, into, list.len()) {
+                into.append(list);
+            }
+        }
+        if stop.is_limited() {
+            return;
         }
         // Whichever worker has them next time, there is room.
         for Own(list) in &mut self.0 {

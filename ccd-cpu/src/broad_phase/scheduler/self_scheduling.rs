@@ -11,6 +11,7 @@
 //! the work: it is the default, in a form that is compiled into what takes the pairs.
 
 use super::{Launch, Lists, Schedule, drain};
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -21,7 +22,7 @@ pub struct SelfScheduling {
 }
 
 impl Schedule for SelfScheduling {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, _stop: &Stop, launch: Launch) {
         self.stacks.prepare(n_workers);
         let (stacks, counter, all) = (&self.stacks, AtomicUsize::new(0), &*tasks);
         launch(&|hand| {

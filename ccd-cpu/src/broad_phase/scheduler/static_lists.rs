@@ -10,6 +10,7 @@
 //! or whose processor has other things to do. What the other schedulers are compared with.
 
 use super::{Launch, Lists, Schedule, drain};
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 
 /// A stack a worker.
@@ -19,7 +20,7 @@ pub struct StaticLists {
 }
 
 impl Schedule for StaticLists {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, _stop: &Stop, launch: Launch) {
         self.stacks.prepare(n_workers);
         self.stacks.deal(tasks);
         let stacks = &self.stacks;

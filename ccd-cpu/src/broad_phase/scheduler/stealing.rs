@@ -10,8 +10,9 @@
 //! Cost: a push and a pop a pair, each a few atomic operations on words that nobody else has in
 //! hand most of the time. Choose [`super::lazy_stealing`], which moves as much with fewer.
 
-use super::{Launch, Lists, Schedule};
+use super::{Launch, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tree::shared_words::Shared;
+use crate::stop::Stop;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::scheduling::stealing::{Taken, Workers};
 use std::sync::atomic::AtomicU32;
@@ -52,7 +53,7 @@ impl Stealing {
 }
 
 impl Schedule for Stealing {
-    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+    fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch) {
         let Self { deques, spilled, taken, found } = self;
         for lists in [&mut *spilled, taken, found] {
             lists.prepare(n_workers);
@@ -83,7 +84,9 @@ impl Schedule for Stealing {
                 fruitless = 0;
                 hand.expand(&pairs, &mut found);
                 for pair in found.drain(..) {
-                    if workers.deque(me).push(&words, &[pair]).is_err() {
+                    if workers.deque(me).push(&words, &[pair]).is_err()
+                        && stop.reserve(PAIRS_OF_NODES, &mut spilled, 1)
+                    {
                         spilled.push(pair);
                     }
                 }

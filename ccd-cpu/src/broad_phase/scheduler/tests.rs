@@ -32,7 +32,7 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
     let mut workers: Vec<()> = vec![(); n_workers];
     let mut list = tasks.to_vec();
     threads.enter(|| {
-        schedule.run(n_workers, &mut list, &mut |job| {
+        schedule.run(n_workers, &mut list, &threads.stop, &mut |job| {
             threads.each(&mut workers, &|worker, ()| {
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
                     for &pair in pairs {
@@ -92,12 +92,12 @@ fn a_pair_more_or_less_is_seen() {
     #[derive(Debug)]
     struct Wrong(SelfScheduling, bool);
     impl Schedule for Wrong {
-        fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, launch: Launch) {
+        fn run(&mut self, n: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch) {
             let last = tasks.pop().expect("a task");
             if self.1 {
                 tasks.extend([last, last]);
             }
-            self.0.run(n_workers, tasks, launch);
+            self.0.run(n, tasks, stop, launch);
         }
     }
     let tasks = Vec::from_iter((0..100).map(|k| [5, k]));
@@ -118,7 +118,7 @@ fn workers_without_pairs_are_helped() {
     for (helps, mut schedule) in all {
         let by_worker: Vec<AtomicU32> = (0..4).map(|_| AtomicU32::new(0)).collect();
         let mut list = vec![[14, 0]];
-        schedule.run(4, &mut list, &mut |job| {
+        schedule.run(4, &mut list, &Stop::default(), &mut |job| {
             // The one with the task comes last, so that it sees that the others are idle.
             for worker in (0..4).rev() {
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {

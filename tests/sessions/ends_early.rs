@@ -1,0 +1,117 @@
+//! Calls that end in the middle, because a filter panics or because they are cancelled: they leave
+//! nothing behind in a session. The next one finds what a new session does, by every method,
+//! pipeline and scheduling.
+
+use ccd::scenes::{Step, crumpled_sheet, particles_and_rods};
+use ccd::{
+    BroadPhaseMethod, CancelToken, Contact, Error, Options, Pair, PerKind, Pipeline, Scheduling,
+    Session, Traversal, TreeOptions,
+};
+use ccd_testkit::methods::is_near_default;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex};
+
+/// The same scene in every way of asking for it: contacts, counts, the earliest time, candidates.
+type Found = (Vec<Contact>, PerKind, PerKind, Option<f64>, [Vec<Pair>; 4]);
+
+fn found(session: &mut Session, Step { x0, x1, .. }: &Step) -> Found {
+    let earliest = session.earliest_toi(x0, x1).unwrap();
+    let all = session.candidates(x0, x1).unwrap();
+    let mut pairs = [all.vf.to_vec(), all.ee.to_vec(), all.ve.to_vec(), all.vv.to_vec()];
+    pairs.iter_mut().for_each(|pairs| pairs.sort_unstable());
+    let report = session.step(x0, x1).unwrap();
+    (report.contacts.clone(), report.candidates, report.filtered, earliest, pairs)
+}
+
+/// Has the filter of a session unwind, or cancel, in its n-th call, for some n, in each kind of
+/// call.
+fn check(step: &Step, options: &Options, unwinds: bool) {
+    let calls = Arc::new(AtomicUsize::new(0));
+    // The call in which it unwinds; 0: in none.
+    let fatal = Arc::new(AtomicUsize::new(0));
+    let token = Arc::new(Mutex::new(CancelToken::new()));
+    let filter = {
+        let (calls, fatal, token) = (calls.clone(), fatal.clone(), token.clone());
+        move |_, a: u32, b: u32| {
+            if calls.fetch_add(1, Relaxed) + 1 == fatal.load(Relaxed) {
+                if unwinds {
+                    // As a panic, but without a message.
+                    resume_unwind(Box::new(()));
+                }
+                token.lock().unwrap().cancel();
+            }
+            a.wrapping_add(b) % 5 != 0
+        }
+    };
+    let new = || {
+        let mut session = Session::new(&step.mesh, options.clone()).unwrap();
+        session.set_filter(filter.clone());
+        session
+    };
+    let (want, mut session) = (found(&mut new(), step), new());
+    assert!(want.0.len() > 10, "{} contacts show little", want.0.len());
+    type Call = fn(&mut Session, &Step) -> Result<(), Error>;
+    let kinds: [Call; 3] = [
+        |session, of| session.step(&of.x0, &of.x1).map(|_| ()),
+        |session, of| session.earliest_toi(&of.x0, &of.x1).map(|_| ()),
+        |session, of| session.candidates(&of.x0, &of.x1).map(|_| ()),
+    ];
+    for (k, call) in kinds.into_iter().enumerate() {
+        calls.store(0, Relaxed);
+        call(&mut session, step).unwrap();
+        let n = calls.load(Relaxed);
+        assert!(n > 100, "{n} calls show little");
+        for nth in [1, n / 3, n - 1, n] {
+            let what = format!("call {nth} of {n} in call {k}: {options:?}");
+            *token.lock().unwrap() = CancelToken::new();
+            session.set_cancel_token(token.lock().unwrap().clone());
+            calls.store(0, Relaxed);
+            fatal.store(nth, Relaxed);
+            let ended = catch_unwind(AssertUnwindSafe(|| call(&mut session, step)));
+            fatal.store(0, Relaxed);
+            assert_eq!(ended.ok(), (!unwinds).then_some(Err(Error::Cancelled)), "{what}");
+            if k < 2 {
+                assert!(session.report().contacts.is_empty(), "{what}: contacts are left");
+            }
+            session.set_cancel_token(None);
+            let found = catch_unwind(AssertUnwindSafe(|| found(&mut session, step)));
+            let found = found.unwrap_or_else(|_| panic!("{what}: the next step panics"));
+            assert!(found == want, "{what}: {} contacts, not {}", found.0.len(), want.0.len());
+        }
+    }
+}
+
+#[test]
+fn a_filter_that_panics_leaves_nothing_behind() {
+    check_all(true);
+}
+
+#[test]
+fn a_call_that_is_cancelled_leaves_nothing_behind() {
+    check_all(false);
+}
+
+fn check_all(unwinds: bool) {
+    let scenes = [crumpled_sheet(12, 1), particles_and_rods(20, 3)];
+    let tree = |traversal| BroadPhaseMethod::Tree(TreeOptions::default().traversal(traversal));
+    let descending =
+        [BroadPhaseMethod::Blocks, tree(Traversal::CUT), tree(Traversal::SIMULTANEOUS)];
+    let scheduled = descending
+        .into_iter()
+        .flat_map(|method| Scheduling::every("cpu").map(move |scheduling| (method, scheduling)));
+    let by_itself = ccd::every("cpu").filter(|&method| is_near_default(method));
+    let all = by_itself.map(|method| (method, Scheduling::default())).chain(scheduled);
+    for (i, (method, scheduling)) in all.enumerate() {
+        for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
+            for threads in [1, 2] {
+                let options = Options::default()
+                    .with_threads(threads)
+                    .with_broad_phase(method)
+                    .with_pipeline(pipeline)
+                    .with_scheduling(scheduling);
+                check(&scenes[i % 2], &options, unwinds);
+            }
+        }
+    }
+}
