@@ -3,6 +3,7 @@
 
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
+use crate::harness::Faults;
 use crate::kernel_cache::KernelFile;
 use crate::pipeline::{self, Pipeline};
 use crate::shaders::module;
@@ -36,6 +37,7 @@ struct Inner {
     pipelines: Vec<OnceLock<Pipeline>>,
     cache: Option<Cache>,
     compilation: Mutex<Compilation>,
+    faults: Mutex<Faults>,
 }
 
 /// Compiled kernels that are kept on disk.
@@ -206,7 +208,8 @@ impl Device {
         let kept = cache.as_ref().is_some_and(|cache| cache.stored.is_some());
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
         let lost = Arc::default();
-        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation };
+        let faults = Mutex::default();
+        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation, faults };
         Ok(Self { inner: Arc::new(inner) })
     }
 
@@ -240,6 +243,9 @@ impl Device {
         work: impl FnOnce() -> T,
     ) -> Result<T, Error> {
         self.check_lost()?;
+        if let Some(fault) = self.faults().next() {
+            return Err(fault);
+        }
         let device = &self.inner.device;
         let scopes = [
             wgpu::ErrorFilter::Internal,
@@ -375,6 +381,11 @@ impl Device {
             self.compiled().kernels += 1;
             Pipeline::compile(device, info.path, id, cache)
         })
+    }
+
+    /// What tests make fail.
+    pub(crate) fn faults(&self) -> MutexGuard<'_, Faults> {
+        self.inner.faults.lock().unwrap_or_else(|e| e.into_inner())
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -24,6 +24,7 @@ mod oriented;
 mod pairs;
 mod poison;
 mod queries;
+mod recovery;
 mod rules;
 mod scalars;
 mod scenes;
@@ -127,6 +128,7 @@ fn main() {
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,
+            recovery::TESTS,
             codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,

@@ -250,13 +250,17 @@ impl BroadPhase {
             })??;
             source.check(&frame, &survey)?;
             self.stages = bench.times(&stages)?;
-            let mut grown = pairs.grow(device, found.wanted)?;
-            for (list, header) in source.lists_mut().into_iter().zip(&of_source) {
-                grown |= list.grow(device, header.wanted)?;
-            }
-            if source.settle(device, &counted, !grown)? || grown {
+            let lists = source.lists_mut().into_iter().zip(of_source);
+            let lists = lists.chain([(&mut *pairs, found)]);
+            let grown = List::grow_all(device, lists.map(|(list, header)| (list, header.wanted)));
+            let complete = matches!(grown, Ok(false));
+            // Also where a list cannot grow: the source learns that the search was not complete.
+            let settled = source.settle(device, &counted, complete);
+            if !complete || !matches!(settled, Ok(false)) {
                 bench.forget();
             }
+            let grown = grown?;
+            settled?;
             if !grown {
                 return Ok(found.wanted);
             }

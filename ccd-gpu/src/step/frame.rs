@@ -10,7 +10,7 @@ use super::{Goal, SAMPLE, WHOLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
@@ -327,22 +327,20 @@ impl Frames {
         })??;
         buffers.source.check(&frame, &survey)?;
         self.stages = bench.times(&stages)?;
-        let mut grown = false;
-        let lists = buffers.lists_mut().zip(headers.each_ref());
-        // Kernels look at the room of every list, so what cannot grow is an error and nothing
-        // worse.
-        let all_grew = lists.try_map(|(list, header)| {
-            grown |= list.grow(device, header.wanted)?;
-            Ok::<_, Error>(())
-        });
-        if grown {
+        let lists = buffers.lists_mut().zip(headers.each_ref()).into_vec();
+        let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
+        let grown = List::grow_all(device, lists);
+        let complete = matches!(grown, Ok(false));
+        // Also where a list cannot grow: the source learns that the search was not complete.
+        let settled = buffers.source.settle(device, &counted, complete);
+        if !complete || !matches!(settled, Ok(false)) {
             bench.forget();
+        }
+        if !complete {
             contacts.clear();
         }
-        all_grew?;
-        if buffers.source.settle(device, &counted, !grown)? {
-            bench.forget();
-        }
+        let grown = grown?;
+        settled?;
         if grown {
             return Ok(None);
         }
