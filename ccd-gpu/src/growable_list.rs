@@ -40,6 +40,20 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
     bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
 }
 
+/// Runs of one search, at most. A run that was not complete makes a list longer by a quarter at
+/// least, or rounds or turns of workers twice as many: dozens are more than any scene asks for.
+const MOST_RUNS: u32 = 100;
+
+/// Calls `run` until it has a result; `None`: a list was too short, or pairs were left.
+pub fn until_complete<T>(mut run: impl FnMut() -> Result<Option<T>, Error>) -> Result<T, Error> {
+    for _ in 0..MOST_RUNS {
+        if let Some(found) = run()? {
+            return Ok(found);
+        }
+    }
+    Err(Error::Incomplete { runs: MOST_RUNS })
+}
+
 /// A list on the device.
 ///
 /// ```no_run
@@ -90,7 +104,7 @@ impl List {
         let list = Self::new(device, what, 2, pairs.len() as u32)?;
         let mut words = vec![pairs.len() as u32, 0, 0, 0];
         words.extend(pairs.iter().flatten());
-        device.queue().write_buffer(&list.buffer, 0, bytemuck::cast_slice(&words));
+        device.write(what, &list.buffer, 0, bytemuck::cast_slice(&words))?;
         Ok(list)
     }
 
@@ -189,6 +203,24 @@ impl List {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn runs_end() {
+        let mut n = 0;
+        let mut after = |most: u32| {
+            n = 0;
+            until_complete(|| {
+                n += 1;
+                Ok((n > most).then_some(n))
+            })
+        };
+        assert_eq!(after(7).unwrap(), 8);
+        let why = after(u32::MAX).unwrap_err();
+        assert!(matches!(why, Error::Incomplete { runs: MOST_RUNS }), "{why}");
+        assert_eq!(n, MOST_RUNS);
+        let failed = until_complete(|| Err::<Option<()>, _>(Error::NoBoxes));
+        assert!(matches!(failed, Err(Error::NoBoxes)));
+    }
 
     #[test]
     fn counts_that_ran_over_are_refused() {

@@ -70,7 +70,7 @@ pub fn run<K: Bind<Vec<u8>>>(
         let descriptor = wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false };
         let buffer = device
             .guarded("a buffer of a test", size, || device.wgpu().create_buffer(&descriptor))?;
-        device.queue().write_buffer(&buffer, 0, bytes);
+        device.write("a buffer of a test", &buffer, 0, bytes)?;
         on_device.push(buffer);
     }
     let mut plan = Plan::default();

@@ -63,7 +63,8 @@ fn candidates(session: &mut Session, step: &Step) -> Result<[Digest; 2], Error> 
 /// GPU, others for every `i`.
 fn places(device: &Device, i: usize) -> Vec<u32> {
     match device.info().adapter.device_type {
-        DeviceType::Cpu => [5 + i % 4, 12 + i % 7].map(|skip| skip as u32).to_vec(),
+        // Lists grow for the first time.
+        DeviceType::Cpu => vec![8 + i as u32 % 3],
         _ => (0..1000).collect(),
     }
 }
@@ -81,8 +82,7 @@ fn check_session(
     let mut fresh = new(step);
     let want = found(&mut fresh, step).expect(what);
     let pairs = candidates(&mut fresh, step).expect(what);
-    let want_of_other = found(&mut new(other), other).expect(what);
-    assert!(!want.is_empty() && want != want_of_other, "{what}: no contacts");
+    assert!(!want.is_empty(), "{what}: no contacts");
     set_faults(device, Faults { short_rounds: true, ..Faults::default() });
     let (mut session, mut n_failed) = (new(step), 0);
     for (k, skip) in places(device, i).into_iter().enumerate() {
@@ -97,9 +97,14 @@ fn check_session(
             _ => session.set_mesh(&other.mesh),
         });
         n_failed += got.is_none() as usize;
+        if call == 0 && got.is_none() {
+            let report = session.report();
+            let n = report.candidates.total();
+            assert!(report.contacts.is_empty() && report.toi.is_none() && n == 0, "{at}: a report");
+        }
         if call == 2 && got.is_some() {
             let got = found(&mut session, other).expect(&at);
-            assert!(got == want_of_other, "{at}: another mesh");
+            assert!(got == found(&mut new(other), other).expect(&at), "{at}: another mesh");
             session.set_mesh(&step.mesh).expect(&at);
         }
         let got = found(&mut session, step).expect(&at);
@@ -139,9 +144,13 @@ fn check_sessions(device: &Device) {
         }
         let of = Options::default().with_scheduling(scheduling);
         check(&small, of.clone().with_broad_phase(aabb), 0);
-        check(&of_blocks, of.clone(), 0);
-        let of = of.with_broad_phase(if i % 4 < 2 { obb } else { aabb });
-        check(&small, of.with_pipeline(triangles), i % 3);
+        // Blocks and triangles with every third scheduling, where a GPU is emulated.
+        let emulated = device.info().adapter.device_type == DeviceType::Cpu;
+        if i % 3 == 1 || !emulated {
+            check(&of_blocks, of.clone(), 0);
+            let of = of.with_broad_phase(if i % 2 == 0 { obb } else { aabb });
+            check(&small, of.with_pipeline(triangles), i % 2 + 1);
+        }
     }
     assert!(n_failed > n / 2, "{n_failed} calls failed in {n} sessions");
 }
@@ -153,6 +162,7 @@ fn check_broad_phase(device: &Device) {
     let method = BroadPhaseMethod::Tree(TreeOptions::default().traversal(cut));
     let scheduling = Scheduling::default().scheduler(Scheduler::BALANCED);
     let new = || BroadPhase::scheduled(device, method, scheduling).expect("a broad phase");
+    assert!(matches!(new().again(), Err(Error::NoBoxes)), "pairs without boxes");
     let want = new().self_pairs(&boxes).expect("pairs").len();
     assert!(want > 1 << 16, "{want} pairs have room at once");
     for (k, skip) in places(device, 0).into_iter().enumerate() {

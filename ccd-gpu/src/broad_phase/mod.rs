@@ -21,7 +21,7 @@ pub mod worlds;
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
@@ -55,6 +55,8 @@ pub struct BroadPhase {
     bench: Bench,
     readback: Readback,
     buffers: Option<Buffers>,
+    /// Whether the boxes of a call are on the device, all of them.
+    is_sent: bool,
     pairs: List,
     stages: Vec<(&'static str, f64)>,
 }
@@ -94,6 +96,7 @@ impl BroadPhase {
             bench: Bench::new(device)?,
             readback: Readback::default(),
             buffers: None,
+            is_sent: false,
             pairs: List::new(device, "pairs", 2, 1 << 16)?,
             stages: Vec::new(),
             device: device.clone(),
@@ -179,6 +182,7 @@ impl BroadPhase {
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
+        self.is_sent = false;
         if self.buffers.as_ref().is_none_or(|b| b.count != count) {
             self.buffers = None;
             self.bench.forget();
@@ -192,9 +196,10 @@ impl BroadPhase {
         };
         let mut at = 0;
         for boxes in sets {
-            upload::send(device, buffers.source.boxes(), at, boxes);
+            upload::send(device, buffers.source.boxes(), at, boxes)?;
             at += size_of_val(boxes) as u64;
         }
+        self.is_sent = true;
         Ok(())
     }
 
@@ -202,13 +207,16 @@ impl BroadPhase {
     /// pairs.
     ///
     /// # Errors
-    /// Those of [`BroadPhase::self_pairs`].
+    /// [`Error::NoBoxes`] before the first call, and after one whose boxes did not get there; those
+    /// of [`BroadPhase::self_pairs`].
     pub fn again(&mut self) -> Result<u32, Error> {
-        let Self { device, bench, readback, buffers, pairs, .. } = self;
-        let Some(Buffers { count, source }) = buffers else { return Ok(0) };
+        let Self { device, bench, readback, buffers, is_sent, pairs, .. } = self;
+        let Some(Buffers { count, source }) = buffers.as_mut().filter(|_| *is_sent) else {
+            return Err(Error::NoBoxes);
+        };
         let frame = frame_of(*count);
         let kinds: Vec<u32> = kinds_of(*count).collect();
-        loop {
+        until_complete(|| {
             let mut plan = Plan::default();
             let of_source: Vec<_> =
                 source.lists().iter().map(|_| plan.part(HEADER_BYTES)).collect();
@@ -261,10 +269,8 @@ impl BroadPhase {
             }
             let grown = grown?;
             settled?;
-            if !grown {
-                return Ok(found.wanted);
-            }
-        }
+            Ok((!grown).then_some(found.wanted))
+        })
     }
 
     fn read(&mut self, n: u32) -> Result<Vec<Pair>, Error> {

@@ -10,7 +10,7 @@ use super::{Goal, SAMPLE, WHOLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
@@ -19,6 +19,8 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
+
+mod changes;
 
 /// What frames run on, and what one learns from the frame before.
 pub struct Frames {
@@ -32,6 +34,8 @@ pub struct Frames {
     /// Contacts that the device found in the last step: about as many are read with the results of
     /// the next.
     expected: u32,
+    /// Whether edges and faces on the device may be those of a mesh that was not taken.
+    stale: bool,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
     /// last time.
     at_once: u32,
@@ -66,60 +70,11 @@ impl Frames {
             stages: Vec::new(),
             grown: 0,
             expected: 0,
+            stale: false,
             at_once: 0,
             order: KeptOrder::default(),
             geometry: Geometry::default(),
         })
-    }
-
-    /// Goes on with another device.
-    pub fn move_to(
-        &mut self,
-        device: &Device,
-        mesh: &Mesh,
-        options: &Options,
-    ) -> Result<(), Error> {
-        self.buffers = Buffers::new(device, mesh, options)?;
-        self.bench = Bench::new(device)?;
-        self.readback = Readback::default();
-        self.order.forget();
-        self.geometry = Geometry::default();
-        Ok(())
-    }
-
-    /// Takes the bodies of these options; the next frame sorts.
-    pub fn set_bodies(
-        &mut self,
-        device: &Device,
-        mesh: &Mesh,
-        options: &Options,
-    ) -> Result<(), Error> {
-        self.order.forget();
-        self.bench.forget();
-        self.buffers.set_bodies(device, mesh, options)
-    }
-
-    /// Goes on with another mesh or other options, in the buffers that are there as far as they are
-    /// large enough. The next frame sorts; nothing changes if this fails.
-    pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
-        self.buffers = Buffers::reusing(device, mesh, options, Some(&self.buffers))?;
-        self.bench.forget();
-        self.order.forget();
-        // Contacts there are those of other ids.
-        self.geometry.listed = false;
-        self.at_once = 0;
-        Ok(())
-    }
-
-    /// Makes room for so many entries in every list.
-    pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
-        self.order.forget();
-        self.geometry.listed = false;
-        for list in self.buffers.lists_mut().into_vec() {
-            *list = list.resized(device, entries)?;
-        }
-        self.bench.forget();
-        Ok(())
     }
 
     /// How the earliest time is looked for in the next frame.
@@ -138,12 +93,14 @@ impl Frames {
         given: Given,
         distance: f64,
     ) -> Result<(), Error> {
+        self.geometry.listed = false;
+        self.refresh(device, mesh)?;
         let Buffers { positions, source, .. } = &mut self.buffers;
         if positions.upload(device, given, distance, source.boxes())? {
             self.bench.forget();
         }
         if let Some(triangles) = source.triangles_mut() {
-            triangles.certify(device, mesh, given);
+            triangles.certify(device, mesh, given)?;
         }
         Ok(())
     }
@@ -152,13 +109,14 @@ impl Frames {
     pub fn record(
         &mut self,
         device: &Device,
-        options: &Options,
+        (mesh, options): (&Mesh, &Options),
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<&Buffers, Error> {
         if self.buffers.source.triangles().is_some_and(TrianglePairs::certifies) {
             return Err(Error::PathsUnseen);
         }
         self.geometry.listed = false;
+        self.refresh(device, mesh)?;
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
         // Nobody knows what becomes of the encoder.
@@ -185,16 +143,13 @@ impl Frames {
         (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Found, Error> {
-        self.geometry.listed = false;
-        loop {
-            match self.attempt(device, options, (goal, window), contacts)? {
-                Some(found) => {
-                    self.geometry.listed = goal == Goal::Contacts;
-                    return Ok(found);
-                }
-                None => self.grown += 1,
-            }
-        }
+        let found = until_complete(|| {
+            let found = self.attempt(device, options, (goal, window), contacts)?;
+            self.grown += found.is_none() as u32;
+            Ok(found)
+        })?;
+        self.geometry.listed = goal == Goal::Contacts;
+        Ok(found)
     }
 
     /// What each worker did in the last frame; see `BroadPhase::worker_counts`.

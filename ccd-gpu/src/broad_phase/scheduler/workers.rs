@@ -14,7 +14,7 @@
 //!
 //! What a stack has no room for, and what a worker has that ends early, are tasks of the next
 //! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs
-//! again with twice as many, and then with more turns a worker.
+//! again with twice as many, then with stacks, and then with more turns a worker.
 //!
 //! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level;
 //! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
@@ -99,6 +99,21 @@ impl Rule {
     pub const STEALING: Self = Self { steal: Some(Steal::TASKS), ..Self::SELF_SCHEDULING };
     /// The same, lazily.
     pub const LAZY_STEALING: Self = Self { steal: Some(Steal::LAZY), ..Self::SELF_SCHEDULING };
+}
+
+impl Rule {
+    /// Pairs were left after the last round.
+    fn lengthen(&mut self) {
+        if self.rounds < ROUNDS / 2 {
+            self.rounds *= 2;
+        } else if self.stack == 0 {
+            // A round is a level, and there are more levels than rounds: more turns do not help,
+            // but workers that descend within a round do.
+            self.stack = STACK;
+        } else {
+            self.turns = self.turns.saturating_mul(2);
+        }
+    }
 }
 
 impl Steal {
@@ -202,16 +217,29 @@ impl Schedule for Workers {
 
     fn settle(&mut self, complete: bool) {
         if !complete && self.left.was_short() {
-            if self.rule.rounds < ROUNDS / 2 {
-                self.rule.rounds *= 2;
-            } else {
-                self.rule.turns = self.rule.turns.saturating_mul(2);
-            }
+            self.rule.lengthen();
         }
     }
 
     fn counts(&self) -> Option<Counted<'_>> {
         let (buffer, width) = (&self.control, self.width);
         Some(Counted { buffer, first: 4 * COUNTS as u64, workers: 1 << self.workers, width })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_levels_than_rounds_need_a_stack() {
+        let mut rule = Rule::FRONTIER;
+        let lengths = [(); 6].map(|()| {
+            rule.lengthen();
+            (rule.rounds, rule.stack, rule.turns)
+        });
+        let turns = Rule::FRONTIER.turns;
+        assert_eq!(lengths[2..5], [(128, 0, turns), (256, 0, turns), (256, STACK, turns)]);
+        assert_eq!(lengths[5], (256, STACK, 2 * turns));
     }
 }
