@@ -36,7 +36,8 @@ pub fn contact_geometry(
     }
 }
 
-/// Thread `i` writes the geometry of contact `dispatch.first + i`, from positions as they were given.
+/// Thread `i` writes the geometry of contact `dispatch.first + i`, from positions as they were
+/// given.
 #[spirv(compute(threads(64)))]
 pub fn contact_geometry_wide(
     #[spirv(workgroup_id)] id: UVec3,
