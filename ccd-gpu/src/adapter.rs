@@ -42,8 +42,12 @@ pub struct DeviceOptions {
     /// the CPU.
     pub narrow: bool,
     /// A folder in which compiled kernels are kept for the next process, of this user alone;
-    /// `None`: they are compiled on first use. Vulkan alone has something to keep; a folder that
-    /// cannot be read or written is no error.
+    /// `None`: they are compiled on first use. Vulkan alone has something to keep, and lavapipe has
+    /// nothing; a folder that cannot be read or written is no error.
+    ///
+    /// Drivers trust what is there. On Unix it is made for the user alone, and neither it nor a
+    /// file in it is used if it is another's, a link, or writable by others; elsewhere it must be a
+    /// folder in which others cannot write.
     pub kernel_folder: Option<std::path::PathBuf>,
 }
 

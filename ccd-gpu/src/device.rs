@@ -3,9 +3,10 @@
 
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
-use crate::kernel_cache::KernelFile;
+use crate::harness::Faults;
+use crate::kernel_cache::Cache;
 use crate::memory::Memory;
-use crate::pipeline::{self, Pipeline};
+use crate::pipeline::Pipeline;
 use crate::shaders::module;
 use ccd_core::kernel::{Id, TABLE};
 use std::cmp::Reverse;
@@ -39,14 +40,7 @@ struct Inner {
     pipelines: Vec<OnceLock<Pipeline>>,
     cache: Option<Cache>,
     compilation: Mutex<Compilation>,
-}
-
-/// Compiled kernels that are kept on disk.
-struct Cache {
-    file: KernelFile,
-    kernels: wgpu::PipelineCache,
-    /// What was read of them.
-    stored: Option<Vec<u8>>,
+    faults: Mutex<Faults>,
 }
 
 /// What the kernels that a device has used so far took to compile.
@@ -54,7 +48,8 @@ struct Cache {
 /// ```no_run
 /// use ccd_gpu::{Device, DeviceOptions};
 ///
-/// let kernel_folder = Some(std::env::temp_dir());
+/// // A folder that nobody else may write.
+/// let kernel_folder = Some("/home/me/.cache/my-game".into());
 /// let device = Device::open(&DeviceOptions { kernel_folder, ..DeviceOptions::default() })?;
 /// // .. after the first step:
 /// let done = device.compilation();
@@ -76,12 +71,8 @@ pub struct Compilation {
 impl Drop for Inner {
     fn drop(&mut self) {
         let any = self.compilation.get_mut().is_ok_and(|done| done.kernels > 0);
-        let Some(Cache { file, kernels, stored }) = self.cache.as_ref().filter(|_| any) else {
-            return;
-        };
-        if let Some(data) = kernels.get_data().filter(|data| Some(data) != stored.as_ref()) {
-            // Without it the next process compiles.
-            let _ = file.write(&data);
+        if let Some(cache) = self.cache.as_ref().filter(|_| any) {
+            cache.keep();
         }
     }
 }
@@ -201,15 +192,12 @@ impl Device {
         let pipelines = TABLE.iter().map(|_| OnceLock::new()).collect();
         let folder = options.kernel_folder.as_ref();
         let folder = folder.filter(|_| features.contains(wgpu::Features::PIPELINE_CACHE));
-        let file = folder.and_then(|folder| KernelFile::of(folder, &info.adapter));
-        let cache = file.map(|file| {
-            let stored = file.read();
-            Cache { kernels: pipeline::cache(&device, stored.as_deref()), stored, file }
-        });
-        let kept = cache.as_ref().is_some_and(|cache| cache.stored.is_some());
+        let cache = folder.and_then(|folder| Cache::open(&device, folder, &info.adapter));
+        let kept = cache.as_ref().is_some_and(Cache::was_kept);
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
         let lost = Arc::default();
-        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation };
+        let faults = Mutex::default();
+        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation, faults };
         Ok(Self { inner: Arc::new(inner), memory: None })
     }
 
@@ -243,6 +231,9 @@ impl Device {
         work: impl FnOnce() -> T,
     ) -> Result<T, Error> {
         self.check_lost()?;
+        if let Some(fault) = self.faults().next() {
+            return Err(fault);
+        }
         let device = &self.inner.device;
         let scopes = [
             wgpu::ErrorFilter::Internal,
@@ -338,6 +329,23 @@ impl Device {
         made
     }
 
+    /// Writes to a buffer from byte `at` on. The only place that does: memory on the way to the
+    /// device may be lacking, which outside of [`Device::guarded`] ends the process.
+    pub(crate) fn write(
+        &self,
+        what: &'static str,
+        buffer: &wgpu::Buffer,
+        at: u64,
+        bytes: &[u8],
+    ) -> Result<(), Error> {
+        if bytes.is_empty() {
+            return Ok(());
+        }
+        self.guarded(what, bytes.len() as u64, || {
+            self.inner.queue.write_buffer(buffer, at, bytes);
+        })
+    }
+
     /// A buffer that was made for the same purpose, if it is there and large enough; else a new
     /// one.
     pub(crate) fn buffer_or(
@@ -370,8 +378,10 @@ impl Device {
         let next = AtomicUsize::new(0);
         let work = || -> Result<(), Error> {
             while let Some(&id) = missing.get(next.fetch_add(1, Ordering::Relaxed)) {
-                // What a device says of a kernel, it says to the thread that asked.
-                self.guarded("a kernel", 0, || _ = self.pipeline(id))?;
+                // What a device says of a kernel, it says to the thread that asked. One that it
+                // refuses is not kept.
+                let compiled = self.guarded("a kernel", 0, || self.compiled_kernel(id))?;
+                _ = self.inner.pipelines[id as usize].set(compiled);
             }
             Ok(())
         };
@@ -390,12 +400,18 @@ impl Device {
 
     /// The pipeline of a kernel, compiled if [`Device::compile`] was not asked to.
     pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
-        let Inner { pipelines, device, info, cache, .. } = &*self.inner;
-        let cache = cache.as_ref().map(|cache| &cache.kernels);
-        pipelines[id as usize].get_or_init(|| {
-            self.compiled().kernels += 1;
-            Pipeline::compile(device, info.path, id, cache)
-        })
+        self.inner.pipelines[id as usize].get_or_init(|| self.compiled_kernel(id))
+    }
+
+    fn compiled_kernel(&self, id: Id) -> Pipeline {
+        let Inner { device, info, cache, .. } = &*self.inner;
+        self.compiled().kernels += 1;
+        Pipeline::compile(device, info.path, id, cache.as_ref().map(|cache| &cache.kernels))
+    }
+
+    /// What tests make fail.
+    pub(crate) fn faults(&self) -> MutexGuard<'_, Faults> {
+        self.inner.faults.lock().unwrap_or_else(|e| e.into_inner())
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -48,6 +48,18 @@ pub enum Error {
     /// Geometry of contacts was asked for where the last call left no list of them on the device.
     #[error("there are no contacts on the device: call `step`, or `record`, before")]
     NoContacts,
+    /// The last pairs of boxes were asked for once more where no boxes are on the device.
+    #[error("there are no boxes on the device: call `send_boxes`, or a search, before")]
+    NoBoxes,
+    /// A search was repeated until nobody could expect an end of it.
+    #[error(
+        "after {runs} runs of one search lists were still too short: choose another scheduler, or \
+         report this as a defect"
+    )]
+    Incomplete {
+        /// How often it ran.
+        runs: u32,
+    },
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {

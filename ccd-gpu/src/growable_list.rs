@@ -40,6 +40,20 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
     bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
 }
 
+/// Runs of one search, at most. A run that was not complete makes a list longer by a quarter at
+/// least, or rounds or turns of workers twice as many: dozens are more than any scene asks for.
+const MOST_RUNS: u32 = 100;
+
+/// Calls `run` until it has a result; `None`: a list was too short, or pairs were left.
+pub fn until_complete<T>(mut run: impl FnMut() -> Result<Option<T>, Error>) -> Result<T, Error> {
+    for _ in 0..MOST_RUNS {
+        if let Some(found) = run()? {
+            return Ok(found);
+        }
+    }
+    Err(Error::Incomplete { runs: MOST_RUNS })
+}
+
 /// A list on the device.
 ///
 /// ```no_run
@@ -60,8 +74,11 @@ pub struct List {
     buffer: wgpu::Buffer,
     /// Entries that fit.
     room: u32,
-    /// 32-bit words of an entry.
+    /// 32-bit words of an entry; 0: there are no entries and never room for one, so that a header
+    /// which counts any says that a search is not complete.
     words: u32,
+    /// Whether more was wanted than there was room for when [`List::grow`] looked last.
+    was_short: bool,
 }
 
 impl List {
@@ -72,7 +89,7 @@ impl List {
     pub fn new(device: &Device, what: &'static str, words: u32, room: u32) -> Result<Self, Error> {
         let bytes = HEADER_BYTES + room as u64 * words as u64 * 4;
         let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-        Ok(Self { what, buffer, room, words })
+        Ok(Self { what, buffer, room, words, was_short: false })
     }
 
     /// A list that holds these pairs from the start.
@@ -87,7 +104,7 @@ impl List {
         let list = Self::new(device, what, 2, pairs.len() as u32)?;
         let mut words = vec![pairs.len() as u32, 0, 0, 0];
         words.extend(pairs.iter().flatten());
-        device.queue().write_buffer(&list.buffer, 0, bytemuck::cast_slice(&words));
+        device.write(what, &list.buffer, 0, bytemuck::cast_slice(&words))?;
         Ok(list)
     }
 
@@ -107,12 +124,12 @@ impl List {
         HEADER_BYTES + n.min(self.room) as u64 * self.words as u64 * 4
     }
 
-    /// The same list with another room.
+    /// The same list with another room; one without entries stays as it is.
     ///
     /// # Errors
     /// Those of [`List::new`].
     pub fn resized(&self, device: &Device, room: u32) -> Result<Self, Error> {
-        Self::new(device, self.what, self.words, room)
+        Self::new(device, self.what, self.words, if self.words == 0 { 0 } else { room })
     }
 
     /// A list with room for `room`: one that was made for the same purpose, if it is there and has
@@ -140,14 +157,35 @@ impl List {
         }
     }
 
-    /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns
-    /// whether it did.
+    /// Whether more was wanted than there was room for in the last search that was read.
+    pub(crate) fn was_short(&self) -> bool {
+        self.was_short
+    }
+
+    /// Grows every list, each given with what was wanted of it, also after one that cannot grow: a
+    /// list that is left out would not know of this search. Returns whether any was too short.
+    ///
+    /// # Errors
+    /// The first of those of [`List::grow`].
+    pub(crate) fn grow_all<'a>(
+        device: &Device,
+        lists: impl IntoIterator<Item = (&'a mut Self, u32)>,
+    ) -> Result<bool, Error> {
+        lists.into_iter().fold(Ok(false), |all, (list, wanted)| {
+            let grown = list.grow(device, wanted);
+            Ok(all? | grown?)
+        })
+    }
+
+    /// If more than there is room for was `wanted`, replaces the list by a larger one, if it has
+    /// entries. Returns whether it was too short.
     ///
     /// # Errors
     /// Those of [`List::new`].
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
-        if wanted <= self.room {
-            return Ok(false);
+        self.was_short = wanted > self.room;
+        if !self.was_short || self.words == 0 {
+            return Ok(self.was_short);
         }
         // Some more, as the next frame may want more; without it where the device has too little
         // for that.
@@ -165,6 +203,24 @@ impl List {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn runs_end() {
+        let mut n = 0;
+        let mut after = |most: u32| {
+            n = 0;
+            until_complete(|| {
+                n += 1;
+                Ok((n > most).then_some(n))
+            })
+        };
+        assert_eq!(after(7).unwrap(), 8);
+        let why = after(u32::MAX).unwrap_err();
+        assert!(matches!(why, Error::Incomplete { runs: MOST_RUNS }), "{why}");
+        assert_eq!(n, MOST_RUNS);
+        let failed = until_complete(|| Err::<Option<()>, _>(Error::NoBoxes));
+        assert!(matches!(failed, Err(Error::NoBoxes)));
+    }
 
     #[test]
     fn counts_that_ran_over_are_refused() {

@@ -1,4 +1,4 @@
-//! One kernel by itself, on buffers of the caller's: for parity tests and benches.
+//! For tests and benches: one kernel by itself, on buffers of the caller's; a device that fails.
 
 use crate::bind::Bind;
 use crate::device::Device;
@@ -7,6 +7,39 @@ use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::Params;
 use wgpu::BufferUsages as U;
+
+/// What goes wrong on a device from now on, in all its sessions.
+#[derive(Clone, Debug, Default)]
+pub struct Faults {
+    /// Calls of the driver that succeed before: buffers, kernels, frames, results.
+    pub skip: u32,
+    /// Calls after them that fail.
+    pub n: u32,
+    /// How they fail; `None`: they do not.
+    pub error: Option<Error>,
+    /// Of sessions that are made from now on, a search begins with two workers that take one turn
+    /// in one round, so that pairs are left.
+    pub short_rounds: bool,
+}
+
+impl Faults {
+    /// The fault of the next call, if it has one.
+    pub(crate) fn next(&mut self) -> Option<Error> {
+        let error = self.error.clone()?;
+        if self.skip > 0 {
+            self.skip -= 1;
+            return None;
+        }
+        let fails = self.n > 0;
+        self.n -= fails as u32;
+        fails.then_some(error)
+    }
+}
+
+/// Lets a device fail; returns what is left of the faults that it had.
+pub fn set_faults(device: &Device, faults: Faults) -> Faults {
+    std::mem::replace(&mut *device.faults(), faults)
+}
 
 /// Runs a kernel with `groups` workgroups and replaces the buffers' contents by what the device has
 /// afterwards.
@@ -37,7 +70,7 @@ pub fn run<K: Bind<Vec<u8>>>(
         let descriptor = wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false };
         let buffer = device
             .guarded("a buffer of a test", size, || device.wgpu().create_buffer(&descriptor))?;
-        device.queue().write_buffer(&buffer, 0, bytes);
+        device.write("a buffer of a test", &buffer, 0, bytes)?;
         on_device.push(buffer);
     }
     let mut plan = Plan::default();

@@ -17,7 +17,7 @@
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
-//! | `harness.rs` | one kernel by itself, for tests |
+//! | `harness.rs` | one kernel by itself, a device that fails, for tests |
 //!
 //! [`bind`] and [`harness`] are public for tests, and may change with the kernels.
 //!

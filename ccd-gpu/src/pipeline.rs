@@ -1,6 +1,7 @@
 //! Compiled kernels: from a row of the kernel table and its module to a pipeline.
 
 use crate::adapter::Path;
+use crate::device::Device;
 use crate::shaders::module;
 use ccd_core::kernel::{Access, Id};
 
@@ -81,13 +82,37 @@ impl Pipeline {
     }
 }
 
+/// The bindings of a kernel: of what it is told, `bytes` at the offset of a dispatch, and its
+/// buffers.
+pub fn bind_group(
+    device: &Device,
+    id: Id,
+    (params, bytes): (&wgpu::Buffer, u64),
+    buffers: &[wgpu::Buffer],
+) -> wgpu::BindGroup {
+    let size = wgpu::BufferSize::new(bytes);
+    let params = wgpu::BufferBinding { buffer: params, offset: 0, size };
+    let takes_params = id.row().params.is_some();
+    let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
+    let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
+    let entries: Vec<_> = (0..)
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+        .collect();
+    device.wgpu().create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(id.row().name),
+        layout: &device.pipeline(id).layout,
+        entries: &entries,
+    })
+}
+
 /// A cache of compiled kernels with what a driver gave before, or an empty one.
 pub fn cache(device: &wgpu::Device, stored: Option<&[u8]>) -> wgpu::PipelineCache {
     let descriptor =
         wgpu::PipelineCacheDescriptor { label: Some("ccd"), data: stored, fallback: true };
     // SAFETY: the data are what `PipelineCache::get_data` gave for such an adapter and driver,
-    // whole and unchanged: `KernelFile::read` has compared length and digest. wgpu compares device
-    // and driver once more.
+    // whole and unchanged: `KernelFile::read` has compared length and digest, and on Unix the file
+    // is one that nobody but the user could write. wgpu compares device and driver once more.
     #[allow(unsafe_code, reason = "wgpu does not check what drivers keep")]
     unsafe {
         device.create_pipeline_cache(&descriptor)

@@ -5,6 +5,7 @@
 use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
+use crate::pipeline;
 use crate::readback::{Part, Reading, map};
 use ccd_core::kernel::Id;
 use ccd_core::layout::Params;
@@ -113,6 +114,23 @@ impl Bench {
     /// Forgets bind groups: call when a buffer was replaced.
     pub fn forget(&mut self) {
         self.groups.clear();
+    }
+
+    /// The bind groups of the kernels among commands, in their order.
+    fn bind_groups(&mut self, commands: &[Command]) -> Result<Vec<wgpu::BindGroup>, Error> {
+        let Self { device, params, groups, .. } = self;
+        let group = |command: &Command| {
+            let Command::Run { id, buffers, .. } = command else { return None };
+            let entry = groups.entry((*id, buffers.clone()));
+            let new = || pipeline::bind_group(device, *id, (params, PARAMS_STRIDE), buffers);
+            Some(entry.or_insert_with(new).clone())
+        };
+        let made = device.guarded("bindings", 0, || commands.iter().filter_map(group).collect());
+        if made.is_err() {
+            // What the device refused is there all the same, and of no use.
+            self.forget();
+        }
+        made
     }
 
     /// Starts recording into `encoder`.
@@ -266,8 +284,10 @@ impl Recorder<'_> {
             Command::Run { id, .. } => Some(*id),
             _ => None,
         }))?;
-        bench.device.queue().write_buffer(&bench.params, 0, &params);
-        let mut encoding = Encoding::new(bench, encoder);
+        bench.device.write("parameters of dispatches", &bench.params, 0, &params)?;
+        // Before anything is encoded, so that the encoder is a caller's as it was if one fails.
+        let groups = bench.bind_groups(&commands)?;
+        let mut encoding = Encoding::new(bench, groups, encoder);
         commands.into_iter().for_each(|command| encoding.encode(command));
         Ok(encoding.finish())
     }

@@ -115,11 +115,12 @@ impl Session {
     /// Goes on with another device, after the last one was lost.
     ///
     /// # Errors
-    /// What the device refuses.
+    /// What the device refuses; then the session stays on the one that it has.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
         let device = device.limited(self.options.max_memory);
+        let codimensional = Codimensional::new(&device, &self.mesh, &self.options)?;
         self.frames.move_to(&device, &self.mesh, &self.options)?;
-        self.codimensional = Codimensional::new(&device, &self.mesh, &self.options)?;
+        self.codimensional = codimensional;
         self.device = device;
         Ok(())
     }
@@ -151,8 +152,8 @@ impl Session {
         self.frames.cancel.as_ref()
     }
 
-    /// What the last step found. Of its times, `total` is wall clock; stages are in
-    /// [`Session::stages`].
+    /// What the last step found; empty if it failed. Of its times, `total` is wall clock; stages
+    /// are in [`Session::stages`].
     pub fn report(&self) -> &Report {
         &self.report
     }
@@ -299,7 +300,8 @@ impl Session {
     #[inline(never)]
     fn list(&mut self, ends: Ends) -> Result<Candidates, Error> {
         self.run(ends, WHOLE, Goal::Candidates)?;
-        let [vf, ee] = self.frames.read_candidates(&self.device, self.report.candidates)?;
+        let read = self.frames.read_candidates(&self.device, self.report.candidates);
+        let [vf, ee] = read.inspect_err(|_| self.clear_report())?;
         let [ve, vv] =
             self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
         Ok(Candidates { vf, ee, ve, vv })
@@ -311,7 +313,20 @@ impl Session {
         let given = gathered.slices(ends).map_err(Error::from);
         let done = given.and_then(|given| self.run_given(given, window, goal));
         self.gathered = gathered;
+        if done.is_err() {
+            self.clear_report();
+            self.frames.geometry.listed = false;
+        }
         done
+    }
+
+    /// An empty report, with the memory of the contacts of the last one.
+    fn clear_report(&mut self) {
+        let mut contacts = std::mem::take(&mut self.report.contacts);
+        contacts.clear();
+        self.report = Report::default();
+        self.report.contacts = contacts;
+        self.left_open = PerKind::default();
     }
 
     fn run_given(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
@@ -329,10 +344,7 @@ impl Session {
         let start = Instant::now();
         self.device.check_lost()?;
         self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
-        let mut contacts = std::mem::take(&mut self.report.contacts);
-        contacts.clear();
-        self.report = Report::default();
-        self.report.contacts = contacts;
+        self.clear_report();
         self.report.set_mesh(&self.mesh);
         let uploaded = start.elapsed();
         let contacts = &mut self.report.contacts;

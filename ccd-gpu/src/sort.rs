@@ -127,8 +127,9 @@ impl Sorter {
             keys.len() == self.n as usize && values.len() == keys.len(),
             "another number of pairs than room was made for"
         );
-        self.device.queue().write_buffer(&self.source[0], 0, bytemuck::cast_slice(keys));
-        self.device.queue().write_buffer(&self.source[1], 0, bytemuck::cast_slice(values));
+        for (to, words) in self.source.iter().zip([keys, values]) {
+            self.device.write("keys and values", to, 0, bytemuck::cast_slice(words))?;
+        }
         self.again()?;
         let mut plan = Plan::default();
         let [of_keys, of_values] = [(); 2].map(|()| plan.part(4 * self.n as u64));

@@ -3,7 +3,7 @@
 
 use ccd_core::kernel::Words;
 use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{LIST_HEADER, Pair};
+use ccd_core::layout::{Dispatch, LIST_HEADER, Pair};
 use core::marker::PhantomData;
 use spirv_std::arch::{
     IndexUnchecked, atomic_compare_exchange, atomic_i_add, atomic_load, atomic_or, atomic_store,
@@ -137,6 +137,14 @@ pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
 #[inline(always)]
 pub fn length(list: &[u32], room: u32) -> u32 {
     at(list, 0).min(room)
+}
+
+/// Entries of a list from `dispatch.first` on that one dispatch takes, at most `dispatch.n`.
+#[inline(always)]
+pub fn part(list: &[u32], dispatch: &Dispatch) -> u32 {
+    let there = length(list, dispatch.room_in);
+    let left = if there > dispatch.first { there - dispatch.first } else { 0 };
+    left.min(dispatch.n)
 }
 
 /// Pair `i` of a list.

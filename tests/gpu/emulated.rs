@@ -19,12 +19,14 @@ const MAX_EDGES: usize = 50_000;
 
 /// Nor by tests over many boxes or steps whose kernels other tests compare there:
 /// `steps_by_every_method` has all methods.
-const LONG: [&str; 7] = [
+const LONG: [&str; 9] = [
+    "boxes_after_failures",
     "builders_and_hard_boxes",
     "changes_between_steps",
     "order_of_small_meshes",
     "oriented_traversals",
     "schedulers_over_sequences",
+    "steps_after_failures",
     "triangles_by_every_method",
     "uniform_boxes",
 ];

@@ -84,25 +84,33 @@ fn check_kernels(device: &Device) {
         contacts.extend(bytes(&touches[..room]));
         let list: Vec<u32> =
             [wanted, 0, 0, 0].into_iter().chain(read::<u32>(&bytes(&touches[..room]))).collect();
-        let dispatch = Dispatch { room_in: room as u32, ..Dispatch::default() };
+        // In two parts, of which the second may take more than there is.
+        let dispatch = [(0, 300), (300, 700)].map(|(first, n)| Dispatch {
+            n,
+            first,
+            room_in: 700,
+            room_out: 0,
+        });
         let n = mesh.n_vertices() as u32;
         let frame = Frame { count: [n, 0, 0], flags: Frame::FLAG_EXACT, ..Frame::default() };
         let own = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
-        let p = Params { frame, dispatch, own };
-        let kernel = ContactGeometry {
+        let p = dispatch.map(|dispatch| Params { frame, dispatch, own });
+        let mut kernel = ContactGeometry {
             paths: bytes(&paths),
             edges: bytes(mesh.edges()),
             faces: bytes(mesh.faces()),
             contacts: contacts.clone(),
             geometry: zeros::<TouchGeometry>(room + 64),
         };
-        let got: Vec<TouchGeometry> = read(&run(device, kernel, &p, 5).geometry);
+        kernel = run(device, kernel, &p[0], 5);
+        check_part(&kernel.geometry);
+        let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
         check_records(&got, &touches[..room], poison, rounds_like_a_cpu(device), |i| {
-            touch_geometry::narrow(i, &p, &paths, mesh.edges(), mesh.faces(), &list)
+            touch_geometry::narrow(i, &p[0], &paths, mesh.edges(), mesh.faces(), &list)
         });
         if device.info().wide {
-            let p = Params { frame, dispatch, own: Plain::default() };
-            let kernel = ContactGeometryWide {
+            let p = dispatch.map(|dispatch| Params { frame, dispatch, own: Plain::default() });
+            let mut kernel = ContactGeometryWide {
                 paths: bytes(&paths),
                 positions: bytes(&[[0.0f64; 3]]),
                 edges: bytes(mesh.edges()),
@@ -110,12 +118,20 @@ fn check_kernels(device: &Device) {
                 contacts,
                 geometry: zeros::<TouchGeometry>(room + 64),
             };
-            let got: Vec<TouchGeometry> = read(&run(device, kernel, &p, 5).geometry);
+            kernel = run(device, kernel, &p[0], 5);
+            check_part(&kernel.geometry);
+            let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
             check_records(&got, &touches[..room], poison, rounds_like_a_cpu(device), |i| {
-                touch_geometry::wide(i, &p, &paths, &[], mesh.edges(), mesh.faces(), &list)
+                touch_geometry::wide(i, &p[0], &paths, &[], mesh.edges(), mesh.faces(), &list)
             });
         }
     }
+}
+
+/// Of the first part nothing is written beyond its last record.
+fn check_part(geometry: &[u8]) {
+    let (within, beyond) = geometry.split_at(300 * size_of::<TouchGeometry>());
+    assert!(within.iter().any(|&b| b != 0) && beyond.iter().all(|&b| b == 0));
 }
 
 fn check_records(

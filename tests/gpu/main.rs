@@ -25,6 +25,7 @@ mod oriented;
 mod pairs;
 mod poison;
 mod queries;
+mod recovery;
 mod rules;
 mod scalars;
 mod scenes;
@@ -129,6 +130,7 @@ fn main() {
             scalars::TESTS,
             failures::TESTS,
             limits::TESTS,
+            recovery::TESTS,
             codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,

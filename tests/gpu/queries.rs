@@ -99,7 +99,7 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         ..Frame::default()
     }
     .searching(&Search::whole(0.0));
-    let dispatch = Dispatch { room_in: count, room_out: count, ..Dispatch::default() };
+    let dispatch = Dispatch { n: count, first: 0, room_in: count, room_out: count };
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;

@@ -29,6 +29,10 @@ pub fn groups(device: &Device) -> u32 {
 /// driver thinks that it hangs.
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
 
+/// Pairs of blocks that one dispatch takes at most: if all boxes of all of them overlap, it filters
+/// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
+const BLOCK_LIMIT: u32 = 1 << 18;
+
 /// What a pass over a list of pairs of nodes is about.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
@@ -128,11 +132,8 @@ impl Tree {
         let all = nodes.size() / size_of::<Aabb>() as u64;
         for first in (0..all).step_by(empty.len()) {
             let n = (all - first).min(empty.len() as u64) as usize;
-            device.queue().write_buffer(
-                &nodes,
-                first * size_of::<Aabb>() as u64,
-                bytemuck::cast_slice(&empty[..n]),
-            );
+            let at = first * size_of::<Aabb>() as u64;
+            device.write("nodes of the tree", &nodes, at, bytemuck::cast_slice(&empty[..n]))?;
         }
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
@@ -317,11 +318,11 @@ impl Tree {
         mut run: impl FnMut(&Params<Blocks>),
     ) {
         let Pass { kind, level, step } = pass;
-        let own = Blocks { kind, level, step, ..self.record() };
+        let limit = if level == 1 { BLOCK_LIMIT } else { DISPATCH_LIMIT };
+        let own = Blocks { kind, level, step, limit, ..self.record() };
         let (room_in, room_out) = (input.room(), output.room());
-        for part in 0..room_in.div_ceil(step).div_ceil(DISPATCH_LIMIT) {
-            let dispatch =
-                Dispatch { n: 0, first: part * DISPATCH_LIMIT * step, room_in, room_out };
+        for part in 0..room_in.div_ceil(step).div_ceil(limit) {
+            let dispatch = Dispatch { n: 0, first: part * limit * step, room_in, room_out };
             run(&Params { frame: *frame, dispatch, own });
         }
     }

@@ -21,7 +21,7 @@ pub mod worlds;
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
@@ -55,6 +55,8 @@ pub struct BroadPhase {
     bench: Bench,
     readback: Readback,
     buffers: Option<Buffers>,
+    /// Whether the boxes of a call are on the device, all of them.
+    is_sent: bool,
     pairs: List,
     stages: Vec<(&'static str, f64)>,
 }
@@ -96,6 +98,7 @@ impl BroadPhase {
             bench: Bench::new(device)?,
             readback: Readback::default(),
             buffers: None,
+            is_sent: false,
             pairs: List::new(device, "pairs", 2, 1 << 16)?,
             stages: Vec::new(),
             device: device.clone(),
@@ -181,6 +184,7 @@ impl BroadPhase {
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
+        self.is_sent = false;
         if self.buffers.as_ref().is_none_or(|b| b.count != count) {
             self.buffers = None;
             self.bench.forget();
@@ -194,9 +198,10 @@ impl BroadPhase {
         };
         let mut at = 0;
         for boxes in sets {
-            upload::send(device, buffers.source.boxes(), at, boxes);
+            upload::send(device, buffers.source.boxes(), at, boxes)?;
             at += size_of_val(boxes) as u64;
         }
+        self.is_sent = true;
         Ok(())
     }
 
@@ -204,13 +209,16 @@ impl BroadPhase {
     /// pairs.
     ///
     /// # Errors
-    /// Those of [`BroadPhase::self_pairs`].
+    /// [`Error::NoBoxes`] before the first call, and after one whose boxes did not get there; those
+    /// of [`BroadPhase::self_pairs`].
     pub fn again(&mut self) -> Result<u32, Error> {
-        let Self { device, bench, readback, buffers, pairs, .. } = self;
-        let Some(Buffers { count, source }) = buffers else { return Ok(0) };
+        let Self { device, bench, readback, buffers, is_sent, pairs, .. } = self;
+        let Some(Buffers { count, source }) = buffers.as_mut().filter(|_| *is_sent) else {
+            return Err(Error::NoBoxes);
+        };
         let frame = frame_of(*count);
         let kinds: Vec<u32> = kinds_of(*count).collect();
-        loop {
+        until_complete(|| {
             let mut plan = Plan::default();
             let of_source: Vec<_> =
                 source.lists().iter().map(|_| plan.part(HEADER_BYTES)).collect();
@@ -252,17 +260,19 @@ impl BroadPhase {
             })??;
             source.check(&frame, &survey)?;
             self.stages = bench.times(&stages)?;
-            let mut grown = pairs.grow(device, found.wanted)?;
-            for (list, header) in source.lists_mut().into_iter().zip(&of_source) {
-                grown |= list.grow(device, header.wanted)?;
-            }
-            if source.settle(device, &counted, !grown)? || grown {
+            let lists = source.lists_mut().into_iter().zip(of_source);
+            let lists = lists.chain([(&mut *pairs, found)]);
+            let grown = List::grow_all(device, lists.map(|(list, header)| (list, header.wanted)));
+            let complete = matches!(grown, Ok(false));
+            // Also where a list cannot grow: the source learns that the search was not complete.
+            let settled = source.settle(device, &counted, complete);
+            if !complete || !matches!(settled, Ok(false)) {
                 bench.forget();
             }
-            if !grown {
-                return Ok(found.wanted);
-            }
-        }
+            let grown = grown?;
+            settled?;
+            Ok((!grown).then_some(found.wanted))
+        })
     }
 
     fn read(&mut self, n: u32) -> Result<Vec<Pair>, Error> {

@@ -101,16 +101,18 @@ impl Scheduled {
         complete: bool,
     ) -> Result<bool, Error> {
         let mut used: u64 = self.fronts().map(Front::bytes).sum();
-        let (mut replaced, mut counted) = (false, counted.iter());
+        let (mut replaced, mut counted) = (Ok(false), counted.iter());
+        // Both kinds, also if one fails: each has to know what became of its search.
         for OfKind { schedule, front } in self.of_kind.iter_mut().flatten() {
-            schedule.settle(device, complete)?;
+            schedule.settle(complete);
             if let Some((front, words)) = front.as_mut().zip(counted.next()) {
                 used -= front.bytes();
-                replaced |= front.settle(device, [words[0], words[1]], complete, used)?;
+                let settled = front.settle(device, [words[0], words[1]], complete, used);
+                replaced = replaced.and_then(|replaced| Ok(replaced | settled?));
                 used += front.bytes();
             }
         }
-        Ok(replaced)
+        replaced
     }
 
     fn fronts(&self) -> impl Iterator<Item = &Front> {

@@ -1,6 +1,7 @@
 //! Boxes on their way to the device: checked and copied by all threads of the host.
 
 use crate::device::Device;
+use crate::error::Error as DeviceError;
 use ccd_core::math::aabb::GREATEST;
 use ccd_core::model::error::check_boxes;
 use ccd_core::{Aabb, Error};
@@ -38,18 +39,26 @@ pub fn check(boxes: &[Aabb]) -> Result<(), Error> {
 
 /// Sends boxes to the place of a buffer that begins at byte `at`. Each thread copies a part into
 /// memory that the device reads.
-pub fn send(device: &Device, buffer: &wgpu::Buffer, at: u64, boxes: &[Aabb]) {
+pub fn send(
+    device: &Device,
+    buffer: &wgpu::Buffer,
+    at: u64,
+    boxes: &[Aabb],
+) -> Result<(), DeviceError> {
     let share = share(boxes.len());
-    let write = |at, part| device.queue().write_buffer(buffer, at, bytemuck::cast_slice(part));
+    let write = |at, part| device.write("boxes", buffer, at, bytemuck::cast_slice(part));
     if share >= boxes.len() {
         return write(at, boxes);
     }
     thread::scope(|scope| {
-        for (first, part) in (0..).step_by(share).zip(boxes.chunks(share)) {
+        let parts = (0..).step_by(share).zip(boxes.chunks(share)).map(|(first, part)| {
             let write = &write;
-            scope.spawn(move || write(at + (first * size_of::<Aabb>()) as u64, part));
-        }
-    });
+            scope.spawn(move || write(at + (first * size_of::<Aabb>()) as u64, part))
+        });
+        let parts: Vec<_> = parts.collect();
+        let join = |part: thread::ScopedJoinHandle<'_, _>| part.join().unwrap_or_else(resume);
+        parts.into_iter().map(join).fold(Ok(()), Result::and)
+    })
 }
 
 /// Boxes of each thread.

@@ -50,7 +50,7 @@ impl Worlds {
         let sent = |what, words: &[u32]| -> Result<wgpu::Buffer, Error> {
             let bytes: &[u8] = bytemuck::cast_slice(words);
             let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.queue().write_buffer(&buffer, 0, bytes);
+            device.write(what, &buffer, 0, bytes)?;
             Ok(buffer)
         };
         let words = worlds::BOUND_WORDS as u64 * n as u64;

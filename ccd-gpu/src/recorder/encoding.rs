@@ -2,10 +2,13 @@
 
 use super::{Bench, Command, MAX_STAGES, PARAMS_STRIDE, Timing};
 use ccd_core::kernel::Id;
+use std::vec;
 
 /// Commands on their way into an encoder.
 pub struct Encoding<'a> {
-    bench: &'a mut Bench,
+    bench: &'a Bench,
+    /// The bind groups of the kernels that are still to come.
+    groups: vec::IntoIter<wgpu::BindGroup>,
     encoder: &'a mut wgpu::CommandEncoder,
     pass: Option<wgpu::ComputePass<'static>>,
     stages: Vec<&'static str>,
@@ -16,8 +19,14 @@ pub struct Encoding<'a> {
 }
 
 impl<'a> Encoding<'a> {
-    pub fn new(bench: &'a mut Bench, encoder: &'a mut wgpu::CommandEncoder) -> Self {
-        Self { bench, encoder, pass: None, stages: Vec::new(), offset: 0, ended: false }
+    /// `groups`: of the kernels that will be encoded, in their order.
+    pub fn new(
+        bench: &'a Bench,
+        groups: Vec<wgpu::BindGroup>,
+        encoder: &'a mut wgpu::CommandEncoder,
+    ) -> Self {
+        let groups = groups.into_iter();
+        Self { bench, groups, encoder, pass: None, stages: Vec::new(), offset: 0, ended: false }
     }
 
     /// Encodes a command.
@@ -38,7 +47,7 @@ impl<'a> Encoding<'a> {
                 self.pass = None;
                 self.encoder.copy_buffer_to_buffer(&from.0, from.1, &to.0, to.1, bytes);
             }
-            Command::Run { id, buffers, groups } => self.run(id, buffers, groups),
+            Command::Run { id, groups, .. } => self.run(id, groups),
         }
     }
 
@@ -62,26 +71,11 @@ impl<'a> Encoding<'a> {
         self.ended = true;
     }
 
-    fn run(&mut self, id: Id, buffers: Vec<wgpu::Buffer>, groups: u32) {
-        let bench = &mut *self.bench;
+    fn run(&mut self, id: Id, groups: u32) {
+        let bench = self.bench;
         let pipeline = bench.device.pipeline(id);
         let takes_params = id.row().params.is_some();
-        let group = bench.groups.entry((id, buffers)).or_insert_with_key(|(_, buffers)| {
-            let size = wgpu::BufferSize::new(PARAMS_STRIDE);
-            let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size };
-            let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
-            let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
-            let entries: Vec<_> = resources
-                .enumerate()
-                .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource })
-                .collect();
-            let descriptor = wgpu::BindGroupDescriptor {
-                label: Some(id.row().name),
-                layout: &pipeline.layout,
-                entries: &entries,
-            };
-            bench.device.wgpu().create_bind_group(&descriptor)
-        });
+        let group = self.groups.next();
         let pass = self.pass.get_or_insert_with(|| {
             let writes = match bench.timing {
                 Timing::Off => None,
@@ -112,10 +106,10 @@ impl<'a> Encoding<'a> {
         });
         pass.set_pipeline(&pipeline.pipeline);
         if takes_params {
-            pass.set_bind_group(0, &*group, &[self.offset]);
+            pass.set_bind_group(0, group.as_ref(), &[self.offset]);
             self.offset += PARAMS_STRIDE as u32;
         } else {
-            pass.set_bind_group(0, &*group, &[]);
+            pass.set_bind_group(0, group.as_ref(), &[]);
         }
         // Folded: the kernels take the number of a workgroup from both dimensions.
         let x = groups.min(bench.fold);

@@ -106,7 +106,7 @@ impl Session {
         if self.codimensional.is_some() {
             return Err(Error::Codimensional);
         }
-        let b = self.frames.record(&self.device, &self.options, encoder)?;
+        let b = self.frames.record(&self.device, (&self.mesh, &self.options), encoder)?;
         Ok(OnDevice {
             contacts: &b.contacts,
             undecided: [&b.undecided[0], &b.undecided[1]],

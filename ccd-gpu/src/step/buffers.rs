@@ -63,7 +63,8 @@ impl Buffers {
     }
 
     /// For this mesh, with the buffers of another as far as they are large enough. Those may be
-    /// used again, if this fails: nothing that frames read of them is written before all is there.
+    /// used again, if this fails, after [`Buffers::write_mesh`]: nothing else that frames read of
+    /// them is written before all is there.
     pub fn reusing(
         device: &Device,
         mesh: &Mesh,
@@ -128,12 +129,17 @@ impl Buffers {
             )?,
             rules,
         };
-        let write = |buffer, bytes: &[u8]| device.queue().write_buffer(buffer, 0, bytes);
-        write(&new.edges, bytemuck::cast_slice(mesh.edges()));
-        write(&new.faces, bytemuck::cast_slice(mesh.faces()));
-        write(&new.sample, &[0; 16]);
-        write(&new.never, &[0xff; 16]);
+        device.write("numbers of a sample", &new.sample, 0, &[0; 16])?;
+        device.write("no time of impact", &new.never, 0, &[0xff; 16])?;
+        new.write_mesh(device, mesh)?;
         Ok(new)
+    }
+
+    /// Sends edges and faces. If that fails, those of another mesh in the same buffers must be sent
+    /// again.
+    pub fn write_mesh(&self, device: &Device, mesh: &Mesh) -> Result<(), Error> {
+        device.write("edges", &self.edges, 0, bytemuck::cast_slice(mesh.edges()))?;
+        device.write("faces", &self.faces, 0, bytemuck::cast_slice(mesh.faces()))
     }
 
     /// Takes the bodies of these options; if that fails, all is as before.
@@ -204,9 +210,9 @@ fn bodies_of(device: &Device, rules: Option<&Rules>) -> Result<(wgpu::Buffer, u3
     let (words, table) = rules.map_or((&[][..], &[][..]), |rules| (rules.words(), rules.table()));
     let bytes = 4 * (words.len() + table.len()) as u64;
     let buffer = device.buffer("bodies", bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-    let queue = device.queue();
-    queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
-    queue.write_buffer(&buffer, 4 * words.len() as u64, bytemuck::cast_slice(table));
+    device.write("bodies", &buffer, 0, bytemuck::cast_slice(words))?;
+    let behind = 4 * words.len() as u64;
+    device.write("rules of bodies", &buffer, behind, bytemuck::cast_slice(table))?;
     let flags = match rules {
         None => 0,
         Some(rules) if rules.has_table() => Frame::FLAG_BODIES | Frame::FLAG_RULES,

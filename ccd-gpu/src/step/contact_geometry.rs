@@ -1,12 +1,14 @@
 //! Point, normal and weights of the contacts on a device, written where they are.
 
 use super::buffers::Buffers;
+use super::passes::parts;
 use crate::bind::{ContactGeometry, ContactGeometryWide};
 use crate::device::Device;
 use crate::error::Error;
+use crate::growable_list::List;
 use crate::recorder::{Bench, Recorder};
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, Params, Plain, TouchGeometry};
+use ccd_core::layout::{Frame, Params, Plain, TouchGeometry};
 use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 
@@ -28,11 +30,12 @@ struct Made {
 }
 
 impl Made {
-    fn new(device: &Device, room: u32) -> Result<Self, Error> {
+    fn new(device: &Device, contacts: &List) -> Result<Self, Error> {
+        let (room, n_parts) = (contacts.room(), parts(contacts, 0).count() as u64);
         let bytes = room as u64 * size_of::<TouchGeometry>() as u64;
         let usage = U::STORAGE | U::COPY_SRC;
         let buffer = device.buffer("geometry of contacts", bytes, usage)?;
-        Ok(Self { buffer, room, bench: Bench::of(device, 1)? })
+        Ok(Self { buffer, room, bench: Bench::of(device, n_parts.max(1))? })
     }
 }
 
@@ -50,11 +53,12 @@ impl Geometry {
             return Err(Error::NoContacts);
         }
         let room = buffers.contacts.room();
-        let made = match self.made.take().filter(|made| made.room >= room) {
-            Some(made) => made,
-            None => Made::new(device, room)?,
+        if self.made.as_ref().is_none_or(|made| made.room < room) {
+            self.made = Some(Made::new(device, &buffers.contacts)?);
+        }
+        let Some(Made { buffer, bench, .. }) = &mut self.made else {
+            return Err(Error::NoContacts);
         };
-        let Made { buffer, bench, .. } = self.made.insert(made);
         // Buffers of the frame may be others than the last time.
         bench.forget();
         let frame = buffers.describe(options, super::WHOLE);
@@ -75,18 +79,18 @@ fn dispatch(
     wide: bool,
 ) {
     let frame = Frame { path_error: buffers.positions.path_error(), ..*frame };
-    let room_in = buffers.contacts.room();
-    let dispatch = Dispatch { room_in, ..Dispatch::default() };
-    let groups = buffers.groups.min(room_in.div_ceil(Id::ContactGeometry.threads()));
     let (paths, positions) = (&buffers.positions.paths, &buffers.positions.wide);
     let (edges, faces, contacts) = (&buffers.edges, &buffers.faces, buffers.contacts.buffer());
-    if wide {
-        let p = Params { frame, dispatch, own: Plain::default() };
-        let kernel = ContactGeometryWide { paths, positions, edges, faces, contacts, geometry };
-        recorder.dispatch(&kernel, &p, groups);
-    } else {
-        let p = Params { frame, dispatch, own: buffers.positions.placing() };
-        let kernel = ContactGeometry { paths, edges, faces, contacts, geometry };
-        recorder.dispatch(&kernel, &p, groups);
+    for dispatch in parts(&buffers.contacts, 0) {
+        let groups = buffers.groups.min(dispatch.n.div_ceil(Id::ContactGeometry.threads()));
+        if wide {
+            let p = Params { frame, dispatch, own: Plain::default() };
+            let kernel = ContactGeometryWide { paths, positions, edges, faces, contacts, geometry };
+            recorder.dispatch(&kernel, &p, groups);
+        } else {
+            let p = Params { frame, dispatch, own: buffers.positions.placing() };
+            let kernel = ContactGeometry { paths, edges, faces, contacts, geometry };
+            recorder.dispatch(&kernel, &p, groups);
+        }
     }
 }

@@ -10,7 +10,7 @@ use super::{Goal, SAMPLE, WHOLE, cpu_fallback};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, read_header, read_pairs};
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
 use ccd_core::layout::{Pair, Touch};
@@ -20,6 +20,8 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
+
+mod changes;
 
 /// What frames run on, and what one learns from the frame before.
 pub struct Frames {
@@ -33,6 +35,8 @@ pub struct Frames {
     /// Contacts that the device found in the last step: about as many are read with the results of
     /// the next.
     expected: u32,
+    /// Whether edges and faces on the device may be those of a mesh that was not taken.
+    stale: bool,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
     /// last time.
     at_once: u32,
@@ -71,70 +75,13 @@ impl Frames {
             stages: Vec::new(),
             grown: 0,
             expected: 0,
+            stale: false,
             at_once: 0,
             order: KeptOrder::default(),
             geometry: Geometry::default(),
             cancel: None,
             of_bodies: 0,
         })
-    }
-
-    /// Goes on with another device.
-    pub fn move_to(
-        &mut self,
-        device: &Device,
-        mesh: &Mesh,
-        options: &Options,
-    ) -> Result<(), Error> {
-        self.buffers = Buffers::new(device, mesh, options)?;
-        self.bench = Bench::new(device)?;
-        self.readback = Readback::default();
-        self.order.forget();
-        self.geometry = Geometry::default();
-        Ok(())
-    }
-
-    /// Takes the bodies of these options; the next frame sorts.
-    pub fn set_bodies(
-        &mut self,
-        device: &Device,
-        mesh: &Mesh,
-        options: &Options,
-    ) -> Result<(), Error> {
-        self.order.forget();
-        self.bench.forget();
-        let buffers = &mut self.buffers;
-        let ((), bytes) = device.counting(|| buffers.set_bodies(device, mesh, options))?;
-        device.give_back(std::mem::replace(&mut self.of_bodies, bytes));
-        Ok(())
-    }
-
-    /// Goes on with another mesh or other options, in the buffers that are there as far as they are
-    /// large enough. The next frame sorts; nothing changes if this fails.
-    pub fn change(&mut self, device: &Device, mesh: &Mesh, options: &Options) -> Result<(), Error> {
-        // What is reused cannot be counted anew.
-        let old = Some(&self.buffers).filter(|_| device.memory().is_none());
-        self.buffers = Buffers::reusing(device, mesh, options, old)?;
-        self.of_bodies = 0;
-        self.bench.forget();
-        self.order.forget();
-        // Contacts there are those of other ids.
-        self.geometry.listed = false;
-        self.at_once = 0;
-        Ok(())
-    }
-
-    /// Makes room for so many entries in every list.
-    pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
-        self.order.forget();
-        self.geometry.listed = false;
-        for list in self.buffers.lists_mut().into_vec() {
-            let before = list.buffer().size();
-            *list = list.resized(device, entries)?;
-            device.give_back(before);
-        }
-        self.bench.forget();
-        Ok(())
     }
 
     /// How the earliest time is looked for in the next frame.
@@ -153,12 +100,14 @@ impl Frames {
         given: Given,
         distance: f64,
     ) -> Result<(), Error> {
+        self.geometry.listed = false;
+        self.refresh(device, mesh)?;
         let Buffers { positions, source, .. } = &mut self.buffers;
         if positions.upload(device, given, distance, source.boxes())? {
             self.bench.forget();
         }
         if let Some(triangles) = source.triangles_mut() {
-            triangles.certify(device, mesh, given);
+            triangles.certify(device, mesh, given)?;
         }
         Ok(())
     }
@@ -167,13 +116,14 @@ impl Frames {
     pub fn record(
         &mut self,
         device: &Device,
-        options: &Options,
+        (mesh, options): (&Mesh, &Options),
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<&Buffers, Error> {
         if self.buffers.source.triangles().is_some_and(TrianglePairs::certifies) {
             return Err(Error::PathsUnseen);
         }
         self.geometry.listed = false;
+        self.refresh(device, mesh)?;
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
         // Nobody knows what becomes of the encoder.
@@ -200,21 +150,18 @@ impl Frames {
         (goal, window): (Goal, [f64; 2]),
         contacts: &mut Vec<Contact>,
     ) -> Result<Found, Error> {
-        self.geometry.listed = false;
-        loop {
+        let found = until_complete(|| {
             if self.cancel.as_ref().is_some_and(CancelToken::is_cancelled) {
                 // What was uploaded is in no order yet.
                 self.order.forget();
                 return Err(ccd_core::Error::Cancelled.into());
             }
-            match self.attempt(device, options, (goal, window), contacts)? {
-                Some(found) => {
-                    self.geometry.listed = goal == Goal::Contacts;
-                    return Ok(found);
-                }
-                None => self.grown += 1,
-            }
-        }
+            let found = self.attempt(device, options, (goal, window), contacts)?;
+            self.grown += found.is_none() as u32;
+            Ok(found)
+        })?;
+        self.geometry.listed = goal == Goal::Contacts;
+        Ok(found)
     }
 
     /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
@@ -347,22 +294,20 @@ impl Frames {
         })??;
         buffers.source.check(&frame, &survey)?;
         self.stages = bench.times(&stages)?;
-        let mut grown = false;
-        let lists = buffers.lists_mut().zip(headers.each_ref());
-        // Kernels look at the room of every list, so what cannot grow is an error and nothing
-        // worse.
-        let all_grew = lists.try_map(|(list, header)| {
-            grown |= list.grow(device, header.wanted)?;
-            Ok::<_, Error>(())
-        });
-        if grown {
+        let lists = buffers.lists_mut().zip(headers.each_ref()).into_vec();
+        let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
+        let grown = List::grow_all(device, lists);
+        let complete = matches!(grown, Ok(false));
+        // Also where a list cannot grow: the source learns that the search was not complete.
+        let settled = buffers.source.settle(device, &counted, complete);
+        if !complete || !matches!(settled, Ok(false)) {
             bench.forget();
+        }
+        if !complete {
             contacts.clear();
         }
-        all_grew?;
-        if buffers.source.settle(device, &counted, !grown)? {
-            bench.forget();
-        }
+        let grown = grown?;
+        settled?;
         if grown {
             return Ok(None);
         }

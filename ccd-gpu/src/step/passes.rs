@@ -7,7 +7,7 @@ use crate::bind::{
     DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, PlaceVertices,
     Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
-use crate::growable_list::HEADER_BYTES;
+use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
@@ -143,9 +143,7 @@ impl Buffers {
         recorder.stage(DECIDE[kind]);
         let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
-        let (room_in, room_out) = (input.room(), self.contacts.room());
-        let dispatch = Dispatch { n: 0, first: 0, room_in, room_out };
-        let groups = self.groups.min(room_in.div_ceil(Id::DecideVertexFace.threads()));
+        let parts = parts(input, self.contacts.room());
         // Where contacts are not kept, a list that stays as it is and that the other kind does not
         // have, so that a device works on both at once.
         let keep = frame.has(Frame::FLAG_KEEP);
@@ -153,29 +151,49 @@ impl Buffers {
         let Positions { paths, wide: positions, .. } = &self.positions;
         let (faces, edges) = (&self.faces, &self.edges);
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
-        if wide {
-            let p = Params { frame, dispatch, own: Plain::default() };
-            if kind == 0 {
-                let kernel =
-                    DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
-                recorder.dispatch(&kernel, &p, groups);
+        for dispatch in parts {
+            let groups = self.groups.min(dispatch.n.div_ceil(Id::DecideVertexFace.threads()));
+            if wide {
+                let p = Params { frame, dispatch, own: Plain::default() };
+                if kind == 0 {
+                    let kernel =
+                        DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
+                    recorder.dispatch(&kernel, &p, groups);
+                } else {
+                    let kernel =
+                        DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
+                    recorder.dispatch(&kernel, &p, groups);
+                }
             } else {
-                let kernel =
-                    DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
-                recorder.dispatch(&kernel, &p, groups);
-            }
-        } else {
-            let p = Params { frame, dispatch, own: Decision { room_open: open.room() } };
-            if kind == 0 {
-                let kernel =
-                    DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
-                recorder.dispatch(&kernel, &p, groups);
-            } else {
-                let kernel = DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
-                recorder.dispatch(&kernel, &p, groups);
+                let p = Params { frame, dispatch, own: Decision { room_open: open.room() } };
+                if kind == 0 {
+                    let kernel =
+                        DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
+                    recorder.dispatch(&kernel, &p, groups);
+                } else {
+                    let kernel =
+                        DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
+                    recorder.dispatch(&kernel, &p, groups);
+                }
             }
         }
     }
+}
+
+/// Entries of a list that one dispatch decides, or describes, at most: each takes some thousand
+/// operations, in `f64` where it is there, so that a small device is done long before its driver
+/// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
+const DISPATCH_LIMIT: u32 = 1 << 21;
+
+/// The dispatches over the entries of a list, the first of all.
+pub fn parts(input: &List, room_out: u32) -> impl Iterator<Item = Dispatch> + use<> {
+    let room_in = input.room();
+    (0..room_in).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
+        n: (room_in - first).min(DISPATCH_LIMIT),
+        first,
+        room_in,
+        room_out,
+    })
 }
 
 /// Parameters of a kernel that needs to know no more than the frame.

@@ -75,7 +75,7 @@ impl Told {
         let n = triangles.len() as u32;
         let sent = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
             let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.queue().write_buffer(&buffer, 0, bytes);
+            device.write(what, &buffer, 0, bytes)?;
             Ok(buffer)
         };
         let body = |t: u32| rules.map_or(0, |rules| rules.word(triangles.corners(t)[0]));
@@ -173,8 +173,8 @@ impl TrianglePairs {
     }
 
     /// Certifies regions for a step by all threads of the host, and sends them.
-    pub fn certify(&mut self, device: &Device, mesh: &Mesh, given: Given) {
-        let Some(regions) = &mut self.regions else { return };
+    pub fn certify(&mut self, device: &Device, mesh: &Mesh, given: Given) -> Result<(), Error> {
+        let Some(regions) = &mut self.regions else { return Ok(()) };
         regions.certify(mesh, given, |roots, certify| {
             let threads = thread::available_parallelism().map_or(1, |n| n.get());
             let share = roots.len().div_ceil(threads).max(1);
@@ -185,7 +185,7 @@ impl TrianglePairs {
             });
         });
         let words = bytemuck::cast_slice(regions.of_face());
-        device.queue().write_buffer(&self.told.of_triangle, 0, words);
+        device.write("free regions", &self.told.of_triangle, 0, words)
     }
 
     /// What was counted, [`COUNT_BYTES`] bytes.

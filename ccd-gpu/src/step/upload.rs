@@ -109,10 +109,10 @@ impl Positions {
             (true, true) => Boxes::OfPositions,
             (true, false) => Boxes::Sent,
         };
-        let queue = device.queue();
         if self.boxes == Boxes::OfPositions {
             let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
-            let replaced = make_room(device, "positions in f64", &mut self.wide, 2 * bytes)?
+            let wide = "positions in f64";
+            let replaced = make_room(device, wide, &mut self.wide, 2 * bytes)?
                 | make_room(
                     device,
                     "keys of exact boxes",
@@ -122,13 +122,14 @@ impl Positions {
             for (x, at) in [(x0, 0), (x1, bytes)] {
                 match T::slices::<Points, 1>([x]) {
                     Precision::F64([x]) => {
-                        queue.write_buffer(&self.wide, at, bytemuck::cast_slice(x))
+                        device.write(wide, &self.wide, at, bytemuck::cast_slice(x))?;
                     }
                     // Rare: coordinates that are too large for the filters as they are.
                     Precision::F32([x]) => {
                         self.host_wide.clear();
                         self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
-                        queue.write_buffer(&self.wide, at, bytemuck::cast_slice(&self.host_wide));
+                        let bytes = bytemuck::cast_slice(&self.host_wide);
+                        device.write(wide, &self.wide, at, bytes)?;
                     }
                 }
             }
@@ -141,7 +142,7 @@ impl Positions {
         self.host_paths.clear();
         self.host_paths
             .extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
-        queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
+        device.write("paths", &self.paths, 0, bytemuck::cast_slice(&self.host_paths))?;
         if self.boxes == Boxes::OfPaths {
             return Ok(false);
         }
@@ -158,8 +159,8 @@ impl Positions {
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
         let replaced = make_room(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
-        queue.write_buffer(&self.keys, 0, keys);
-        queue.write_buffer(boxes, 0, bytemuck::cast_slice(&self.host_boxes));
+        device.write("keys of exact boxes", &self.keys, 0, keys)?;
+        device.write("boxes", boxes, 0, bytemuck::cast_slice(&self.host_boxes))?;
         Ok(replaced)
     }
 

@@ -1,7 +1,7 @@
 //! Geometry of contacts that are listed: every workgroup takes its share of the list, entry `i`
 //! goes to record `i`.
 
-use crate::workgroup::{group, length};
+use crate::workgroup::{group, part};
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::put;
 use ccd_core::layout::{Params, Path, Placing, TouchGeometry};
@@ -11,7 +11,7 @@ use spirv_std::spirv;
 
 const THREADS: u32 = Id::ContactGeometry.threads();
 
-/// Thread `i` writes the geometry of contact `i`, from paths.
+/// Thread `i` writes the geometry of contact `dispatch.first + i`, from paths.
 #[spirv(compute(threads(64)))]
 pub fn contact_geometry(
     #[spirv(workgroup_id)] id: UVec3,
@@ -25,17 +25,19 @@ pub fn contact_geometry(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] geometry: &mut [TouchGeometry],
 ) {
     let (own, groups) = (group(id, n), n.x * n.y);
-    let there = length(contacts, params.dispatch.room_in);
+    let there = part(contacts, &params.dispatch);
     for round in 0..decide::rounds(there, own, groups, THREADS) {
         let i = (own + round * groups) * THREADS + lane;
         if i < there {
+            let i = params.dispatch.first + i;
             let record = touch_geometry::narrow(i, params, paths, edges, faces, contacts);
             put(geometry, i as usize, record);
         }
     }
 }
 
-/// Thread `i` writes the geometry of contact `i`, from positions as they were given.
+/// Thread `i` writes the geometry of contact `dispatch.first + i`, from positions as they were
+/// given.
 #[spirv(compute(threads(64)))]
 pub fn contact_geometry_wide(
     #[spirv(workgroup_id)] id: UVec3,
@@ -50,10 +52,11 @@ pub fn contact_geometry_wide(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] geometry: &mut [TouchGeometry],
 ) {
     let (own, groups) = (group(id, n), n.x * n.y);
-    let there = length(contacts, params.dispatch.room_in);
+    let there = part(contacts, &params.dispatch);
     for round in 0..decide::rounds(there, own, groups, THREADS) {
         let i = (own + round * groups) * THREADS + lane;
         if i < there {
+            let i = params.dispatch.first + i;
             let record = touch_geometry::wide(i, params, paths, positions, edges, faces, contacts);
             put(geometry, i as usize, record);
         }

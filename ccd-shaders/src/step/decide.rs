@@ -1,7 +1,7 @@
 //! Verdicts of what the filters left: in `f64`, or in `f32` with what that cannot decide passed on.
 
 use crate::workgroup::{
-    add, add_shared, barrier, get, group, length, lower, read_pair, set, write_pair,
+    add, add_shared, barrier, get, group, lower, part, read_pair, set, write_pair,
 };
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::put;
@@ -67,14 +67,14 @@ macro_rules! decide_wide_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] earliest: &mut [u32],
         ) {
             let (own, groups) = (group(id, n), n.x * n.y);
-            let there = length(input, params.dispatch.room_in);
+            let there = part(input, &params.dispatch);
             for round in 0..decide::rounds(there, own, groups, THREADS) {
                 let i = (own + round * groups) * THREADS + lane;
                 let mut touch =
                     Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
                 let mut found = false;
                 if i < there {
-                    let pair = read_pair(input, i);
+                    let pair = read_pair(input, params.dispatch.first + i);
                     let Verdicts { touches, undecided, approach, toi } =
                         $body(pair, &params.frame, paths, positions, elements);
                     found = touches;
@@ -99,14 +99,14 @@ macro_rules! decide_wide_entry {
 }
 
 decide_wide_entry!(
-    /// Thread `i` decides the `i`-th vertex-face pair in `f64`.
+    /// Thread `i` decides the `i`-th vertex-face pair from `dispatch.first` on in `f64`.
     decide_vertex_face_wide,
     0,
     decide::vertex_face_wide,
     [u32; 3]
 );
 decide_wide_entry!(
-    /// Thread `i` decides the `i`-th edge-edge pair in `f64`.
+    /// Thread `i` decides the `i`-th edge-edge pair from `dispatch.first` on in `f64`.
     decide_edge_edge_wide,
     1,
     decide::edge_edge_wide,
@@ -131,14 +131,14 @@ macro_rules! decide_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] earliest: &mut [u32],
         ) {
             let (own, groups) = (group(id, n), n.x * n.y);
-            let there = length(input, params.dispatch.room_in);
+            let there = part(input, &params.dispatch);
             for round in 0..decide::rounds(there, own, groups, THREADS) {
                 let i = (own + round * groups) * THREADS + lane;
                 let mut touch =
                     Touch { kind: $kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
                 let (mut certain, mut open) = (false, false);
                 if i < there {
-                    let pair = read_pair(input, i);
+                    let pair = read_pair(input, params.dispatch.first + i);
                     let verdict = $body(pair, &params.frame, paths, elements);
                     certain = verdict.touches && verdict.undecided == 0;
                     open = verdict.undecided != 0;
@@ -173,16 +173,16 @@ macro_rules! decide_entry {
 }
 
 decide_entry!(
-    /// Thread `i` decides the `i`-th vertex-face pair in `f32`; what that leaves open goes to
-    /// `undecided`.
+    /// Thread `i` decides the `i`-th vertex-face pair from `dispatch.first` on in `f32`; what that
+    /// leaves open goes to `undecided`.
     decide_vertex_face,
     0,
     decide::vertex_face,
     [u32; 3]
 );
 decide_entry!(
-    /// Thread `i` decides the `i`-th edge-edge pair in `f32`; what that leaves open goes to
-    /// `undecided`.
+    /// Thread `i` decides the `i`-th edge-edge pair from `dispatch.first` on in `f32`; what that
+    /// leaves open goes to `undecided`.
     decide_edge_edge,
     1,
     decide::edge_edge,

@@ -102,9 +102,7 @@ impl Schedule for Levels {
         vec![&mut self.even, &mut self.odd]
     }
 
-    fn settle(&mut self, _: &Device, _: bool) -> Result<(), Error> {
-        Ok(())
-    }
+    fn settle(&mut self, _: bool) {}
 
     fn counts(&self) -> Option<Counted<'_>> {
         None

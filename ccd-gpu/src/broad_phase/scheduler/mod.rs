@@ -115,8 +115,9 @@ pub trait Schedule: Send + Sync {
     /// The same, to be replaced by larger ones.
     fn lists_mut(&mut self) -> Vec<&mut List>;
 
-    /// A search is over, and lists have grown; if it is `complete`, none had to.
-    fn settle(&mut self, device: &Device, complete: bool) -> Result<(), Error>;
+    /// A search is over, and [`List::grow_all`] has seen what was wanted of each list; if it is
+    /// `complete`, all had room.
+    fn settle(&mut self, complete: bool);
 
     /// What each worker counted in the last search.
     fn counts(&self) -> Option<Counted<'_>>;

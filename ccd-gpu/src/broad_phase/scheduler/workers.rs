@@ -14,7 +14,7 @@
 //!
 //! What a stack has no room for, and what a worker has that ends early, are tasks of the next
 //! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs
-//! again with twice as many, and then with more turns a worker.
+//! again with twice as many, then with stacks, and then with more turns a worker.
 //!
 //! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level;
 //! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
@@ -101,6 +101,21 @@ impl Rule {
     pub const LAZY_STEALING: Self = Self { steal: Some(Steal::LAZY), ..Self::SELF_SCHEDULING };
 }
 
+impl Rule {
+    /// Pairs were left after the last round.
+    fn lengthen(&mut self) {
+        if self.rounds < ROUNDS / 2 {
+            self.rounds *= 2;
+        } else if self.stack == 0 {
+            // A round is a level, and there are more levels than rounds: more turns do not help,
+            // but workers that descend within a round do.
+            self.stack = STACK;
+        } else {
+            self.turns = self.turns.saturating_mul(2);
+        }
+    }
+}
+
 impl Steal {
     /// The same in parts of a turn, for workers that expand so many pairs in one.
     fn of_width(self, width: u32) -> Self {
@@ -117,7 +132,8 @@ pub struct Workers {
     control: wgpu::Buffer,
     /// Tasks of two rounds, used in turn: of each entry that there is room for, a pair each.
     nodes: List,
-    /// Has no entries: wants more than there is room for if pairs were left after the last round.
+    /// Has no entries, and never room for one: some are wanted if pairs were left after the last
+    /// round, and then the search is not complete.
     left: List,
     /// Of the number of workers, the power of two.
     workers: u32,
@@ -146,7 +162,10 @@ impl Workers {
             device.check_native()?;
         }
         let rule = Rule { steal: rule.steal.map(|steal| steal.of_width(width)), ..rule };
-        let (workers, usage) = (workers(device), U::STORAGE | U::COPY_DST | U::COPY_SRC);
+        let short = device.faults().short_rounds;
+        let rule = if short { Rule { rounds: 1, turns: 1, ..rule } } else { rule };
+        let workers = if short { 1 } else { workers(device) };
+        let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
         let bytes = bytes(rule, workers);
         Ok(Self {
             rule,
@@ -196,20 +215,31 @@ impl Schedule for Workers {
         vec![&mut self.nodes, &mut self.left]
     }
 
-    fn settle(&mut self, device: &Device, complete: bool) -> Result<(), Error> {
-        if !complete && self.left.room() == u32::MAX {
-            self.left = self.left.resized(device, 0)?;
-            if self.rule.rounds < ROUNDS / 2 {
-                self.rule.rounds *= 2;
-            } else {
-                self.rule.turns = self.rule.turns.saturating_mul(2);
-            }
+    fn settle(&mut self, complete: bool) {
+        if !complete && self.left.was_short() {
+            self.rule.lengthen();
         }
-        Ok(())
     }
 
     fn counts(&self) -> Option<Counted<'_>> {
         let (buffer, width) = (&self.control, self.width);
         Some(Counted { buffer, first: 4 * COUNTS as u64, workers: 1 << self.workers, width })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_levels_than_rounds_need_a_stack() {
+        let mut rule = Rule::FRONTIER;
+        let lengths = [(); 6].map(|()| {
+            rule.lengthen();
+            (rule.rounds, rule.stack, rule.turns)
+        });
+        let turns = Rule::FRONTIER.turns;
+        assert_eq!(lengths[2..5], [(128, 0, turns), (256, 0, turns), (256, STACK, turns)]);
+        assert_eq!(lengths[5], (256, STACK, 2 * turns));
     }
 }
