@@ -1,5 +1,5 @@
-//! Kernels for tests, and to say what a device flushes: where it sees the fields of records, and what
-//! it makes of scalar operations.
+//! Kernels for tests, and to say what a device flushes: where it sees the fields of records, and
+//! what it makes of scalar operations.
 
 use crate::workgroup::group;
 use ccd_core::kernel::memory::{at, put};

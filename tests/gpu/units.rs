@@ -90,7 +90,7 @@ fn check_flushed(device: &Device) {
         let (t0, t1) = (end(0), end(1));
         let min_distance = case.min_distance * 2f64.powi(e);
         let want = ccd::vertex_face(&VertexFace { t0, t1 }, min_distance);
-        let what = format!("2^{e}, {t0:e?} to {t1:e?}, distance {min_distance:e}: {want:?}");
+        let what = format!("2^{e}, {t0:?} to {t1:?}, distance {min_distance:e}: {want:?}");
         let check = |got: Verdict<f64>| match (want, got) {
             (Verdict::Hit { toi }, got) => {
                 assert!(got.toi().is_some_and(|t| t <= toi + 1e-6), "{what}, but {got:?}")

@@ -1,5 +1,5 @@
-//! For tests, and to say what a device flushes: what it reads from records, and what it makes of the
-//! scalar operations that kernels use.
+//! For tests, and to say what a device flushes: what it reads from records, and what it makes of
+//! the scalar operations that kernels use.
 
 use crate::broad_phase::morton_key::{from_order_key, order_key};
 use crate::kernel::memory::put;

@@ -116,7 +116,7 @@ impl Scan {
         let scale = scale_of(reach);
         // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than
         // the coordinates, and operands and a difference that a device may flush.
-        let before = greatest * (16.0 * f64::UNIT) + 4.0 * f64::MIN_NORMAL;
+        let before = greatest * (16.0 * f64::UNIT) + 8.0 * f64::MIN_NORMAL;
         let error = reach * (1.01 * f32::UNIT as f64) + before;
         // Scaling is exact unless the result is tiny; so is the rounding to f32.
         let error = error * scale * (1.0 + 4.0 * f64::UNIT) + 2.0 * f32::MIN_NORMAL as f64;
@@ -177,9 +177,9 @@ impl Table {
         [at(0), at(1), at(2)]
     }
 
-    /// A distance in the unit of the table, rounded up. One that is tiny becomes the smallest normal
-    /// number, within which nothing certainly is: bounds of a distance are greater where a device
-    /// may flush, in whichever unit ([`Motion::scaled`]).
+    /// A distance in the unit of the table, rounded up. One that is tiny becomes the smallest
+    /// normal number, within which nothing certainly is: bounds of a distance are greater where a
+    /// device may flush, in whichever unit ([`Motion::scaled`]).
     ///
     /// [`Motion::scaled`]: crate::narrow_phase::relative_motion::Motion::scaled
     #[inline]
@@ -273,7 +273,7 @@ mod tests {
         assert!(
             scan(2.0 * EXACT_LIMIT).table(true).scale < 1.0 && scan(1e38).table(true).error > 0.0
         );
-        // Differences are far from being flushed, and the unit itself is no denormal if it need not.
+        // Differences are far from being flushed; the unit is no denormal if it need not be.
         for e in 75..=149 {
             let table = scan(0.5f64.powi(e)).table(true);
             let size = table.scale * 0.5f64.powi(e);

@@ -1,5 +1,5 @@
-//! What devices that flush denormals make of boxes, filters and decisions. A number type that flushes
-//! what goes into an operation and what comes out of it plays the device.
+//! What devices that flush denormals make of boxes, filters and decisions. A number type that
+//! flushes what goes into an operation and what comes out of it plays the device.
 
 mod boxes;
 mod number;
