@@ -11,7 +11,7 @@ use ccd_core::narrow_phase::decide::{self, Verdicts, narrow_verdicts, search_of}
 use ccd_core::narrow_phase::query::{TOI_TOLERANCE, search};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::search::{Answer, Search};
-use ccd_core::{Aabb, Real, Verdict};
+use ccd_core::{Aabb, Verdict};
 
 /// Positions of vertices at both ends and a minimum distance: numbers that stay exact in every unit
 /// here.
