@@ -21,6 +21,7 @@ struct Json {
     shaders: &'static str,
     shaders_why: &'static str,
     f64: bool,
+    flushed: Vec<&'static str>,
     timestamps: bool,
     max_binding_bytes: u64,
     max_buffer_bytes: u64,
@@ -57,11 +58,15 @@ impl InfoCommand {
             .open()
             .map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
         let info = device.info();
+        let flushed = device.flushes().map_err(|e| Failure(e.to_string()))?;
         let adapters = Device::adapters();
         if self.json {
-            output::json(&json(info, adapters.iter().map(Adapter::from).collect()))?;
+            output::json(&json(info, flushed, adapters.iter().map(Adapter::from).collect()))?;
         } else {
             output::say!("{info}");
+            let none = flushed.is_empty().then_some("nothing");
+            let flushed: Vec<_> = flushed.into_iter().chain(none).collect();
+            output::line("flushed", format_args!("to zero if tiny: {}", flushed.join(", ")));
             for (i, a) in adapters.iter().enumerate() {
                 let name = if i == 0 { "there are" } else { "" };
                 output::line(name, format_args!("{i}: {}", described(a)));
@@ -75,7 +80,7 @@ impl InfoCommand {
     }
 }
 
-fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
+fn json(info: &Info, flushed: Vec<&'static str>, adapters: Vec<Adapter>) -> Json {
     Json {
         adapter: (&info.adapter).into(),
         shaders: match info.path {
@@ -84,6 +89,7 @@ fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
         },
         shaders_why: info.why,
         f64: info.wide,
+        flushed,
         timestamps: info.timestamps,
         max_binding_bytes: info.limits.max_storage_buffer_binding_size,
         max_buffer_bytes: info.limits.max_buffer_size,

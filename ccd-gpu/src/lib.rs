@@ -12,12 +12,13 @@
 //! | `adapter.rs`, `device.rs`, `error.rs` | which GPU and how it is used, failures |
 //! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
 //! | `kernel_cache.rs` | compiled kernels on disk |
+//! | `flushing.rs` | which numbers a device takes as zero |
 //! | `recorder.rs` | dispatches, bind groups, times |
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
-//! | `harness.rs` | one kernel by itself, a device that fails, for tests |
+//! | `harness.rs` | one kernel by itself, for tests and `flushing.rs`; a device that fails |
 //!
 //! [`bind`] and [`harness`] are public for tests, and may change with the kernels.
 //!
@@ -31,6 +32,7 @@ pub mod bind;
 mod broad_phase;
 mod device;
 mod error;
+mod flushing;
 mod growable_list;
 pub mod harness;
 mod kernel_cache;

@@ -1,5 +1,5 @@
-//! Kernels for tests alone: where a device sees the fields of records, and what it makes of scalar
-//! operations.
+//! Kernels for tests, and to say what a device flushes: where it sees the fields of records, and
+//! what it makes of scalar operations.
 
 use crate::workgroup::group;
 use ccd_core::kernel::memory::{at, put};
@@ -50,7 +50,7 @@ pub fn probe_wide(
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] inputs: &[[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] results: &mut [[u32; 24]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] results: &mut [[u32; 26]],
 ) {
     let i = (group(id, n) * THREADS + lane) as usize;
     if i < inputs.len() {

@@ -105,12 +105,13 @@ pub fn opengl_is_refused() {
 
 pub fn info_says_what_there_is() {
     let said = text(&ccd(&["info"]).stdout);
-    for word in ["adapter", "backend", "shaders", "timestamps", "there are"] {
+    for word in ["adapter", "backend", "shaders", "timestamps", "flushed", "there are"] {
         assert!(said.contains(word), "{word}: {said}");
     }
     let value = json(&ccd(&["info", "--json", "--shaders", "wgsl"]));
     let name = value["adapter"]["name"].as_str().unwrap();
     assert_eq!(value["shaders"], "wgsl");
+    assert!(value["flushed"].is_array(), "{value}");
     assert!(value["adapters"].as_array().unwrap().iter().any(|a| a["name"] == name), "{value}");
     for by in [name, "0"] {
         let one = json(&ccd(&["info", "--json", "--adapter", by]));

@@ -347,10 +347,10 @@ macro_rules! kernels {
             /// For tests: fields of records.
             ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
                 { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }
-            /// For tests: scalar operations.
+            /// For tests, and for what a device flushes: scalar operations.
             ProbeScalars = probe_scalars(64 threads, 0 barriers, f32)
                 { inputs: Read, results: Write }
-            /// For tests: scalar operations in `f64`.
+            /// For tests, and for what a device flushes: scalar operations in `f64`.
             ProbeWide = probe_wide(64 threads, 0 barriers, f64)
                 { inputs: Read, results: Write }
         }

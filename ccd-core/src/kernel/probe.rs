@@ -1,5 +1,5 @@
-//! For tests alone: what a device reads from records, and what it makes of the scalar operations
-//! that kernels use.
+//! For tests, and to say what a device flushes: what it reads from records, and what it makes of
+//! the scalar operations that kernels use.
 
 use crate::broad_phase::morton_key::{from_order_key, order_key};
 use crate::kernel::memory::put;
@@ -148,7 +148,7 @@ pub fn scalars(input: [u32; 2]) -> [u32; 24] {
 }
 
 /// Names of what [`wide`] computes, in order; each is two words.
-pub const WIDE: [&str; 12] = [
+pub const WIDE: [&str; 13] = [
     "a + b",
     "a - b",
     "a * b",
@@ -161,11 +161,13 @@ pub const WIDE: [&str; 12] = [
     "next_up",
     "next_down",
     "round_down, is_finite_number",
+    "f32 to f64",
 ];
 
-/// Every operation in `f64` that kernels use, of two numbers of two words each.
+/// Every operation in `f64` that kernels use, of two numbers of two words each, and the conversion
+/// that they do without, of the first word.
 #[inline(always)]
-pub fn wide(input: [u32; 4]) -> [u32; 24] {
+pub fn wide(input: [u32; 4]) -> [u32; 26] {
     let (a, b) = (join([input[0], input[1]]), join([input[2], input[3]]));
     let results = [
         split(a + b),
@@ -180,9 +182,10 @@ pub fn wide(input: [u32; 4]) -> [u32; 24] {
         split(Real::next_up(a)),
         split(Real::next_down(a)),
         [a.round_down().to_bits(), a.is_finite_number() as u32],
+        split(f32::from_bits(input[0]) as f64),
     ];
-    let mut out = [0; 24];
-    for k in 0..12 {
+    let mut out = [0; 26];
+    for k in 0..13 {
         out[2 * k] = results[k][0];
         out[2 * k + 1] = results[k][1];
     }

@@ -98,10 +98,12 @@ impl Scan {
 
     /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the
     /// middle of their bounds, and in another unit where theirs is one in which products of `f32`
-    /// would overflow or vanish.
+    /// would overflow or vanish, or differences be flushed.
     pub fn table(&self, keep: bool) -> Table {
         let empty = self.bounds.min[0] > self.bounds.max[0];
-        if empty || self.exact && keep && self.greatest() <= EXACT_LIMIT {
+        let greatest = self.greatest();
+        let fine = greatest <= EXACT_LIMIT && greatest >= LEAST_EXACT || greatest == 0.0;
+        if empty || self.exact && keep && fine {
             return Table::AS_GIVEN;
         }
         let mut origin = [0.0; 3];
@@ -113,8 +115,9 @@ impl Scan {
         }
         let scale = scale_of(reach);
         // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than
-        // the coordinates.
-        let error = reach * (1.01 * f32::UNIT as f64) + self.greatest() * (16.0 * f64::UNIT);
+        // the coordinates, and operands and a difference that a device may flush.
+        let before = greatest * (16.0 * f64::UNIT) + 8.0 * f64::MIN_NORMAL;
+        let error = reach * (1.01 * f32::UNIT as f64) + before;
         // Scaling is exact unless the result is tiny; so is the rounding to f32.
         let error = error * scale * (1.0 + 4.0 * f64::UNIT) + 2.0 * f32::MIN_NORMAL as f64;
         Table { origin, scale, error: error.round_up() }
@@ -125,8 +128,16 @@ impl Scan {
 /// differences, which filters form, are finite.
 const EXACT_LIMIT: f64 = 268_435_456.0;
 
+/// Coordinates in `f32` of which the greatest is at least this, 2^-74, are taken as they are: near
+/// the greatest they differ by 2^-24 of it or not at all, and what is flushed in a difference, less
+/// than three times the smallest normal number, 2^-126, is below a unit of roundoff of that. Lesser
+/// differences have it in their bounds, see [`Motion::scaled`].
+///
+/// [`Motion::scaled`]: crate::narrow_phase::relative_motion::Motion::scaled
+const LEAST_EXACT: f64 = 5.293_955_920_339_377e-23;
+
 /// The power of two that brings `reach` to about 2^16 where it is far from it; 1 from 2^-16 to
-/// 2^28.
+/// 2^28. At most 2^126, whose inverse is a normal `f32`, where that brings it to 2^-16 at least.
 fn scale_of(reach: f64) -> f64 {
     const BIAS: u64 = 1023;
     if reach >= 1.0 / 65_536.0 && reach <= EXACT_LIMIT || reach < f64::MIN_NORMAL {
@@ -134,7 +145,8 @@ fn scale_of(reach: f64) -> f64 {
     }
     // 2^(16 - e) for a reach in 2^e .. 2^(e + 1); e is at most 334 for coordinates up to 1e100.
     let exponent = reach.to_bits() >> 52;
-    f64::from_bits((2 * BIAS + 16 - exponent).min(2 * BIAS) << 52)
+    let most = if exponent >= BIAS - 142 { BIAS + 126 } else { 2 * BIAS };
+    f64::from_bits((2 * BIAS + 16 - exponent).min(most) << 52)
 }
 
 /// Positions in `f32`, relative to an origin and in a unit of their own.
@@ -165,7 +177,11 @@ impl Table {
         [at(0), at(1), at(2)]
     }
 
-    /// A distance in the unit of the table, rounded up.
+    /// A distance in the unit of the table, rounded up. One that is tiny becomes the smallest
+    /// normal number, within which nothing certainly is: bounds of a distance are greater where a
+    /// device may flush, in whichever unit ([`Motion::scaled`]).
+    ///
+    /// [`Motion::scaled`]: crate::narrow_phase::relative_motion::Motion::scaled
     #[inline]
     pub fn distance(&self, min_distance: f64) -> f32 {
         // The product is exact unless it is tiny, and then some normal number is above it.
@@ -243,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_positions_are_kept_where_filters_cannot_overflow() {
+    fn exact_positions_are_kept_where_filters_neither_overflow_nor_flush() {
         let scan = |x: f64| {
             let mut scan = Scan::NONE;
             scan.take([x; 3]);
@@ -252,8 +268,17 @@ mod tests {
         };
         assert_eq!(scan(1.5).table(true), Table::AS_GIVEN);
         assert_eq!(scan(EXACT_LIMIT).table(true), Table::AS_GIVEN);
+        assert_eq!(scan(LEAST_EXACT).table(true), Table::AS_GIVEN);
+        assert_eq!(scan(0.0).table(true), Table::AS_GIVEN);
         assert!(
             scan(2.0 * EXACT_LIMIT).table(true).scale < 1.0 && scan(1e38).table(true).error > 0.0
         );
+        // Differences are far from being flushed; the unit is no denormal if it need not be.
+        for e in 75..=149 {
+            let table = scan(0.5f64.powi(e)).table(true);
+            let size = table.scale * 0.5f64.powi(e);
+            assert!((0.5f64.powi(16)..65_537.0).contains(&size), "2^-{e}: {table:?}");
+            assert_eq!((1.0 / table.scale) as f32 >= f32::MIN_POSITIVE, e <= 142, "2^-{e}");
+        }
     }
 }

@@ -85,14 +85,29 @@ pub fn until(key: u32) -> f32 {
     if key < 0x3f80_0000 { f32::from_bits(key) } else { 1.0 }
 }
 
-/// The bits of an `f32` in `[0, 1]` as those of an `f64`; a denormal becomes 0, which is earlier.
+/// The bits of an `f32` as those of an `f64`; a denormal becomes 0, which of times is earlier.
 #[inline(always)]
-pub fn widen(toi: f32) -> [u32; 2] {
-    let bits = toi.to_bits();
-    if bits < 0x0080_0000 || bits >> 31 == 1 {
+pub fn widen(x: f32) -> [u32; 2] {
+    let bits = x.to_bits();
+    let size = bits & 0x7fff_ffff;
+    if size < 0x0080_0000 {
         return [0; 2];
     }
-    [bits << 29, ((bits >> 23) + (1023 - 127)) << 20 | (bits & 0x7f_ffff) >> 3]
+    [bits << 29, bits ^ size | (size >> 3) + ((1023 - 127) << 20)]
+}
+
+/// An `f32` as an `f64`, exactly: by its bits, because a device may take a denormal as zero where
+/// it converts.
+#[inline(always)]
+pub fn widened(x: f32) -> f64 {
+    let bits = x.to_bits();
+    let size = bits & 0x7fff_ffff;
+    if size >= 0x0080_0000 {
+        return join(widen(x));
+    }
+    // A multiple of 2^-149.
+    let least = join([0, (1023 - 149) << 20]);
+    if bits == size { size as f64 * least } else { -(size as f64 * least) }
 }
 
 #[inline(always)]
@@ -111,7 +126,7 @@ fn verdicts<R>(answer: Answer<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
 /// whose ends are no `f32`, which may be outside of it, and contacts at the start that were not
 /// left.
 #[inline(always)]
-fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
+pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     let v = verdicts(answer, widen);
     let at_start = v.toi[0] == widen(frame.from)[0] && v.toi[1] == widen(frame.from)[1];
     let open = frame.has(Frame::FLAG_WINDOW_ROUNDED) || frame.has(Frame::FLAG_LEAVES) && at_start;
@@ -173,7 +188,7 @@ pub(super) fn wide_ends(
 ) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
     if frame.has(Frame::FLAG_EXACT) {
         let (p, q) = ends(ids, paths);
-        (widened(p), widened(q))
+        (all_widened(p), all_widened(q))
     } else {
         let (v0, v1) = (given(ids[0], frame, positions), given(ids[1], frame, positions));
         let (v2, v3) = (given(ids[2], frame, positions), given(ids[3], frame, positions));
@@ -182,8 +197,8 @@ pub(super) fn wide_ends(
 }
 
 #[inline(always)]
-fn widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
-    let wide = |p: [f32; 3]| [p[0] as f64, p[1] as f64, p[2] as f64];
+fn all_widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
+    let wide = |p: [f32; 3]| [widened(p[0]), widened(p[1]), widened(p[2])];
     [wide(x[0]), wide(x[1]), wide(x[2]), wide(x[3])]
 }
 
@@ -273,6 +288,16 @@ mod tests {
         for toi in [0.0f32, 1e-40, 1.2e-38, 7.49207e-6, 0.1, 1.0] {
             let want = if toi < f32::MIN_POSITIVE { 0.0 } else { toi as f64 };
             assert_eq!(join(widen(toi)), want, "{toi:e}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_widened_as_the_standard_library_does() {
+        let all = (0..24).map(|i| 1u32 << i).chain((0..=254).map(|e| e << 23 | 0x12_3457));
+        for bits in all.chain([0, 0x7f_ffff, 0x7f7f_ffff]) {
+            for x in [f32::from_bits(bits), -f32::from_bits(bits)] {
+                assert_eq!(widened(x), f64::from(x), "{x:e}");
+            }
         }
     }
 }

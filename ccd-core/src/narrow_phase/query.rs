@@ -177,9 +177,10 @@ const UNIT_RANGE: f32 = 65_536.0;
 /// depend on the unit, products do.
 ///
 /// Scaling by a power of two is exact, but for components so much smaller than the greatest that
-/// they vanish, which is what every bound allows for where results are flushed to zero. A distance
-/// that vanishes becomes the smallest normal number; that is more, and too little for a certain
-/// contact.
+/// they vanish, which is what every bound allows for where results are flushed to zero. What was
+/// flushed before, in the unit of the input, becomes an error of the input ([`Motion::scaled`]). A
+/// distance that vanishes becomes the smallest normal number; that is more, and too little for a
+/// certain contact.
 #[inline(always)]
 pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
     let [a, b, c] = m.magnitudes();

@@ -51,7 +51,8 @@ pub struct Motion<N> {
     pub b: [[N; 3]; 2],
     /// Second side of the patch.
     pub c: [[N; 3]; 2],
-    /// Absolute error of each difference that comes with the input (0 where coordinates are exact).
+    /// Absolute error of each difference that comes with the input (0 where coordinates are exact),
+    /// and with a change of the unit.
     pub error: N,
 }
 
@@ -107,11 +108,22 @@ impl<N: Num> Motion<N> {
         )
     }
 
+    /// The error of a difference in the unit of the input: that of the input, and what a device
+    /// flushes, less than the smallest normal number for either operand and for the result.
+    ///
+    /// Bounds have terms for what is flushed in the unit in which they stand; whoever takes
+    /// differences to another unit takes this along.
+    #[inline(always)]
+    pub fn difference_error(&self) -> N {
+        self.error + N::MIN_NORMAL * N::splat(8.0)
+    }
+
     /// The same in another unit of length; exact for a power of two, unless a component vanishes.
     #[inline(always)]
     pub fn scaled(&self, unit: N) -> Self {
         let both = |x: &[[N; 3]; 2]| [scale(x[0], unit), scale(x[1], unit)];
-        Self { a: both(&self.a), b: both(&self.b), c: both(&self.c), error: self.error * unit }
+        let error = self.difference_error() * unit;
+        Self { a: both(&self.a), b: both(&self.b), c: both(&self.c), error }
     }
 
     /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error

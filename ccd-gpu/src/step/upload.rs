@@ -187,7 +187,9 @@ impl Positions {
         frame.slack = self.slack;
         frame.margin = margin(min_distance * self.table.scale);
         frame.min_distance = self.table.distance(min_distance);
-        frame.distance_bits = split(min_distance);
+        // A device may take less as zero; within this nothing certainly is.
+        let wide = if min_distance > 0.0 { min_distance.max(f64::MIN_POSITIVE) } else { 0.0 };
+        frame.distance_bits = split(wide);
         frame.origin = self.table.origin.map(split);
         frame.scale_bits = split(self.table.scale);
         frame.margin_bits = split(margin(min_distance));

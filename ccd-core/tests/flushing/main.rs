@@ -1,0 +1,8 @@
+//! What devices that flush denormals make of boxes, filters and decisions. A number type that
+//! flushes what goes into an operation and what comes out of it plays the device.
+
+mod boxes;
+mod number;
+mod queries;
+mod sessions;
+mod step;
