@@ -195,10 +195,10 @@ impl Batch {
             _ => [0, bits(random, sizes[2])][random.below(2)],
         };
         let size = [bits(random, sizes[0]), bits(random, sizes[1]), offset];
-        let unit = match (random.below(3), wide) {
-            (0, _) => 0,
-            (1, false) => random.below(250) as i32 - 149,
-            (1, true) => random.below(1000) as i32 - 740,
+        let unit = match (random.below(6), wide) {
+            (0..3, _) => 0,
+            (3 | 4, false) => random.below(250) as i32 - 149,
+            (3 | 4, true) => random.below(1000) as i32 - 740,
             // Where the least numbers are, and where sums and products begin to be subnormal.
             (_, false) => -149 + random.below(32) as i32,
             (_, true) => -1074 + random.below(64) as i32,
