@@ -183,7 +183,8 @@ impl Run<'_> {
         let mut code = place.code();
         let backend = place.backend();
         code += &format!(
-            "let method = ccd::every({backend:?}).find(|m| m.to_string() == \"{method}\").unwrap();\n"
+            "let mut methods = ccd::every({backend:?});\n\
+             let method = methods.find(|m| m.to_string() == \"{method}\").unwrap();\n"
         );
         code += &if scheduling == Scheduling::default() {
             "let scheduling = ccd::Scheduling::default();\n".into()
@@ -202,8 +203,14 @@ impl Run<'_> {
             };
             code += &list("a", a);
             code += &match b {
-                None => "let (found, want) = (broad.self_pairs(&a), ccd_testkit::brute::self_pairs(&a));\n".into(),
-                Some(b) => list("b", b) + "let (found, want) = (broad.pairs(&a, &b), ccd_testkit::brute::pairs(&a, &b));\n",
+                None => "let found = broad.self_pairs(&a);\n\
+                         let want = ccd_testkit::brute::self_pairs(&a);\n"
+                    .into(),
+                Some(b) => {
+                    list("b", b)
+                        + "let found = broad.pairs(&a, &b);\n\
+                           let want = ccd_testkit::brute::pairs(&a, &b);\n"
+                }
             };
             code += "let mut found = found.unwrap().into_vec();\n";
             code += "found.sort_unstable_by_key(|p| (p.a, p.b));\nassert_eq!(found, want);\n";

@@ -7,6 +7,7 @@
 mod boxes;
 mod queries;
 mod query_families;
+mod session_check;
 mod session_steps;
 mod sessions;
 

@@ -328,8 +328,8 @@ fn code(way: Way, batch: &Batch) -> String {
                      let wanted = ccd_core::narrow_phase::search::Search {{ min_distance: {d:?}, \
                      tolerance: 1e-6, from: {from:?}, until: {until:?}, leaves: {} }};\n\
                      let motion = Motion::new(Patch::{patch:?}, &t0, &t1, 0.0);\n\
-                     let verdict = ccd_core::narrow_phase::query::search(&motion, Patch::{patch:?}, \
-                     &wanted).verdict;\n",
+                     let answer = ccd_core::narrow_phase::query::search(&motion, \
+                     Patch::{patch:?}, &wanted);\nlet verdict = answer.verdict;\n",
                     batch.leaves
                 );
             }
@@ -361,7 +361,8 @@ fn code(way: Way, batch: &Batch) -> String {
                      let x1: Vec<[{real}; 3]> = [\n{}].concat();\n\
                      let report = session.step_window(&x0, &x1, [{from:?}, {until:?}]).unwrap();\n\
                      let found = |query: u32| report.contacts.iter().find(|c| \
-                     report.mesh().vertices_of(c.kind, ccd::Pair {{ a: c.a, b: c.b }})[0] / 4 == query);\n",
+                     report.mesh().vertices_of(c.kind, ccd::Pair {{ a: c.a, b: c.b }})[0] / 4 == \
+                     query);\n",
                     4 * n,
                     mesh.faces(),
                     batch.leaves,

@@ -254,7 +254,7 @@ impl Batch {
             }
             _ => {
                 let [at, motion, offset] = self.bits;
-                let n = 1 << random.below(4);
+                let n = 2 << random.below(3);
                 let mut side = || {
                     let from = vector(random, at).map(|x| (x + n - 1) / n * n);
                     [from, vector(random, motion)]
@@ -359,8 +359,10 @@ fn meet(r: &mut Random, f: &mut Form, patch: Patch, place: usize) {
     let divides = |n: i64| f.b[0].iter().chain(&f.c[0]).all(|x| x % n == 0);
     let n = [8, 4, 2, 1].into_iter().find(|&n| divides(n)).unwrap_or(1);
     let any = r.below(n as usize + 1) as i64;
+    // Not on a side, where there is anything else.
+    let inner = |r: &mut Random| if n > 2 { 1 + r.below(n as usize - 1) as i64 } else { any };
     let (mut i, mut j) = match place {
-        0 => (any, r.below(n as usize + 1) as i64),
+        0 => (inner(r), inner(r)),
         1 => [(0, any), (any, 0), (n, any), (any, n)][r.below(4)],
         _ => [(0, 0), (0, n), (n, 0), (n, n)][r.below(4)],
     };

@@ -1,29 +1,29 @@
 //! A session, a change of it, and the step that is compared with that of a new session; every call
 //! is written down as Rust while it is made.
 
+use super::session_check::filter_text;
 use super::{Counts, Place};
 use ccd::any::{Error, Session};
 use ccd::scenes::{Step, crumpled_sheet, particles_and_rods, triangle_soup};
 use ccd::{
-    Bodies, BroadPhaseMethod, Catalogued, Contact, Groups, Kind, Options, Pipeline, Report,
-    Scheduler, Scheduling, State as Certainty, TriangleOptions, gpu,
+    Bodies, BroadPhaseMethod, Catalogued, Groups, Kind, Options, Pipeline, Scheduler, Scheduling,
+    TriangleOptions, gpu,
 };
-use ccd_testkit::compare::agree_within;
 use ccd_testkit::grazing::random::Random;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 const N_BODIES: u32 = 9;
 
 pub struct State<'a> {
-    place: &'a Place,
-    step: Step,
+    pub place: &'a Place,
+    pub step: Step,
     /// Coordinates are multiplied by this.
     unit: f64,
     /// Where connected elements are of one body.
     body_of: Vec<u32>,
-    session: Session,
+    pub session: Session,
     /// Pairs are left out whose ids add up to a multiple of this; 0: none.
-    filter: u32,
+    pub filter: u32,
     /// Which part of the motion the next step is.
     part: usize,
 }
@@ -31,7 +31,7 @@ pub struct State<'a> {
 /// Parts of a motion.
 const PARTS: [[f64; 2]; 4] = [[0.0, 1.0], [1.0, 0.0], [0.25, 0.5], [0.0, 0.0]];
 
-type Ends = [Vec<[f64; 3]>; 2];
+pub type Ends = [Vec<[f64; 3]>; 2];
 
 fn scene(random: &mut Random, text: &mut String) -> (Step, f64) {
     let seed = random.below(1 << 20) as u32;
@@ -105,11 +105,15 @@ impl<'a> State<'a> {
             }
             2 => {
                 *text += &format!("let _ = session.set_fixed({body}, {flag});\n");
-                Ok(self.session.set_fixed(body, flag).unwrap_or_default())
+                // Refused where there is no such body.
+                let _ = self.session.set_fixed(body, flag);
+                Ok(())
             }
             3 => {
                 *text += &format!("let _ = session.set_sleeping({body}, {flag});\n");
-                Ok(self.session.set_sleeping(body, flag).unwrap_or_default())
+                // Refused where there is no such body.
+                let _ = self.session.set_sleeping(body, flag);
+                Ok(())
             }
             4 => {
                 *text += &format!("session.set_fixed_motion({flag}).unwrap();\n");
@@ -205,7 +209,7 @@ impl<'a> State<'a> {
     }
 
     /// Positions of the next step, at which what stands still does.
-    fn ends(&self) -> Ends {
+    pub fn ends(&self) -> Ends {
         let Step { x0, x1, .. } = &self.step;
         let bodies = self.session.options().bodies.as_ref();
         PARTS[self.part % 4].map(|t| {
@@ -218,15 +222,16 @@ impl<'a> State<'a> {
         })
     }
 
-    fn ends_text(&self) -> String {
+    pub fn ends_text(&self) -> String {
         let still = (self.part / 8 % 3) as f64 * 0.25;
         format!(
             "let bodies = session.options().bodies.clone();\n\
+             let still = |v| bodies.as_ref().is_some_and(|b| b.is_fixed(v) && \
+             !b.fixed_may_move());\n\
              let [x0, x1] = {:?}.map(|t| -> Vec<[f64; 3]> {{\n\
-             let still = |v| bodies.as_ref().is_some_and(|b| b.is_fixed(v) && !b.fixed_may_move());\n\
-             let at = |v: usize| {{ let t = if still(v as u32) {{ {still:?} }} else {{ t }};\n\
-             std::array::from_fn(|i| (scene.x0[v][i] + (scene.x1[v][i] - scene.x0[v][i]) * t) * unit) }};\n\
-             (0..scene.x0.len()).map(at).collect()\n}});\n",
+             let ends = scene.x0.iter().zip(&scene.x1).enumerate();\n\
+             ends.map(|(v, (p, q))| {{\nlet t = if still(v as u32) {{ {still:?} }} else {{ t }};\n\
+             std::array::from_fn(|i| (p[i] + (q[i] - p[i]) * t) * unit)\n}}).collect()\n}});\n",
             PARTS[self.part % 4]
         )
     }
@@ -293,11 +298,13 @@ impl<'a> State<'a> {
     ) -> Result<(&'static str, bool), Error> {
         let n = 1 + random.below(40) as u32;
         *text += &format!(
-            "session.set_filter(|_, a, b| (a + 3 * b) % {n} != 0 || panic!(\"provoked\")).unwrap();\n\
-             let step = std::panic::AssertUnwindSafe(|| _ = session.step(&x0, &x1).unwrap());\n\
+            "session.set_filter(|_, a, b| (a + 3 * b) % {n} != 0 || panic!(\"provoked\"))\
+             .unwrap();\n\
+             let step = std::panic::AssertUnwindSafe(|| _ = session.step(&x0, &x1));\n\
              let _ = std::panic::catch_unwind(step);\n"
         );
-        let provoked = move |_, a: u32, b: u32| (a + 3 * b) % n != 0 || panic!("provoked");
+        let provoked =
+            move |_, a: u32, b: u32| !(a + 3 * b).is_multiple_of(n) || panic!("provoked");
         self.session.set_filter(provoked)?;
         let step = AssertUnwindSafe(|| self.session.step(x0, x1).map(|_| ()));
         let ended = catch_unwind(step);
@@ -307,124 +314,6 @@ impl<'a> State<'a> {
             Err(_) => Ok(("panics of a filter", true)),
         }
     }
-
-    /// A step, and that of a new session by brute force.
-    fn check(
-        &mut self,
-        random: &mut Random,
-        counts: &mut Counts,
-        text: &mut String,
-    ) -> Result<(), String> {
-        let ends = self.ends();
-        let window =
-            [[0.0, 1.0], [0.0, 1.0], [0.1, 0.7], [0.25, 0.25], [0.5, 1.0]][random.below(5)];
-        let (narrow, earliest) = (random.below(4) == 0, random.below(4) == 0);
-        let options = self.session.options();
-        *text += &self.ends_text();
-        *text += &format!(
-            "let mut fresh = ccd::Session::new(scene.mesh.clone(), session.options().clone()\n\
-             .with_broad_phase(ccd::BroadPhaseMethod::BruteForce).with_threads(1)\n\
-             .with_scheduling(ccd::Scheduling::default()).with_pipeline(ccd::Pipeline::Features))\
-             .unwrap();\nfresh.set_filter(|_, a, b| {});\n",
-            filter_text(self.filter)
-        );
-        let plain = options
-            .clone()
-            .with_broad_phase(BroadPhaseMethod::BruteForce)
-            .with_scheduling(Scheduling::default())
-            .with_pipeline(Pipeline::Features)
-            .with_threads(1);
-        let mut fresh = ccd::Session::new(self.session.mesh().clone(), plain)
-            .map_err(|e| format!("a new session: {e}"))?;
-        let n = self.filter;
-        fresh.set_filter(move |_, a, b| n == 0 || (a + b) % n != 0);
-        if narrow {
-            *text += "let [x0, x1] = [x0, x1].map(|x| x.iter().map(|p| p.map(|c| c as f32))\
-                      .collect::<Vec<_>>());\n";
-            let ends = ends.map(|x| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>());
-            self.compare(&mut fresh, &ends, window, earliest, counts, text)
-        } else {
-            self.compare(&mut fresh, &ends, window, earliest, counts, text)
-        }
-    }
-
-    fn compare<T: ccd::Coordinate>(
-        &mut self,
-        fresh: &mut ccd::Session,
-        [x0, x1]: &[Vec<[T; 3]>; 2],
-        window: [f64; 2],
-        earliest: bool,
-        counts: &mut Counts,
-        text: &mut String,
-    ) -> Result<(), String> {
-        let on_gpu = self.place.backend() == "gpu";
-        let tolerance = self.session.options().tolerance;
-        // A device's time is as early as it may be by itself, and rounded down to an `f32`.
-        let slack = if on_gpu { tolerance + 1.1e-6 } else { 0.0 };
-        if earliest {
-            let all = fresh.step(x0, x1).map_err(|e| format!("a new session: {e}"))?;
-            let hits = all.contacts.iter().filter(|c| c.state == Certainty::Hit);
-            let first = hits.map(|c| c.toi).reduce(f64::min);
-            let found = self.session.earliest_toi(x0, x1).map_err(|e| format!("an error: {e}"))?;
-            *text += &format!(
-                "let toi = session.earliest_toi(&x0, &x1).unwrap();\n// Right is {:?} at most.\n\
-                 println!(\"{{toi:?}}\");\n",
-                first
-            );
-            let late = first.is_some_and(|first| found.is_none_or(|t| t > first + slack));
-            // Only one of a pair that is undecided may be earlier.
-            let early = all.toi.zip(found).is_some_and(|(all, t)| t < all - slack);
-            if late || early || all.toi.is_none() && found.is_some() && !on_gpu {
-                return Err(format!("earliest time {found:?}, of all contacts {:?}", all.toi));
-            }
-        }
-        *text += &format!(
-            "let found = session.step_window(&x0, &x1, {window:?}).unwrap().clone();\n\
-             let want = fresh.step_window(&x0, &x1, {window:?}).unwrap();\n"
-        );
-        let found =
-            self.session.step_window(x0, x1, window).map_err(|e| format!("an error: {e}"))?.clone();
-        let want = fresh.step_window(x0, x1, window).map_err(|e| format!("a new session: {e}"))?;
-        counts.add("contacts", want.contacts.len() as u64);
-        let cones = matches!(
-            self.session.options().pipeline,
-            Pipeline::Triangles(TriangleOptions { cones: true, .. })
-        );
-        *text += &if on_gpu {
-            format!(
-                "ccd_testkit::compare::agree_within(&want.contacts, &found.contacts, \
-                 {tolerance:?}).unwrap();\n"
-            )
-        } else {
-            "assert_eq!(found.contacts, want.contacts);\n".to_owned()
-        };
-        same(&found, want, on_gpu.then_some(tolerance))?;
-        if !cones {
-            *text += "assert_eq!(found.candidates, want.candidates);\n";
-            if found.candidates != want.candidates {
-                return Err(format!("candidates {:?}, {:?}", found.candidates, want.candidates));
-            }
-        }
-        Ok(())
-    }
-}
-
-fn filter_text(n: u32) -> String {
-    if n == 0 { "a <= b || a > b".into() } else { format!("(a + b) % {n} != 0") }
-}
-
-/// The same contacts; of a GPU what both are certain of.
-fn same(found: &Report, want: &Report, on_gpu: Option<f64>) -> Result<(), String> {
-    if let Some(tolerance) = on_gpu {
-        return agree_within(&want.contacts, &found.contacts, tolerance.max(1e-9));
-    }
-    if found.contacts == want.contacts {
-        return Ok(());
-    }
-    let key = |c: &Contact| (c.kind, c.a, c.b);
-    let other = want.contacts.iter().zip(&found.contacts).find(|(a, b)| key(a) != key(b) || a != b);
-    let [n, right] = [found, want].map(|r| r.contacts.len());
-    Err(format!("{n} contacts, {right} are right; the first that differ: {other:?}"))
 }
 
 /// Another method, scheduling, pipeline, tolerance, number of threads.
@@ -462,7 +351,8 @@ fn options(place: &Place, random: &mut Random, before: &Options, text: &mut Stri
         "ccd::Scheduling::default()".into()
     } else {
         format!(
-            "ccd::Scheduling::every({backend:?}).find(|s| s.to_string() == \"{scheduling}\").unwrap()"
+            "ccd::Scheduling::every({backend:?}).find(|s| s.to_string() == \
+             \"{scheduling}\").unwrap()"
         )
     };
     let pipeline_text = match pipeline {
@@ -474,7 +364,8 @@ fn options(place: &Place, random: &mut Random, before: &Options, text: &mut Stri
     };
     *text += &format!(
         "let options = {start}.with_threads({threads}).with_leave_contact({leaves})\n\
-         .with_broad_phase(ccd::every({backend:?}).find(|m| m.to_string() == \"{method}\").unwrap())\n\
+         .with_broad_phase(ccd::every({backend:?}).find(|m| m.to_string() == \
+         \"{method}\").unwrap())\n\
          .with_scheduling({scheduling_text})\n.with_pipeline({pipeline_text})\
          .with_tolerance({tolerance:?});\n"
     );
