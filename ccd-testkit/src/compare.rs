@@ -83,6 +83,11 @@ pub fn recorded_step(scene: &str) -> String {
 /// Whether two lists of contacts of one step can both be right: what is certain in one is in the
 /// other, both are in their order, and two certain times differ by no more than their tolerances.
 pub fn agree(want: &[Contact], found: &[Contact]) -> Result<(), String> {
+    agree_within(want, found, TOI_TOLERANCE)
+}
+
+/// The same where another tolerance was asked for.
+pub fn agree_within(want: &[Contact], found: &[Contact], tolerance: f64) -> Result<(), String> {
     let key = |c: &Contact| (c.kind, c.a, c.b);
     for (name, list) in [("right", want), ("found", found)] {
         if let Some(w) = list.windows(2).find(|w| key(&w[0]) >= key(&w[1])) {
@@ -97,7 +102,7 @@ pub fn agree(want: &[Contact], found: &[Contact]) -> Result<(), String> {
                 Ok(i) => {
                     let other = &those[i];
                     let certain = c.state == State::Hit && other.state == State::Hit;
-                    if certain && (c.toi - other.toi).abs() > 2.0 * TOI_TOLERANCE {
+                    if certain && (c.toi - other.toi).abs() > 2.0 * tolerance {
                         return Err(format!("times differ: {c:?}, {other:?}"));
                     }
                 }

@@ -5,6 +5,7 @@
 pub mod brute;
 pub mod compare;
 pub mod data;
+pub mod grazing;
 pub mod methods;
 pub mod oracle;
 

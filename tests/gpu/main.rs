@@ -15,7 +15,6 @@ mod emulated;
 mod engine;
 mod failures;
 mod geometry;
-mod grazing;
 mod intervals;
 mod kept_order;
 mod kernels;

@@ -1,13 +1,13 @@
 //! Queries whose features nearly graze, decided on the device, against exact arithmetic: none is
 //! missed, none is late.
 
-use crate::grazing::exact::{Contact, contact};
-use crate::grazing::random::Random;
-use crate::grazing::{tangential, widen};
 use crate::queries::{Ends, decide};
 use ccd::gpu::Device;
 use ccd::{Real, Verdict};
 use ccd_core::narrow_phase::relative_motion::Patch;
+use ccd_testkit::grazing::exact::{Contact, contact};
+use ccd_testkit::grazing::random::Random;
+use ccd_testkit::grazing::{tangential, widen};
 
 /// Tests of generated queries.
 pub const TESTS: crate::Tests = &[("tangential", check_tangential)];

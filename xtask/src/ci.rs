@@ -8,7 +8,8 @@ use std::process::Command;
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
 /// What this crate is built with for one task each, and by default without: clippy sees all of it.
-const XTASK_FEATURES: [&str; 5] = ["report", "gpu-report", "algorithms", "shaders", "loom"];
+const XTASK_FEATURES: [&str; 6] =
+    ["report", "gpu-report", "algorithms", "attack", "shaders", "loom"];
 
 pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
@@ -24,6 +25,10 @@ pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     let test = readme_test_command(root)?;
     command(root, &test.split_whitespace().collect::<Vec<_>>())?;
+    // The first cases of a seed: two minutes together, with those that are begun last.
+    for (backend, minutes) in [("cpu", "0.5"), ("gpu", "0.9")] {
+        command(root, &["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend])?;
+    }
     // After the tests, which compile most of what they need.
     crate::wasm::run(root)?;
     crate::python::run(root)?;

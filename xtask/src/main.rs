@@ -3,6 +3,8 @@
 
 #[cfg(feature = "algorithms")]
 mod algorithms;
+#[cfg(feature = "attack")]
+mod attack;
 mod ci;
 mod compile_times;
 #[cfg(feature = "gpu-report")]
@@ -54,6 +56,10 @@ enum Task {
         #[arg(long, hide = true)]
         here: bool,
     },
+    /// Search for wrong answers: boxes by every method against brute force, queries that are nearly
+    /// degenerate against exact answers, sessions in which everything changes and fails against
+    /// new ones; what is found is shrunk and written as a test
+    Attack(AttackOptions),
     /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to
     /// ccd-gpu/shaders
     Shaders {
@@ -110,6 +116,47 @@ enum Task {
         #[arg(long, default_value = "cpu", value_parser = ["cpu", "gpu"])]
         backend: String,
     },
+}
+
+/// What is searched, where, and for how long.
+#[derive(Clone, Debug, clap::Args)]
+#[cfg_attr(not(feature = "attack"), allow(dead_code, reason = "read where it is built"))]
+struct AttackOptions {
+    /// How long, all kinds together
+    #[arg(long, default_value_t = 10.0)]
+    minutes: f64,
+    /// Where the work under test runs: the GPU through both paths, with and without f64, in turn
+    /// (CCD_ADAPTER chooses one; an error if there is none)
+    #[arg(long, value_enum, default_value = "cpu")]
+    backend: AttackedBackend,
+    /// This kind alone
+    #[arg(long, value_enum)]
+    kind: Option<AttackKind>,
+    /// What cases are made of
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// This case alone, as a find names it
+    #[arg(long, requires = "kind")]
+    case: Option<u64>,
+    /// The folder for what is found
+    #[arg(long, default_value = "target/attack")]
+    out: std::path::PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum AttackedBackend {
+    Cpu,
+    Gpu,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum AttackKind {
+    /// Pairs of boxes by every method and scheduler
+    Boxes,
+    /// Queries of families that are nearly degenerate
+    Queries,
+    /// Sessions in which everything changes between steps
+    Sessions,
 }
 
 /// What the report of schedulers measures.
@@ -178,6 +225,7 @@ fn main() -> ExitCode {
         Task::Tidy => tidy::run(root),
         Task::Mutants { names } => mutants::run(root, &names),
         Task::Loom { name, here } => loom_task(root, &name, here),
+        Task::Attack(options) => attack_task(root, &options),
         Task::Shaders { check } => shaders_task(root, check),
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
@@ -276,6 +324,19 @@ fn gpu_task(root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), S
         ]
         .concat(),
     )
+}
+
+#[cfg(feature = "attack")]
+fn attack_task(_root: &Path, options: &AttackOptions) -> Result<(), String> {
+    attack::run(options)
+}
+
+/// Without what it attacks: builds itself again with it.
+#[cfg(not(feature = "attack"))]
+fn attack_task(root: &Path, _options: &AttackOptions) -> Result<(), String> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "attack", "--"];
+    ci::command(root, &build.into_iter().chain(args.iter().map(String::as_str)).collect::<Vec<_>>())
 }
 
 #[cfg(feature = "shaders")]

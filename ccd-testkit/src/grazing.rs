@@ -1,11 +1,15 @@
-//! The generator of grazing queries and the exact arithmetic of the core's tests.
+//! Generators and exact arithmetic of the core's own tests: queries that nearly graze, contacts in
+//! integers, squares of distances in rational numbers.
 
-#[allow(dead_code, reason = "the core's tests use the rest")]
 #[path = "../../ccd-core/tests/bounds/common/exact.rs"]
 pub mod exact;
+#[allow(missing_docs, reason = "as in the tests it comes from")]
+#[path = "../../ccd-core/tests/bounds/common/exact_distance.rs"]
+pub mod exact_distance;
+#[allow(missing_docs, reason = "as in the tests it comes from")]
 #[path = "../../ccd-core/tests/bounds/common/random.rs"]
 pub mod random;
-#[allow(dead_code, reason = "the core's tests use the rest")]
+#[allow(missing_docs, reason = "as in the tests it comes from")]
 #[path = "../../ccd-core/tests/bounds/common/tangential.rs"]
 pub mod tangential;
 
