@@ -4,7 +4,7 @@
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
 use crate::kernel_cache::KernelFile;
-use crate::pipeline::{self, Pipeline};
+use crate::pipeline::{self, Checked, Pipeline};
 use crate::shaders::module;
 use ccd_core::kernel::{Id, TABLE};
 use std::cmp::Reverse;
@@ -36,6 +36,7 @@ struct Inner {
     pipelines: Vec<OnceLock<Pipeline>>,
     cache: Option<Cache>,
     compilation: Mutex<Compilation>,
+    checked: Option<Checked>,
 }
 
 /// Compiled kernels that are kept on disk.
@@ -206,7 +207,8 @@ impl Device {
         let kept = cache.as_ref().is_some_and(|cache| cache.stored.is_some());
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
         let lost = Arc::default();
-        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation };
+        let checked = None;
+        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation, checked };
         Ok(Self { inner: Arc::new(inner) })
     }
 
@@ -369,12 +371,24 @@ impl Device {
 
     /// The pipeline of a kernel, compiled if [`Device::compile`] was not asked to.
     pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
-        let Inner { pipelines, device, info, cache, .. } = &*self.inner;
+        let Inner { pipelines, device, info, cache, checked, .. } = &*self.inner;
         let cache = cache.as_ref().map(|cache| &cache.kernels);
         pipelines[id as usize].get_or_init(|| {
             self.compiled().kernels += 1;
-            Pipeline::compile(device, info.path, id, cache)
+            Pipeline::compile(device, info.path, id, cache, checked.as_ref())
         })
+    }
+
+    /// The modules that check their indices, if it has such.
+    pub(crate) fn checked(&self) -> Option<&Checked> {
+        self.inner.checked.as_ref()
+    }
+
+    /// Gives them to a device that nobody else has yet.
+    pub(crate) fn set_checked(&mut self, checked: Checked) {
+        if let Some(inner) = Arc::get_mut(&mut self.inner) {
+            inner.checked = Some(checked);
+        }
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -3,6 +3,7 @@
 
 #[cfg(feature = "algorithms")]
 mod algorithms;
+mod checked;
 mod ci;
 mod compile_times;
 #[cfg(feature = "gpu-report")]
@@ -59,6 +60,10 @@ enum Task {
         /// missing
         #[arg(long)]
         check: bool,
+        /// Write the committed modules with a check of every index to target/shaders/checked
+        /// instead, for tests with CCD_CHECKED_SHADERS
+        #[arg(long, conflicts_with = "check")]
+        checked: bool,
     },
     /// Have Tint, the compiler of Chromium's WebGPU, read the WGSL; fetched by npm where it is not
     /// there, and reported as skipped where it cannot be
@@ -167,7 +172,8 @@ fn main() -> ExitCode {
         Task::Tidy => tidy::run(root),
         Task::Mutants { names } => mutants::run(root, &names),
         Task::Loom { name, here } => loom_task(root, &name, here),
-        Task::Shaders { check } => shaders_task(root, check),
+        Task::Shaders { checked: true, .. } => checked::run(root),
+        Task::Shaders { check, .. } => shaders_task(root, check),
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
         Task::Python => python::run(root),

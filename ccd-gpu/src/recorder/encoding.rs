@@ -71,6 +71,7 @@ impl<'a> Encoding<'a> {
             let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size };
             let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
             let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
+            let resources = resources.chain(bench.device.checked().map(|checked| checked.word(id)));
             let entries: Vec<_> = resources
                 .enumerate()
                 .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource })
