@@ -1,5 +1,5 @@
-//! One kernel by itself, on buffers of the caller's: for parity tests and benches; and devices whose
-//! kernels check their indices, for tests.
+//! One kernel by itself, on buffers of the caller's: for parity tests and benches; devices whose
+//! kernels check their indices.
 
 use crate::adapter::DeviceOptions;
 use crate::bind::Bind;
@@ -66,8 +66,8 @@ pub fn run<K: Bind<Vec<u8>>>(
 /// the end. For tests alone.
 ///
 /// # Errors
-/// As [`Device::open`]; [`Error::Unavailable`] where a module cannot be read, or through WGSL, which
-/// has checks of its own.
+/// As [`Device::open`]; [`Error::Unavailable`] where a module cannot be read, or through WGSL,
+/// which has checks of its own.
 ///
 /// # Safety
 /// The folder holds what that command wrote from the modules of this version: they are handed to
