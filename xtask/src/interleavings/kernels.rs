@@ -88,7 +88,7 @@ impl Worker {
         }
         let Self { round: Round { workers, most, .. }, me, .. } = self;
         for _ in 0..workers.drain_turns(most) {
-            if let Some(taken) = self.pop().or_else(|| self.from_hand(self.first_held())) {
+            if let Some(taken) = self.pop().or_else(|| self.take_held(self.first_held())) {
                 self.stack.extend(read(workers.deque(taken.owner), &self.words, taken.slot));
                 workers.done(&self.words, taken);
             } else if self.has(Fault::DrainsUnseen) || workers.deque(me).is_empty(&self.words) {
@@ -159,7 +159,7 @@ impl Worker {
                 }
             }
         }
-        self.from_hand(first)
+        self.take_held(first)
     }
 
     /// Threads: of those with a hand as many as look at different workers, and the first without.
@@ -173,7 +173,7 @@ impl Worker {
         self.lanes().filter(holds).min().unwrap_or(HANDS)
     }
 
-    fn from_hand(&self, hand: u32) -> Option<Taken> {
+    fn take_held(&self, hand: u32) -> Option<Taken> {
         if hand < HANDS {
             self.round.workers.next_in_hand(&self.words, self.me, hand)
         } else {
