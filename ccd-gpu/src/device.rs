@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::harness::Faults;
 use crate::kernel_cache::Cache;
 use crate::memory::Memory;
-use crate::pipeline::Pipeline;
+use crate::pipeline::{Checked, Pipeline};
 use crate::shaders::module;
 use ccd_core::kernel::{Id, TABLE};
 use std::cmp::Reverse;
@@ -41,6 +41,7 @@ struct Inner {
     cache: Option<Cache>,
     compilation: Mutex<Compilation>,
     faults: Mutex<Faults>,
+    checked: Option<Checked>,
 }
 
 /// What the kernels that a device has used so far took to compile.
@@ -197,7 +198,17 @@ impl Device {
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
         let lost = Arc::default();
         let faults = Mutex::default();
-        let inner = Inner { device, queue, info, lost, pipelines, cache, compilation, faults };
+        let inner = Inner {
+            device,
+            queue,
+            info,
+            lost,
+            pipelines,
+            cache,
+            compilation,
+            faults,
+            checked: None,
+        };
         Ok(Self { inner: Arc::new(inner), memory: None })
     }
 
@@ -404,14 +415,27 @@ impl Device {
     }
 
     fn compiled_kernel(&self, id: Id) -> Pipeline {
-        let Inner { device, info, cache, .. } = &*self.inner;
+        let Inner { device, info, cache, checked, .. } = &*self.inner;
         self.compiled().kernels += 1;
-        Pipeline::compile(device, info.path, id, cache.as_ref().map(|cache| &cache.kernels))
+        let cache = cache.as_ref().map(|cache| &cache.kernels);
+        Pipeline::compile(device, info.path, id, cache, checked.as_ref())
     }
 
     /// What tests make fail.
     pub(crate) fn faults(&self) -> MutexGuard<'_, Faults> {
         self.inner.faults.lock().unwrap_or_else(|e| e.into_inner())
+    }
+
+    /// The modules that check their indices, if it has such.
+    pub(crate) fn checked(&self) -> Option<&Checked> {
+        self.inner.checked.as_ref()
+    }
+
+    /// Gives them to a device that nobody else has yet.
+    pub(crate) fn set_checked(&mut self, checked: Checked) {
+        if let Some(inner) = Arc::get_mut(&mut self.inner) {
+            inner.checked = Some(checked);
+        }
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -1,11 +1,16 @@
-//! For tests and benches: one kernel by itself, on buffers of the caller's; a device that fails.
+//! For tests and benches: one kernel by itself, on buffers of the caller's; a device that fails;
+//! devices whose kernels check their indices.
 
+use crate::adapter::DeviceOptions;
 use crate::bind::Bind;
 use crate::device::Device;
 use crate::error::Error;
-use crate::readback::{Part, Plan, Readback};
+use crate::pipeline::Checked;
+use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
+use ccd_core::kernel::TABLE;
 use ccd_core::layout::Params;
+use std::path::Path;
 use wgpu::BufferUsages as U;
 
 /// What goes wrong on a device from now on, in all its sessions.
@@ -86,5 +91,54 @@ pub fn run<K: Bind<Vec<u8>>>(
         for (to, part) in kernel.buffers_mut().into_iter().zip(&parts) {
             to.copy_from_slice(part.of(bytes));
         }
+    })
+}
+
+/// Opens a device whose kernels are those that `cargo xtask shaders --checked` has written to a
+/// folder: every index is compared with the length, and [`failures`] says how often one was past
+/// the end. For tests alone.
+///
+/// # Errors
+/// As [`Device::open`]; [`Error::Unavailable`] where a module cannot be read, or through WGSL,
+/// which has checks of its own.
+///
+/// # Safety
+/// The folder holds what that command wrote from the modules of this version: they are handed to
+/// the driver as they are.
+#[allow(unsafe_code, reason = "wgpu does not check SPIR-V that it passes through")]
+pub unsafe fn open_checked(options: &DeviceOptions, folder: &Path) -> Result<Device, Error> {
+    let mut device = Device::open(options)?;
+    device.check_native()?;
+    let module = |name: &str| {
+        let path = folder.join(name).with_extension("spv");
+        let why = |e| Error::Unavailable { why: format!("{}: {e}", path.display()) };
+        std::fs::read(&path).map_err(why)
+    };
+    let modules = TABLE.iter().map(|row| module(row.name)).collect::<Result<_, _>>()?;
+    let bytes = Checked::STRIDE * TABLE.len() as u64;
+    let status = device.buffer("a status", bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+    device.set_checked(Checked { modules, status });
+    Ok(device)
+}
+
+/// Kernels that used an index past the end since the last call, and how often; `None` if the device
+/// is none of [`open_checked`].
+///
+/// # Errors
+/// What the device refuses.
+pub fn failures(device: &Device) -> Result<Option<Vec<(&'static str, u32)>>, Error> {
+    let Some(Checked { status, .. }) = device.checked() else { return Ok(None) };
+    let mut plan = Plan::default();
+    let part = plan.part(status.size());
+    let reading = Readback::default().prepare(device, plan)?;
+    submit(device, &mut Bench::new(device)?, |recorder| {
+        recorder.read(&reading, part, status, 0);
+        recorder.clear(status, status.size());
+    })?;
+    reading.with(device, |bytes| {
+        let counts = TABLE.iter().zip(bytes.chunks_exact(Checked::STRIDE as usize));
+        Some(
+            counts.map(|(row, bytes)| (row.name, word(bytes, 0))).filter(|(_, n)| *n > 0).collect(),
+        )
     })
 }

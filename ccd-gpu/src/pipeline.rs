@@ -4,11 +4,30 @@ use crate::adapter::Path;
 use crate::device::Device;
 use crate::shaders::module;
 use ccd_core::kernel::{Access, Id};
+use std::iter::once;
 
 /// A compiled kernel.
 pub struct Pipeline {
     pub pipeline: wgpu::ComputePipeline,
     pub layout: wgpu::BindGroupLayout,
+}
+
+/// Modules that check their indices, by id, and the buffer in which each counts those past the end;
+/// see [`crate::harness::open_checked`].
+pub struct Checked {
+    pub modules: Vec<Vec<u8>>,
+    pub status: wgpu::Buffer,
+}
+
+impl Checked {
+    /// Bytes from the word of a kernel to that of the next.
+    pub const STRIDE: u64 = 256;
+
+    /// The word of a kernel, which is bound behind all of its buffers.
+    pub fn word(&self, id: Id) -> wgpu::BindingResource<'_> {
+        let (offset, size) = (id as u64 * Self::STRIDE, wgpu::BufferSize::new(16));
+        wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer: &self.status, offset, size })
+    }
 }
 
 impl Pipeline {
@@ -18,6 +37,7 @@ impl Pipeline {
         path: Path,
         id: Id,
         cache: Option<&wgpu::PipelineCache>,
+        checked: Option<&Checked>,
     ) -> Self {
         let row = id.row();
         let module = module(id);
@@ -30,8 +50,8 @@ impl Pipeline {
                 })
             }
             Path::Passthrough => {
-                let words: Vec<u32> = module
-                    .spirv
+                let spirv = checked.map_or(module.spirv, |of| &of.modules[id as usize]);
+                let words: Vec<u32> = spirv
                     .chunks_exact(4)
                     .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
                     .collect();
@@ -45,8 +65,11 @@ impl Pipeline {
                     spirv: Some(words.into()),
                     ..Default::default()
                 };
-                // SAFETY: the module passed the validator, its bindings are those of the table
-                // (both are tested), and it indexes only what the parameters say is there.
+                // SAFETY: the module passed the validator and its bindings are those of the table
+                // (both are tested). No index is checked. Those into buffers are bounded by
+                // robustBufferAccess on every device that wgpu has opened; another that an
+                // application made must have it on. Those into workgroup memory nothing bounds but
+                // the kernels, which tests run with a check of each (`harness::open_checked`).
                 #[allow(unsafe_code, reason = "wgpu does not check SPIR-V that it passes through")]
                 unsafe {
                     device.create_shader_module_passthrough(descriptor)
@@ -54,7 +77,7 @@ impl Pipeline {
             }
         };
         let entries: Vec<_> = (0..)
-            .zip(row.bindings())
+            .zip(row.bindings().chain(checked.iter().flat_map(|_| once(Access::Write))))
             .map(|(i, access)| layout_entry(i, access, row.params.is_some() && i == 0))
             .collect();
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -95,6 +118,7 @@ pub fn bind_group(
     let takes_params = id.row().params.is_some();
     let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
     let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
+    let resources = resources.chain(device.checked().map(|checked| checked.word(id)));
     let entries: Vec<_> = (0..)
         .zip(resources)
         .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })

@@ -1,4 +1,7 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
+//!
+//! No index is checked here. What a wrong one does is said in `ccd_core::kernel::memory`: of a
+//! buffer it stays inside by the device's robustness, of workgroup memory nothing bounds it.
 #![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
 use ccd_core::kernel::Words;
@@ -27,7 +30,8 @@ pub fn group(id: UVec3, n: UVec3) -> u32 {
 /// Adds to a word of a buffer and returns what it was.
 #[inline(always)]
 pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
-    // SAFETY: callers' indices are in range; the scope and the order are valid for storage buffers.
+    // SAFETY: callers' indices are in range, and robustBufferAccess bounds them; the scope and the
+    // order are valid for storage buffers.
     unsafe { atomic_i_add::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) }
 }
 
@@ -73,7 +77,8 @@ pub fn load(words: &[u32], i: usize) -> u32 {
 /// Adds to a word of workgroup memory and returns what it was.
 #[inline(always)]
 pub fn add_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) -> u32 {
-    // SAFETY: callers' indices are in range; the scope is that of the memory.
+    // SAFETY: callers' indices are in range, and nothing else bounds them; the scope is that of the
+    // memory.
     unsafe { atomic_i_add::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), value) }
 }
 
@@ -105,7 +110,7 @@ pub fn lower_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) {
 /// Element `i` of an array in workgroup memory.
 #[inline(always)]
 pub fn get<T: Copy, const N: usize>(shared: &[T; N], i: u32) -> T {
-    // SAFETY: callers' indices are in range.
+    // SAFETY: callers' indices are in range, and nothing else bounds them.
     unsafe { *shared.index_unchecked(i as usize) }
 }
 
@@ -217,7 +222,8 @@ impl<'a> DeviceWords<'a> {
     #[inline(always)]
     #[allow(clippy::mut_from_ref, reason = "what atomics of the device take")]
     fn word(&self, i: usize) -> &mut u32 {
-        // SAFETY: callers' indices are in range; all access to these words is atomic.
+        // SAFETY: callers' indices are in range, and robustBufferAccess bounds them; all access to
+        // these words is atomic.
         unsafe { (&mut *self.words).get_unchecked_mut(self.first + i) }
     }
 }

@@ -235,7 +235,9 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
         pairs.extend(entries(&work(first, n, room(room_out))));
     }
     if !pairs.is_empty() {
-        let counted: Vec<u32> = read(&work(0, n, bytes(&[u32::MAX, 0, 0, 0])));
+        let mut full = room(room_out);
+        full[..4].fill(u8::MAX);
+        let counted: Vec<u32> = read(&work(0, n, full));
         assert_eq!(counted[..4], [pairs.len() as u32 - 1, 0, 1, 0], "a count that runs over");
     }
     pairs

@@ -43,7 +43,7 @@ mod units;
 mod windows;
 mod workers;
 
-use ccd::gpu::{Device, DeviceOptions, Path};
+use ccd::gpu::{Device, DeviceOptions, Path, harness};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 
 /// Names and tests that take a device.
@@ -57,7 +57,14 @@ fn open() -> Devices {
     for (name, path) in [("passthrough", Path::Passthrough), ("wgsl", Path::Wgsl)] {
         for narrow in [false, true] {
             let options = DeviceOptions { path: Some(path), narrow, ..DeviceOptions::default() };
-            let device = Device::open(&options).map_err(|e| e.to_string())?;
+            let folder = std::env::var_os("CCD_CHECKED_SHADERS");
+            let device = match folder.filter(|_| path == Path::Passthrough) {
+                // SAFETY: whoever sets the variable has run `cargo xtask shaders --checked`.
+                #[allow(unsafe_code, reason = "the driver gets what lies in a folder")]
+                Some(folder) => unsafe { harness::open_checked(&options, folder.as_ref()) },
+                None => Device::open(&options),
+            };
+            let device = device.map_err(|e| e.to_string())?;
             if !narrow && !device.info().wide {
                 continue;
             }
@@ -96,6 +103,10 @@ fn main() {
         trials.push(Trial::ignorable_test(name, move || match (device, test) {
             (Ok(device), Ok(test)) => {
                 test(&device);
+                let failures = harness::failures(&device)?.unwrap_or_default();
+                if !failures.is_empty() {
+                    return Err(format!("indices past the end: {failures:?}").into());
+                }
                 Ok(support::take_not_run().map_or(Completion::Completed, Completion::ignored_with))
             }
             (Err(why), _) if required => {

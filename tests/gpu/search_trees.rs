@@ -141,7 +141,7 @@ impl Descends for SearchTrees {
             // Of leaves, those alone that are tasks.
             n += (!is_leaf(pair) || stack.len() < is_task) as u64;
             is_task = is_task.min(stack.len());
-            let children = expand(rule, self.trees.kind == 1, &a, &b, pair);
+            let children = expand(rule, self.trees.kind == 1, &a, &b, pair).met;
             stack.extend(children.into_iter().filter(|&child| child != NO_PAIR));
         }
         n

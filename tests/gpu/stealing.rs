@@ -15,8 +15,12 @@ use ccd_core::scheduling::stealing::Workers;
 use std::cell::Cell;
 use std::time::Instant;
 
-pub const TESTS: crate::Tests =
-    &[("steals_refused", check_refused), ("steals", check_steals), ("many_steals", check_many)];
+pub const TESTS: crate::Tests = &[
+    ("steals_refused", check_refused),
+    ("steals", check_steals),
+    ("many_steals", check_many),
+    ("indices_past_the_end", check_indices),
+];
 
 /// Items of a worker's stack.
 const STACK: usize = 2 * Id::StealStress.threads() as usize;
@@ -153,6 +157,23 @@ fn check_refused(device: &Device) {
     let result = harness::run(device, &mut work.kernel(), &work.params(), 1, 65_535);
     let Err(Error::Unavailable { why }) = result else { panic!("{result:?}") };
     assert!(why.contains("WGSL") && why.contains("workgroups"), "{why}");
+}
+
+/// A device that checks indices counts those past the end of a buffer and of workgroup memory.
+fn check_indices(device: &Device) {
+    if harness::failures(device).unwrap().is_none() {
+        return not_run("kernels check their indices with CCD_CHECKED_SHADERS and SPIR-V alone");
+    }
+    let own = Stealing { workers: 1, batches: 2, batch: 1, most: 0, rounds: 1, patience: 1 };
+    let work = Work { own, n_items: 4, lives: 1 };
+    // Nothing; a tag that is counted nowhere; 129 items on a stack of 128, each of two words.
+    for (word, value, want) in [(0, 2, None), (1, 1000, Some(1)), (0, STACK as u32 + 1, Some(2))] {
+        let mut kernel = work.kernel();
+        kernel.stacks[4 * word..][..4].copy_from_slice(&u32::to_le_bytes(value));
+        run(device, kernel, &work.params(), 1);
+        let failures = harness::failures(device).unwrap().unwrap();
+        assert_eq!(failures, Vec::from_iter(want.map(|n| ("steal_stress", n))), "{value}");
+    }
 }
 
 fn check_steals(device: &Device) {

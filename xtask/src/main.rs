@@ -5,6 +5,7 @@
 mod algorithms;
 #[cfg(feature = "attack")]
 mod attack;
+mod checked;
 mod ci;
 mod compile_times;
 #[cfg(feature = "gpu-report")]
@@ -67,6 +68,10 @@ enum Task {
         /// missing
         #[arg(long)]
         check: bool,
+        /// Write the committed modules with a check of every index to target/shaders/checked
+        /// instead, for tests with CCD_CHECKED_SHADERS
+        #[arg(long, conflicts_with = "check")]
+        checked: bool,
     },
     /// Have Tint, the compiler of Chromium's WebGPU, read the WGSL; fetched by npm where it is not
     /// there, and reported as skipped where it cannot be
@@ -226,7 +231,8 @@ fn main() -> ExitCode {
         Task::Mutants { names } => mutants::run(root, &names),
         Task::Loom { name, here } => loom_task(root, &name, here),
         Task::Attack(options) => attack_task(root, &options),
-        Task::Shaders { check } => shaders_task(root, check),
+        Task::Shaders { checked: true, .. } => checked::run(root),
+        Task::Shaders { check, .. } => shaders_task(root, check),
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
         Task::Python => python::run(root),

@@ -28,116 +28,83 @@ pub type NodePair = [u32; 2];
 /// No pair.
 pub const NO_PAIR: NodePair = [NONE; 2];
 
-/// Children of the pair `(i, j)`, which overlaps, and is no pair of leaves, as far as they overlap:
-/// two by [`Descent::Larger`], four at most by [`Descent::Both`], three of a node with itself;
-/// [`NO_PAIR`] in what is left. A pair of leaves has none.
+/// The children of a pair.
+#[derive(Clone, Copy)]
+pub struct Children {
+    /// All of them: what a front needs, which has a pair for each that is apart.
+    pub all: [NodePair; 4],
+    /// Those that overlap, at the same places; [`NO_PAIR`] for the others.
+    pub met: [NodePair; 4],
+}
+
+impl Children {
+    const NONE: Self = Self { all: [NO_PAIR; 4], met: [NO_PAIR; 4] };
+}
+
+/// Children of the pair `(i, j)`, which overlaps, and is no pair of leaves: two by
+/// [`Descent::Larger`], four by [`Descent::Both`], three of a node with itself; [`NO_PAIR`] in what
+/// is left. A pair of leaves has none.
 ///
 /// `a`, `b`: nodes of the two trees; if pairs are sought `within` one, the same. A leaf makes no
-/// pair with itself. Each pair of leaves is below at most one of the children, so that every
+/// pair with itself. Each pair of leaves is below exactly one of the children, so that every
 /// overlapping one is met once, from the pair of roots on. Which node is the larger decides nothing
-/// but the number of steps: volumes that are not finite do no harm.
+/// but the number of steps: volumes that are not finite do no harm. But it is decided once for all
+/// children, met or apart: a compiler may round two copies of a comparison differently.
 #[inline(always)]
-pub fn expand(
-    rule: Descent,
-    within: bool,
-    a: &[Node],
-    b: &[Node],
-    [i, j]: NodePair,
-) -> [NodePair; 4] {
+pub fn expand(rule: Descent, within: bool, a: &[Node], b: &[Node], [i, j]: NodePair) -> Children {
     let (x, y) = (at(a, i as usize), at(b, j as usize));
     if within && i == j {
         return of_one(a, &x);
     }
-    let (splits_x, splits_y) = (splits_first(rule, &x, &y), splits_second(rule, &x, &y));
-    let mut out = [NO_PAIR; 4];
-    if (splits_x && x.is_leaf()) || (splits_y && y.is_leaf()) {
+    let (mut splits_x, mut splits_y) = (!x.is_leaf(), !y.is_leaf());
+    let mut out = Children::NONE;
+    if !splits_x && !splits_y {
         return out;
+    }
+    if splits_x && splits_y && matches!(rule, Descent::Larger) {
+        splits_y = volume(&y.aabb()) > volume(&x.aabb());
+        splits_x = !splits_y;
     }
     if splits_x && splits_y {
         let (x0, x1) = (at(a, x.left as usize).aabb(), at(a, x.right as usize).aabb());
         let (y0, y1) = (at(b, y.left as usize).aabb(), at(b, y.right as usize).aabb());
-        out[0] = pair_if(x0.overlaps(&y0), x.left, y.left);
-        out[1] = pair_if(x0.overlaps(&y1), x.left, y.right);
-        out[2] = pair_if(x1.overlaps(&y0), x.right, y.left);
-        out[3] = pair_if(x1.overlaps(&y1), x.right, y.right);
+        out.all = [[x.left, y.left], [x.left, y.right], [x.right, y.left], [x.right, y.right]];
+        out.met[0] = pair_if(x0.overlaps(&y0), out.all[0]);
+        out.met[1] = pair_if(x0.overlaps(&y1), out.all[1]);
+        out.met[2] = pair_if(x1.overlaps(&y0), out.all[2]);
+        out.met[3] = pair_if(x1.overlaps(&y1), out.all[3]);
     } else if splits_x {
         let (x0, x1) = (at(a, x.left as usize).aabb(), at(a, x.right as usize).aabb());
-        out[0] = pair_if(x0.overlaps(&y.aabb()), x.left, j);
-        out[1] = pair_if(x1.overlaps(&y.aabb()), x.right, j);
+        out.all = [[x.left, j], [x.right, j], NO_PAIR, NO_PAIR];
+        out.met[0] = pair_if(x0.overlaps(&y.aabb()), out.all[0]);
+        out.met[1] = pair_if(x1.overlaps(&y.aabb()), out.all[1]);
     } else {
         let (y0, y1) = (at(b, y.left as usize).aabb(), at(b, y.right as usize).aabb());
-        out[0] = pair_if(x.aabb().overlaps(&y0), i, y.left);
-        out[1] = pair_if(x.aabb().overlaps(&y1), i, y.right);
+        out.all = [[i, y.left], [i, y.right], NO_PAIR, NO_PAIR];
+        out.met[0] = pair_if(x.aabb().overlaps(&y0), out.all[0]);
+        out.met[1] = pair_if(x.aabb().overlaps(&y1), out.all[1]);
     }
     out
-}
-
-/// All pairs that [`expand`] looks at, whether they overlap or not: what a front needs, which has
-/// a pair for each that is apart.
-#[inline(always)]
-pub fn children(
-    rule: Descent,
-    within: bool,
-    a: &[Node],
-    b: &[Node],
-    [i, j]: NodePair,
-) -> [NodePair; 4] {
-    let (x, y) = (at(a, i as usize), at(b, j as usize));
-    if within && i == j {
-        if x.is_leaf() {
-            return [NO_PAIR; 4];
-        }
-        let own = |i: u32| pair_if(!at(a, i as usize).is_leaf(), i, i);
-        return [own(x.left), [x.left, x.right], own(x.right), NO_PAIR];
-    }
-    let (splits_x, splits_y) = (splits_first(rule, &x, &y), splits_second(rule, &x, &y));
-    let mut out = [NO_PAIR; 4];
-    if (splits_x && x.is_leaf()) || (splits_y && y.is_leaf()) {
-        return out;
-    }
-    if splits_x && splits_y {
-        out = [[x.left, y.left], [x.left, y.right], [x.right, y.left], [x.right, y.right]];
-    } else if splits_x {
-        [out[0], out[1]] = [[x.left, j], [x.right, j]];
-    } else {
-        [out[0], out[1]] = [[i, y.left], [i, y.right]];
-    }
-    out
-}
-
-/// Whether the second of two different nodes is split.
-#[inline(always)]
-fn splits_second(rule: Descent, x: &Node, y: &Node) -> bool {
-    let either = !x.is_leaf() && !y.is_leaf();
-    let both = either && matches!(rule, Descent::Both);
-    both || x.is_leaf() || (either && volume(&y.aabb()) > volume(&x.aabb()))
-}
-
-/// Whether the first is.
-#[inline(always)]
-fn splits_first(rule: Descent, x: &Node, y: &Node) -> bool {
-    let either = !x.is_leaf() && !y.is_leaf();
-    (either && matches!(rule, Descent::Both)) || !splits_second(rule, x, y)
 }
 
 /// The pairs of a node with itself.
 #[inline(always)]
-fn of_one(nodes: &[Node], node: &Node) -> [NodePair; 4] {
-    if node.is_leaf() {
-        return [NO_PAIR; 4];
+fn of_one(nodes: &[Node], node: &Node) -> Children {
+    let mut out = Children::NONE;
+    if !node.is_leaf() {
+        let (left, right) = (at(nodes, node.left as usize), at(nodes, node.right as usize));
+        out.all[0] = pair_if(!left.is_leaf(), [node.left; 2]);
+        out.all[1] = [node.left, node.right];
+        out.all[2] = pair_if(!right.is_leaf(), [node.right; 2]);
+        out.met = out.all;
+        out.met[1] = pair_if(left.aabb().overlaps(&right.aabb()), out.all[1]);
     }
-    let (left, right) = (at(nodes, node.left as usize), at(nodes, node.right as usize));
-    [
-        pair_if(!left.is_leaf(), node.left, node.left),
-        pair_if(left.aabb().overlaps(&right.aabb()), node.left, node.right),
-        pair_if(!right.is_leaf(), node.right, node.right),
-        NO_PAIR,
-    ]
+    out
 }
 
 #[inline(always)]
-fn pair_if(emitted: bool, i: u32, j: u32) -> NodePair {
-    if emitted { [i, j] } else { NO_PAIR }
+fn pair_if(emitted: bool, pair: NodePair) -> NodePair {
+    if emitted { pair } else { NO_PAIR }
 }
 
 /// What says which of two nodes is the larger.
@@ -160,15 +127,14 @@ mod tests {
         stack.retain(|_| b.is_none() || a.nodes[0].aabb().overlaps(&other.nodes[0].aabb()));
         while let Some([i, j]) = stack.pop() {
             let (x, y) = (a.nodes[i as usize], other.nodes[j as usize]);
-            let all = children(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
+            let Children { all, met } = expand(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
             let is_one = |[i, j]: NodePair| b.is_none() && i == j;
             let overlaps = |&[i, j]: &NodePair| {
                 let [x, y] = [a.nodes[i as usize], other.nodes[j as usize]];
                 is_one([i, j]) || x.aabb().overlaps(&y.aabb())
             };
             let all = all.into_iter().filter(|&pair| pair != NO_PAIR).filter(overlaps);
-            let children = expand(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
-            let children = children.into_iter().filter(|&pair| pair != NO_PAIR);
+            let children = met.into_iter().filter(|&pair| pair != NO_PAIR);
             assert!(all.eq(children.clone()), "{rule:?}: children of {i}, {j}");
             if x.is_leaf() && y.is_leaf() {
                 assert_eq!(children.count(), 0, "children of leaves");
@@ -223,6 +189,7 @@ mod tests {
         let (small, large) = (tree(&unit), tree(&huge));
         let of = |a: &Tree, b: &Tree, pair| {
             expand(Descent::Larger, false, &a.nodes, &b.nodes, pair)
+                .met
                 .map(|pair| pair.map(|i| if i == NONE { 9 } else { i }))
         };
         let none = [9, 9];

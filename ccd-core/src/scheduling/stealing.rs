@@ -176,6 +176,51 @@ impl Workers {
         }
     }
 
+    /// Level 4 for owners of several threads, one a hand, when all hands are empty: the thread of
+    /// `hand` steals up to `most` batches from `victim`; of tasks, with `most` 0, it only looks
+    /// whether there are some. Whether there is something in its hand, or for it.
+    #[inline(always)]
+    pub fn reach_out(self, words: &impl Words, me: u32, hand: u32, victim: u32, most: u32) -> bool {
+        let mut any = false;
+        if hand < HANDS && victim != me {
+            if most == 0 {
+                any = !self.deque(victim).is_empty(words);
+            } else {
+                any = self.steal_to_hand(words, me, hand, victim, most);
+            }
+        }
+        any
+    }
+
+    /// After that, of tasks: whether the thread of `hand` takes one. `first`: the first hand for
+    /// which there was something; [`HANDS`] if nobody had anything, which is the number of a thread
+    /// without a hand.
+    #[inline(always)]
+    pub fn takes_task(hand: u32, first: u32) -> bool {
+        hand < HANDS && hand == first
+    }
+
+    /// Whether a worker that has found nothing, so many times in a row, retires; `idle` are without
+    /// work. Its deque is looked at, because [`Deque::try_pop`] fails also if a thief was there.
+    #[inline(always)]
+    pub fn retires(
+        self,
+        words: &impl Words,
+        me: u32,
+        fruitless: u32,
+        patience: u32,
+        idle: u32,
+    ) -> bool {
+        (fruitless >= patience || idle == self.n) && self.deque(me).is_empty(words)
+    }
+
+    /// Turns in which a worker that ends empties its deque and its hands: a turn a batch, one in
+    /// which a thief takes it included, and a last one that finds nothing.
+    #[inline(always)]
+    pub fn drain_turns(self, most: u32) -> u32 {
+        self.batches + HANDS * most.max(1) + 1
+    }
+
     /// Levels 2 and 4 of task stealing.
     #[inline(always)]
     pub fn take_task(self, words: &impl Words, me: u32, first: u32) -> Option<Taken> {

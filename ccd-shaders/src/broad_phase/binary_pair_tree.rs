@@ -6,7 +6,7 @@ use super::worker::{Child, Round, Shared, Stack, claim, put_away};
 use crate::records::ObbWords;
 use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::{only_reaching, reach};
-use ccd_core::broad_phase::pair_descent::{NodePair, children, expand};
+use ccd_core::broad_phase::pair_descent::{NodePair, expand};
 use ccd_core::broad_phase::pair_workers::THREADS;
 use ccd_core::broad_phase::stack_traversal::NONE;
 use ccd_core::kernel::memory::at;
@@ -150,11 +150,11 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
         let (mut p, mut q) = (Child::NONE, Child::NONE);
         let (mut r, mut s) = (Child::NONE, Child::NONE);
         if pair[0] != NONE {
-            let near = expand(rule, within, a, b, pair);
-            let met = V::only_meeting(params, near, a, b, more);
+            let children = expand(rule, within, a, b, pair);
+            let met = V::only_meeting(params, children.met, a, b, more);
             let mut all = met;
             if params.own.room_front > 0 {
-                all = children(rule, within, a, b, pair);
+                all = children.all;
             }
             p = child(met[0], all[0], internal);
             q = child(met[1], all[1], internal);

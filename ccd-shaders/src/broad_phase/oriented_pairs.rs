@@ -88,7 +88,7 @@ pub fn expand_pairs_oriented(
         if i < there {
             let pair = read_pair(input, i);
             let [a, b] = [pair.a, pair.b];
-            let all = expand(rule, kind == 1, a_nodes, b_nodes, [a, b]);
+            let all = expand(rule, kind == 1, a_nodes, b_nodes, [a, b]).met;
             let children = only_reaching(
                 kind == 1,
                 all,

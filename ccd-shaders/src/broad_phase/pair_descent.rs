@@ -231,7 +231,7 @@ pub fn expand_pairs(
         let (mut r, mut s) = ([NONE; 2], [NONE; 2]);
         if i < there {
             let pair = read_pair(input, i);
-            let children = expand(rule, kind == 1, a_nodes, b_nodes, [pair.a, pair.b]);
+            let children = expand(rule, kind == 1, a_nodes, b_nodes, [pair.a, pair.b]).met;
             p = children[0];
             q = children[1];
             r = children[2];

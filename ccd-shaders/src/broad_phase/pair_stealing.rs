@@ -27,7 +27,7 @@ use crate::records::{BoxWords, ObbWords};
 use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, group, set};
 use ccd_core::broad_phase::pair_workers::{counts, thieves, victim};
 use ccd_core::layout::{BlockDescent, Node, NodeDescent, Params};
-use ccd_core::scheduling::stealing::HANDS;
+use ccd_core::scheduling::stealing::{HANDS, Workers};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -82,9 +82,8 @@ fn steal<T: PairTree>(
                 reach_out(own, batch, victim, me, lane, control);
             }
             barrier();
-            // Where nobody has anything, that is a hand that there is not.
-            let reaches = lane < HANDS && lane == get(batch, HAND);
-            if own.most == 0 && held == HANDS && reaches {
+            let takes = Workers::takes_task(lane, get(batch, HAND));
+            if own.most == 0 && held == HANDS && takes {
                 let victim = victim(workers.n, me, turn, lane);
                 workers.steal_to_hand(&words_of(control, workers), me, lane, victim, 1);
             }
@@ -132,8 +131,8 @@ fn steal<T: PairTree>(
         }
     }
     // What the worker has in its deque and its hands goes to the next round: nothing, but after too
-    // many turns. A pop that fails has lost a batch to a thief.
-    for _ in 0..own.batches + HANDS * own.most.max(1) + 1 {
+    // many turns. A pop that fails may have lost a batch to a thief.
+    for _ in 0..workers.drain_turns(own.most) {
         if lane == 0 {
             set(batch, N_TAKEN, 0);
             set(batch, SOURCE, 0);

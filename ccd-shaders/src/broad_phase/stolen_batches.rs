@@ -109,9 +109,9 @@ pub(super) fn look<T: PairTree>(
         let fruitless = get(batch, FRUITLESS);
         // A round without tasks has no work; if all are idle, nobody makes any.
         let patience = if round.tasks == 0 { 0 } else { own.patience };
-        let over = fruitless >= patience || load(control, idle(round.number)) == workers.n;
-        // A pop fails also if a thief was there, so that the deque is looked at once more.
-        if !(over && workers.deque(round.me).is_empty(&words_of(control, workers))) {
+        let n_idle = load(control, idle(round.number));
+        let words = &words_of(control, workers);
+        if !workers.retires(words, round.me, fruitless, patience, n_idle) {
             next = SEEKS;
             set(batch, FRUITLESS, fruitless + 1);
             if fruitless == 0 {
@@ -161,16 +161,7 @@ pub(super) fn reach_out(
     control: &mut [u32],
 ) {
     let workers = thieves(own);
-    let words = &words_of(control, workers);
-    let mut any = 0;
-    if victim != me {
-        if own.most == 0 {
-            any = workers.deque(victim).len(words);
-        } else if workers.steal_to_hand(words, me, lane, victim, own.most) {
-            any = 1;
-        }
-    }
-    if any > 0 {
+    if workers.reach_out(&words_of(control, workers), me, lane, victim, own.most) {
         lower_shared(batch, HAND, lane);
     }
 }

@@ -4,13 +4,15 @@
 //! Every model runs in a process of its own, so that one that is refuted, or takes too long, ends
 //! without the others; two at a time.
 
+mod kernels;
 mod models;
 mod printed;
 mod words;
 
 use ccd_core::scheduling::stealing::Workers;
+use kernels::{ENOUGH, Fault, Round, kernel};
 use models::Do::{Pop, Push};
-use models::{EXECUTIONS, Fault, Scene, Sound, Steals, deque, workers};
+use models::{EXECUTIONS, Scene, Sound, Steals, deque, workers};
 use printed::{Lazy, Task};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Command, Output, Stdio};
@@ -42,6 +44,10 @@ struct Model {
 }
 
 const TWICE: Want = Want::Refuted("was taken 2 times");
+
+/// Two workers of a kernel that look around twice before they retire, or once if all are idle.
+const ROUND: Round =
+    Round { workers: of(2), depth: 2, most: 0, patience: 2, turns: ENOUGH, fault: None };
 
 /// Workers with room for two batches of one item each in a deque.
 const fn of(n: u32) -> Workers {
@@ -131,6 +137,26 @@ const MODELS: &[Model] = &[
         want: Want::Sound,
         run: || workers(of(2), Steals::Lazily(2), 2),
     },
+    // What kernels do: `try_pop`, retirement when all are idle, the drain, tasks (`most` 0).
+    Model { name: "kernel-task", preemptions: Some(2), want: Want::Sound, run: || kernel(ROUND) },
+    Model {
+        name: "kernel-lazy",
+        preemptions: Some(2),
+        want: Want::Sound,
+        run: || kernel(Round { most: 2, ..ROUND }),
+    },
+    Model {
+        name: "kernel-task-drains",
+        preemptions: Some(3),
+        want: Want::Sound,
+        run: || kernel(Round { turns: 3, ..ROUND }),
+    },
+    Model {
+        name: "kernel-lazy-drains",
+        preemptions: Some(3),
+        want: Want::Sound,
+        run: || kernel(Round { turns: 3, most: 2, ..ROUND }),
+    },
     // As printed; the same scenes of what is sound.
     Model {
         name: "printed-3.13",
@@ -175,14 +201,33 @@ const MODELS: &[Model] = &[
         want: Want::Refuted("was taken"),
         run: || {
             let owner = &[Push(1), Push(1), Push(1), Push(1)];
-            deque(Fault::<true>, Scene { owner, thieves: &[(1, 1)] });
+            deque(models::Fault::<true>, Scene { owner, thieves: &[(1, 1)] });
         },
     },
     Model {
         name: "published-without-release",
         preemptions: None,
         want: Want::Refuted("was lost"),
-        run: || deque(Fault::<false>, Scene { owner: &[Push(1)], thieves: &[(1, 1)] }),
+        run: || deque(models::Fault::<false>, Scene { owner: &[Push(1)], thieves: &[(1, 1)] }),
+    },
+    // Kernels without what makes them so.
+    Model {
+        name: "kernel-drains-unseen",
+        preemptions: Some(3),
+        want: Want::Refuted("taken twice or lost"),
+        run: || kernel(Round { turns: 3, fault: Some(Fault::DrainsUnseen), ..ROUND }),
+    },
+    Model {
+        name: "kernel-stays-idle",
+        preemptions: Some(3),
+        want: Want::Refuted("who retired had work"),
+        run: || kernel(Round { most: 2, fault: Some(Fault::StaysIdle), ..ROUND }),
+    },
+    Model {
+        name: "kernel-behind-hands",
+        preemptions: Some(3),
+        want: Want::Refuted("taken twice or lost"),
+        run: || kernel(Round { patience: 1, fault: Some(Fault::BehindHands), ..ROUND }),
     },
 ];
 

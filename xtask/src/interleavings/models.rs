@@ -32,7 +32,7 @@ impl<const BATCHES: u32, const BATCH: u32> Sound<BATCHES, BATCH> {
     const DEQUE: Deque = Deque { base: 0, batches: BATCHES, batch: BATCH };
 }
 
-fn read(deque: Deque, words: &Traced, slot: u32) -> Vec<Item> {
+pub fn read(deque: Deque, words: &Traced, slot: u32) -> Vec<Item> {
     (0..deque.items(words, slot)).map(|i| deque.read(words, slot, i)).collect()
 }
 

@@ -22,6 +22,8 @@ pub fn story() -> String {
 #[derive(Clone)]
 pub struct Traced {
     words: Arc<Vec<AtomicU32>>,
+    /// A word beside each, if every access is to be one that all others of that word depend on.
+    gates: Arc<Vec<AtomicU32>>,
     name: fn(usize) -> &'static str,
     weak: bool,
     who: &'static str,
@@ -31,8 +33,24 @@ impl Traced {
     /// So many words, all 0; `name` says what a word is, or nothing of words that need no mention.
     /// `weak`: additions are relaxed, which is wrong.
     pub fn new(n: usize, name: fn(usize) -> &'static str, weak: bool) -> Self {
-        let words = Arc::new((0..n).map(|_| AtomicU32::new(0)).collect());
-        Self { words, name, weak, who: "owner" }
+        let zeros = |n| Arc::new((0..n).map(|_| AtomicU32::new(0)).collect());
+        Self { words: zeros(n), gates: zeros(0), name, weak, who: "owner" }
+    }
+
+    /// The same, and an access is tried before and after every other one of its word by another
+    /// thread. Without it loom 0.7 compares a store with the last access alone, and does not see
+    /// that a load of another thread could have come later if a second load stands between them.
+    /// The additions of 0 beside a word are relaxed, so that they order nothing.
+    pub fn gated(self) -> Self {
+        let gates = Arc::new(self.words.iter().map(|_| AtomicU32::new(0)).collect());
+        Self { gates, ..self }
+    }
+
+    fn word(&self, i: usize) -> &AtomicU32 {
+        if let Some(gate) = self.gates.get(i) {
+            gate.fetch_add(0, Ordering::Relaxed);
+        }
+        &self.words[i]
     }
 
     /// The same words as another worker uses them.
@@ -55,8 +73,13 @@ impl Traced {
 
     /// Store that others acquire.
     pub fn store_release(&self, i: usize, value: u32) {
-        self.words[i].store(value, Ordering::Release);
+        self.word(i).store(value, Ordering::Release);
         self.tell(i, |name| format!("{name} := {value}"));
+    }
+
+    /// Addition without an order, as of counters.
+    pub fn add(&self, i: usize, value: u32) {
+        self.word(i).fetch_add(value, Ordering::Relaxed);
     }
 
     /// A fence of sequential consistency: what loom has to say that all threads see one order.
@@ -67,29 +90,28 @@ impl Traced {
 
 impl Words for Traced {
     fn load(&self, i: usize) -> u32 {
-        let value = self.words[i].load(Ordering::Relaxed);
+        let value = self.word(i).load(Ordering::Relaxed);
         self.tell(i, |name| format!("{name} is {value:#x}"));
         value
     }
     fn store(&self, i: usize, value: u32) {
-        self.words[i].store(value, Ordering::Relaxed);
+        self.word(i).store(value, Ordering::Relaxed);
         self.tell(i, |name| format!("{name} := {value:#x}"));
     }
     fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
         let order = if self.weak { Ordering::Relaxed } else { Ordering::AcqRel };
-        let old = self.words[i].fetch_add(value, order);
+        let old = self.word(i).fetch_add(value, order);
         self.tell(i, |name| format!("{name} {old:#x} + {value:#x}"));
         old
     }
     fn load_acquire(&self, i: usize) -> u32 {
-        let value = self.words[i].load(Ordering::Acquire);
+        let value = self.word(i).load(Ordering::Acquire);
         self.tell(i, |name| format!("{name} is {value:#x}"));
         value
     }
     fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
         let (taken, lost) = (Ordering::AcqRel, Ordering::Relaxed);
-        let seen =
-            self.words[i].compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen);
+        let seen = self.word(i).compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen);
         self.tell(i, |name| {
             let result = if seen == old { "exchanged" } else { "lost" };
             format!("{name} {seen:#x}, {old:#x} -> {new:#x}: {result}")

@@ -9,7 +9,7 @@ use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
 use crate::broad_phase::tasks::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, children, expand};
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::model::method::Descent;
 
 /// The pair at which a traversal begins.
@@ -48,6 +48,12 @@ impl<'a> BinaryPairs<'a> {
         }
     }
 
+    /// Whether a child whose boxes overlap is wanted; a node with itself always is.
+    #[inline(always)]
+    fn reach(&self, [i, j]: NodePair) -> bool {
+        self.within && i == j || self.a.reach(i, self.b, j)
+    }
+
     /// Adds all pairs of leaves below a wanted pair.
     pub fn descend(self, from: NodePair, scratch: &mut Scratch, rows: &mut Gathered) {
         let Scratch { pairs: stack, visits, .. } = scratch;
@@ -73,13 +79,8 @@ impl PairTree for BinaryPairs<'_> {
     #[inline(always)]
     fn expand<S: RowSimd>(self, _simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let (a, b) = (self.a.nodes(), self.b.nodes());
-        for child in expand(self.descent, self.within, a, b, pair) {
-            let [i, j] = child;
-            let is_one = self.within && i == j;
-            if child != NO_PAIR && (is_one || self.a.reach(i, self.b, j)) {
-                out.push(child);
-            }
-        }
+        let met = expand(self.descent, self.within, a, b, pair).met;
+        out.extend(met.into_iter().filter(|&child| child != NO_PAIR && self.reach(child)));
     }
 
     #[inline(always)]
@@ -135,13 +136,12 @@ impl FrontTree for BinaryPairs<'_> {
         front: &mut Writer,
     ) {
         let (a, b) = (self.a.nodes(), self.b.nodes());
-        for child in children(self.descent, self.within, a, b, pair) {
-            if child != NO_PAIR {
-                if self.is_wanted(child) {
-                    out.push(child);
-                } else {
-                    front.push(child);
-                }
+        let children = expand(self.descent, self.within, a, b, pair);
+        for (child, met) in children.all.into_iter().zip(children.met) {
+            if met != NO_PAIR && self.reach(met) {
+                out.push(met);
+            } else if child != NO_PAIR {
+                front.push(child);
             }
         }
     }
