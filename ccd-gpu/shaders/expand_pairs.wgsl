@@ -77,7 +77,12 @@ struct type_20 {
     member: type_19,
 }
 
-struct type_24 {
+struct type_22 {
+    member: array<array<u32, 2>, 4>,
+    member_1: array<array<u32, 2>, 4>,
+}
+
+struct type_25 {
     member: array<atomic<u32>>,
 }
 
@@ -90,130 +95,113 @@ var<storage> b_nodes: type_17;
 @group(0) @binding(3) 
 var<storage> input: type_10;
 @group(0) @binding(4) 
-var<storage, read_write> levels: type_24;
+var<storage, read_write> levels: type_25;
 @group(0) @binding(5) 
-var<storage, read_write> output: type_24;
+var<storage, read_write> output: type_25;
 @group(0) @binding(6) 
-var<storage, read_write> pairs: type_24;
+var<storage, read_write> pairs: type_25;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_104_: array<u32, 2>;
-    var phi_130_: u32;
-    var phi_148_: u32;
-    var phi_168_: u32;
-    var phi_171_: type_12;
-    var phi_172_: type_12;
-    var phi_195_: type_12;
+    var phi_106_: array<u32, 2>;
+    var phi_132_: u32;
+    var phi_150_: u32;
+    var phi_170_: u32;
+    var phi_173_: type_12;
+    var phi_174_: type_12;
+    var phi_197_: type_12;
     var phi_305_: array<u32, 2>;
-    var phi_341_: array<u32, 2>;
-    var phi_351_: array<u32, 2>;
-    var phi_353_: array<array<u32, 2>, 4>;
-    var phi_354_: array<array<u32, 2>, 4>;
-    var phi_355_: bool;
-    var phi_356_: array<array<u32, 2>, 4>;
-    var phi_357_: bool;
-    var phi_369_: bool;
-    var phi_377_: bool;
+    var phi_319_: array<u32, 2>;
+    var phi_356_: array<u32, 2>;
+    var phi_358_: type_22;
+    var phi_359_: type_22;
+    var phi_360_: bool;
+    var phi_361_: type_22;
+    var phi_362_: bool;
     var phi_378_: bool;
-    var phi_390_: bool;
-    var phi_395_: bool;
-    var phi_436_: bool;
-    var phi_437_: bool;
-    var phi_438_: bool;
-    var phi_439_: bool;
-    var phi_443_: bool;
-    var phi_445_: bool;
-    var phi_454_: bool;
-    var phi_459_: bool;
-    var phi_500_: bool;
-    var phi_501_: bool;
-    var phi_502_: bool;
-    var phi_503_: bool;
-    var phi_507_: bool;
-    var phi_517_: bool;
-    var phi_518_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_626_: array<u32, 2>;
-    var phi_656_: array<u32, 2>;
-    var phi_686_: array<u32, 2>;
-    var phi_716_: array<u32, 2>;
-    var phi_718_: array<array<u32, 2>, 4>;
-    var phi_719_: bool;
-    var phi_720_: array<array<u32, 2>, 4>;
-    var phi_721_: bool;
-    var phi_880_: array<u32, 2>;
-    var phi_912_: array<u32, 2>;
-    var phi_787_: array<u32, 2>;
-    var phi_819_: array<u32, 2>;
-    var phi_914_: array<array<u32, 2>, 4>;
-    var phi_915_: array<array<u32, 2>, 4>;
-    var phi_916_: array<array<u32, 2>, 4>;
-    var phi_917_: bool;
-    var phi_918_: array<array<u32, 2>, 4>;
-    var phi_919_: bool;
-    var phi_923_: array<array<u32, 2>, 4>;
-    var phi_924_: array<array<u32, 2>, 4>;
-    var phi_925_: bool;
-    var phi_929_: array<array<u32, 2>, 4>;
-    var phi_946_: bool;
-    var phi_947_: bool;
-    var phi_951_: u32;
-    var phi_952_: u32;
-    var phi_958_: array<u32, 2>;
-    var phi_959_: array<u32, 2>;
-    var phi_960_: array<u32, 2>;
-    var phi_961_: array<u32, 2>;
-    var phi_962_: array<u32, 2>;
-    var phi_978_: bool;
-    var phi_979_: bool;
-    var phi_983_: u32;
-    var phi_984_: u32;
-    var phi_993_: u32;
-    var phi_996_: u32;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1017_: u32;
-    var phi_1018_: u32;
-    var phi_1027_: u32;
-    var phi_1030_: u32;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
-    var phi_1051_: u32;
-    var phi_1052_: u32;
-    var phi_1061_: u32;
-    var phi_1064_: u32;
-    var phi_1080_: bool;
-    var phi_1081_: bool;
-    var phi_1085_: u32;
-    var phi_1086_: u32;
-    var phi_1095_: u32;
-    var phi_1098_: u32;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1169_: u32;
-    var phi_1170_: u32;
-    var phi_1233_: type_12;
-    var phi_1238_: type_12;
-    var phi_1271_: bool;
-    var phi_1272_: bool;
-    var phi_1276_: u32;
-    var phi_1277_: u32;
-    var phi_1340_: type_12;
-    var phi_1345_: type_12;
-    var phi_1378_: bool;
-    var phi_1379_: bool;
-    var phi_1383_: u32;
-    var phi_1384_: u32;
-    var phi_1447_: type_12;
-    var phi_1452_: type_12;
-    var phi_1485_: bool;
-    var phi_1486_: bool;
-    var phi_1490_: u32;
-    var phi_1491_: u32;
-    var phi_1554_: type_12;
-    var phi_1559_: type_12;
+    var phi_422_: bool;
+    var phi_423_: bool;
+    var phi_424_: bool;
+    var phi_425_: bool;
+    var phi_426_: bool;
+    var phi_427_: bool;
+    var phi_533_: array<u32, 2>;
+    var phi_562_: array<u32, 2>;
+    var phi_591_: array<u32, 2>;
+    var phi_620_: array<u32, 2>;
+    var phi_622_: type_22;
+    var phi_623_: bool;
+    var phi_624_: type_22;
+    var phi_625_: bool;
+    var phi_798_: array<u32, 2>;
+    var phi_830_: array<u32, 2>;
+    var phi_698_: array<u32, 2>;
+    var phi_730_: array<u32, 2>;
+    var phi_832_: type_22;
+    var phi_833_: type_22;
+    var phi_834_: type_22;
+    var phi_835_: bool;
+    var phi_836_: type_22;
+    var phi_837_: type_22;
+    var phi_838_: bool;
+    var phi_842_: type_22;
+    var phi_860_: bool;
+    var phi_861_: bool;
+    var phi_865_: u32;
+    var phi_866_: u32;
+    var phi_872_: array<u32, 2>;
+    var phi_873_: array<u32, 2>;
+    var phi_874_: array<u32, 2>;
+    var phi_875_: array<u32, 2>;
+    var phi_876_: array<u32, 2>;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_897_: u32;
+    var phi_898_: u32;
+    var phi_907_: u32;
+    var phi_910_: u32;
+    var phi_926_: bool;
+    var phi_927_: bool;
+    var phi_931_: u32;
+    var phi_932_: u32;
+    var phi_941_: u32;
+    var phi_944_: u32;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_965_: u32;
+    var phi_966_: u32;
+    var phi_975_: u32;
+    var phi_978_: u32;
+    var phi_994_: bool;
+    var phi_995_: bool;
+    var phi_999_: u32;
+    var phi_1000_: u32;
+    var phi_1009_: u32;
+    var phi_1012_: u32;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1083_: u32;
+    var phi_1084_: u32;
+    var phi_1147_: type_12;
+    var phi_1152_: type_12;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1190_: u32;
+    var phi_1191_: u32;
+    var phi_1254_: type_12;
+    var phi_1259_: type_12;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1297_: u32;
+    var phi_1298_: u32;
+    var phi_1361_: type_12;
+    var phi_1366_: type_12;
+    var phi_1399_: bool;
+    var phi_1400_: bool;
+    var phi_1404_: u32;
+    var phi_1405_: u32;
+    var phi_1468_: type_12;
+    var phi_1473_: type_12;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -221,824 +209,743 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e29 = id_2;
-    let _e30 = n_2;
-    let _e31 = lane_2;
-    let _e46 = (_e30.x * _e30.y);
-    let _e49 = params.member.member_2.member;
-    let _e52 = params.member.member_1.member_1;
-    if (_e49 == 0u) {
-        phi_104_ = array<u32, 2>(0u, 2u);
+    let _e28 = id_2;
+    let _e29 = n_2;
+    let _e30 = lane_2;
+    let _e45 = (_e29.x * _e29.y);
+    let _e48 = params.member.member_2.member;
+    let _e51 = params.member.member_1.member_1;
+    if (_e48 == 0u) {
+        phi_106_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_104_ = array<u32, 2>(1u, 1u);
+        phi_106_ = array<u32, 2>(1u, 1u);
     }
-    let _e55 = phi_104_;
-    let _e61 = params.member.member.member[_e55[0]];
-    let _e62 = (_e61 - 1u);
-    let _e66 = params.member.member.member[_e55[1]];
-    let _e67 = (_e66 - 1u);
-    let _e70 = params.member.member_2.member_1;
-    if (_e70 == 0u) {
-        phi_130_ = 1u;
+    let _e54 = phi_106_;
+    let _e60 = params.member.member.member[_e54[0]];
+    let _e61 = (_e60 - 1u);
+    let _e65 = params.member.member.member[_e54[1]];
+    let _e66 = (_e65 - 1u);
+    let _e69 = params.member.member_2.member_1;
+    if (_e69 == 0u) {
+        phi_132_ = 1u;
     } else {
-        phi_130_ = 0u;
+        phi_132_ = 0u;
     }
-    let _e73 = phi_130_;
-    let _e75 = atomicLoad((&levels.member[_e52]));
-    let _e78 = params.member.member_1.member_2;
-    if (_e78 < _e75) {
-        phi_148_ = _e78;
+    let _e72 = phi_132_;
+    let _e74 = atomicLoad((&levels.member[_e51]));
+    let _e77 = params.member.member_1.member_2;
+    if (_e77 < _e74) {
+        phi_150_ = _e77;
     } else {
-        phi_148_ = _e75;
+        phi_150_ = _e74;
     }
-    let _e81 = phi_148_;
-    let _e84 = params.member.member_1.member_2;
-    let _e85 = (_e46 * 128u);
-    if (_e85 == 0u) {
+    let _e80 = phi_150_;
+    let _e83 = params.member.member_1.member_2;
+    let _e84 = (_e45 * 128u);
+    if (_e84 == 0u) {
         return;
     }
-    let _e87 = (_e84 / _e85);
-    if (_e85 == 0u) {
+    let _e86 = (_e83 / _e84);
+    if (_e84 == 0u) {
         return;
     }
-    if ((_e84 % _e85) > 0u) {
-        phi_168_ = (_e87 + 1u);
+    if ((_e83 % _e84) > 0u) {
+        phi_170_ = (_e86 + 1u);
     } else {
-        phi_168_ = _e87;
+        phi_170_ = _e86;
     }
-    let _e93 = phi_168_;
-    phi_171_ = type_12(0u, _e93);
+    let _e92 = phi_170_;
+    phi_173_ = type_12(0u, _e92);
     loop {
-        let _e96 = phi_171_;
-        if (_e96.member < _e96.member_1) {
-            phi_172_ = type_12((_e96.member + 1u), _e96.member_1);
-            phi_195_ = type_12(1u, _e96.member);
+        let _e95 = phi_173_;
+        if (_e95.member < _e95.member_1) {
+            phi_174_ = type_12((_e95.member + 1u), _e95.member_1);
+            phi_197_ = type_12(1u, _e95.member);
         } else {
-            phi_172_ = _e96;
-            phi_195_ = type_12(0u, type_12().member_1);
+            phi_174_ = _e95;
+            phi_197_ = type_12(0u, type_12().member_1);
         }
-        let _e108 = phi_172_;
-        let _e110 = phi_195_;
-        let _e114 = (bitcast<i32>(_e110.member) != 0i);
-        if _e114 {
-            let _e118 = (((((_e29.y * _e30.x) + _e29.x) + (_e110.member_1 * _e46)) * 128u) + _e31);
-            if (_e31 == 0u) {
+        let _e107 = phi_174_;
+        let _e109 = phi_197_;
+        let _e113 = (bitcast<i32>(_e109.member) != 0i);
+        if _e113 {
+            let _e117 = (((((_e28.y * _e29.x) + _e28.x) + (_e109.member_1 * _e45)) * 128u) + _e30);
+            if (_e30 == 0u) {
                 atomicStore((&counters[0u]), 0u);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e118 < _e81) {
-                let _e123 = (2u * _e118);
-                let _e126 = input.member[(4u + _e123)];
-                let _e129 = input.member[(_e123 + 5u)];
-                let _e132 = a_nodes.member[_e126];
-                let _e134 = b_nodes.member[_e129];
-                if (_e49 == 1u) {
-                    if (_e126 == _e129) {
-                        if (_e132.member_3 == 4294967295u) {
-                            phi_353_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+            if (_e117 < _e80) {
+                let _e122 = (2u * _e117);
+                let _e125 = input.member[(4u + _e122)];
+                let _e128 = input.member[(_e122 + 5u)];
+                let _e131 = a_nodes.member[_e125];
+                let _e133 = b_nodes.member[_e128];
+                if (_e48 == 1u) {
+                    if (_e125 == _e128) {
+                        if (_e131.member_3 == 4294967295u) {
+                            phi_358_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         } else {
-                            let _e140 = a_nodes.member[_e132.member_1];
-                            let _e143 = a_nodes.member[_e132.member_3];
-                            if !((_e140.member_3 == 4294967295u)) {
-                                phi_305_ = array<u32, 2>(_e132.member_1, _e132.member_1);
+                            let _e139 = a_nodes.member[_e131.member_1];
+                            let _e142 = a_nodes.member[_e131.member_3];
+                            if !((_e139.member_3 == 4294967295u)) {
+                                phi_305_ = array<u32, 2>(_e131.member_1, _e131.member_1);
                             } else {
                                 phi_305_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e151 = phi_305_;
-                            if ((((((_e140.member[0] <= _e143.member_2[0]) && (_e143.member[0] <= _e140.member_2[0])) && (_e140.member[1] <= _e143.member_2[1])) && (_e143.member[1] <= _e140.member_2[1])) && (_e140.member[2] <= _e143.member_2[2])) && (_e143.member[2] <= _e140.member_2[2])) {
-                                phi_341_ = array<u32, 2>(_e132.member_1, _e132.member_3);
+                            let _e149 = phi_305_;
+                            let _e156 = type_22(array<array<u32, 2>, 4>(_e149, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                            let _e168 = type_22(array<array<u32, 2>, 4>(_e156.member[0], array<u32, 2>(_e131.member_1, _e156.member[1][1]), _e156.member[2], _e156.member[3]), _e156.member_1);
+                            let _e169 = array<u32, 2>(_e131.member_1, _e131.member_3);
+                            let _e176 = type_22(array<array<u32, 2>, 4>(_e168.member[0], _e169, _e168.member[2], _e168.member[3]), _e168.member_1);
+                            if !((_e142.member_3 == 4294967295u)) {
+                                phi_319_ = array<u32, 2>(_e131.member_3, _e131.member_3);
                             } else {
-                                phi_341_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_319_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e183 = phi_341_;
-                            if !((_e143.member_3 == 4294967295u)) {
-                                phi_351_ = array<u32, 2>(_e132.member_3, _e132.member_3);
+                            let _e183 = phi_319_;
+                            let _e190 = type_22(array<array<u32, 2>, 4>(_e176.member[0], _e176.member[1], _e183, _e176.member[3]), _e176.member_1);
+                            let _e193 = type_22(_e190.member, _e190.member);
+                            if ((((((_e139.member[0] <= _e142.member_2[0]) && (_e142.member[0] <= _e139.member_2[0])) && (_e139.member[1] <= _e142.member_2[1])) && (_e142.member[1] <= _e139.member_2[1])) && (_e139.member[2] <= _e142.member_2[2])) && (_e142.member[2] <= _e139.member_2[2])) {
+                                phi_356_ = _e169;
                             } else {
-                                phi_351_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_356_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e191 = phi_351_;
-                            phi_353_ = array<array<u32, 2>, 4>(_e151, _e183, _e191, array<u32, 2>(4294967295u, 4294967295u));
+                            let _e222 = phi_356_;
+                            phi_358_ = type_22(_e193.member, array<array<u32, 2>, 4>(_e193.member_1[0], _e222, _e193.member_1[2], _e193.member_1[3]));
                         }
-                        let _e194 = phi_353_;
-                        phi_354_ = _e194;
-                        phi_355_ = false;
+                        let _e231 = phi_358_;
+                        phi_359_ = _e231;
+                        phi_360_ = false;
                     } else {
-                        phi_354_ = array<array<u32, 2>, 4>();
-                        phi_355_ = true;
+                        phi_359_ = type_22();
+                        phi_360_ = true;
                     }
-                    let _e196 = phi_354_;
-                    let _e198 = phi_355_;
-                    phi_356_ = _e196;
-                    phi_357_ = _e198;
+                    let _e233 = phi_359_;
+                    let _e235 = phi_360_;
+                    phi_361_ = _e233;
+                    phi_362_ = _e235;
                 } else {
-                    phi_356_ = array<array<u32, 2>, 4>();
-                    phi_357_ = true;
+                    phi_361_ = type_22();
+                    phi_362_ = true;
                 }
-                let _e200 = phi_356_;
-                let _e202 = phi_357_;
-                if _e202 {
-                    if (_e132.member_3 == 4294967295u) {
-                        phi_369_ = false;
-                    } else {
-                        phi_369_ = !((_e134.member_3 == 4294967295u));
-                    }
-                    let _e209 = phi_369_;
-                    if _e209 {
-                        if (_e73 == 1u) {
-                            phi_377_ = false;
-                        } else {
-                            phi_377_ = true;
-                        }
-                        let _e212 = phi_377_;
-                        phi_378_ = _e212;
-                    } else {
+                let _e237 = phi_361_;
+                let _e239 = phi_362_;
+                if _e239 {
+                    let _e242 = !((_e131.member_3 == 4294967295u));
+                    let _e245 = !((_e133.member_3 == 4294967295u));
+                    if _e242 {
                         phi_378_ = true;
+                    } else {
+                        phi_378_ = _e245;
                     }
-                    let _e214 = phi_378_;
-                    if _e214 {
-                        if (_e132.member_3 == 4294967295u) {
-                            phi_390_ = false;
-                        } else {
-                            phi_390_ = !((_e134.member_3 == 4294967295u));
-                        }
-                        let _e221 = phi_390_;
-                        if _e221 {
-                            phi_395_ = (_e73 == 1u);
-                        } else {
-                            phi_395_ = false;
-                        }
-                        let _e224 = phi_395_;
-                        if _e224 {
-                            phi_438_ = bool();
-                            phi_439_ = true;
-                        } else {
-                            let _e226 = (_e132.member_3 == 4294967295u);
-                            if _e226 {
-                                phi_437_ = bool();
-                            } else {
-                                if _e221 {
-                                    phi_436_ = ((((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])) > (((_e132.member_2[0] - _e132.member[0]) * (_e132.member_2[1] - _e132.member[1])) * (_e132.member_2[2] - _e132.member[2])));
+                    let _e247 = phi_378_;
+                    if _e247 {
+                        if _e242 {
+                            if _e245 {
+                                if (_e72 == 0u) {
+                                    let _e275 = ((((_e133.member_2[0] - _e133.member[0]) * (_e133.member_2[1] - _e133.member[1])) * (_e133.member_2[2] - _e133.member[2])) > (((_e131.member_2[0] - _e131.member[0]) * (_e131.member_2[1] - _e131.member[1])) * (_e131.member_2[2] - _e131.member[2])));
+                                    phi_422_ = _e275;
+                                    phi_423_ = !(_e275);
                                 } else {
-                                    phi_436_ = false;
+                                    phi_422_ = _e245;
+                                    phi_423_ = _e242;
                                 }
-                                let _e255 = phi_436_;
-                                phi_437_ = _e255;
-                            }
-                            let _e257 = phi_437_;
-                            phi_438_ = _e257;
-                            phi_439_ = _e226;
-                        }
-                        let _e259 = phi_438_;
-                        let _e261 = phi_439_;
-                        if _e261 {
-                            phi_443_ = true;
-                        } else {
-                            phi_443_ = _e259;
-                        }
-                        let _e263 = phi_443_;
-                        phi_445_ = !(_e263);
-                    } else {
-                        phi_445_ = true;
-                    }
-                    let _e266 = phi_445_;
-                    if (_e132.member_3 == 4294967295u) {
-                        phi_454_ = false;
-                    } else {
-                        phi_454_ = !((_e134.member_3 == 4294967295u));
-                    }
-                    let _e273 = phi_454_;
-                    if _e273 {
-                        phi_459_ = (_e73 == 1u);
-                    } else {
-                        phi_459_ = false;
-                    }
-                    let _e276 = phi_459_;
-                    if _e276 {
-                        phi_502_ = bool();
-                        phi_503_ = true;
-                    } else {
-                        let _e278 = (_e132.member_3 == 4294967295u);
-                        if _e278 {
-                            phi_501_ = bool();
-                        } else {
-                            if _e273 {
-                                phi_500_ = ((((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])) > (((_e132.member_2[0] - _e132.member[0]) * (_e132.member_2[1] - _e132.member[1])) * (_e132.member_2[2] - _e132.member[2])));
+                                let _e278 = phi_422_;
+                                let _e280 = phi_423_;
+                                phi_424_ = _e278;
+                                phi_425_ = _e280;
                             } else {
-                                phi_500_ = false;
+                                phi_424_ = _e245;
+                                phi_425_ = _e242;
                             }
-                            let _e307 = phi_500_;
-                            phi_501_ = _e307;
-                        }
-                        let _e309 = phi_501_;
-                        phi_502_ = _e309;
-                        phi_503_ = _e278;
-                    }
-                    let _e311 = phi_502_;
-                    let _e313 = phi_503_;
-                    if _e313 {
-                        phi_507_ = true;
-                    } else {
-                        phi_507_ = _e311;
-                    }
-                    let _e315 = phi_507_;
-                    if _e266 {
-                        if (_e132.member_3 == 4294967295u) {
-                            phi_517_ = false;
+                            let _e282 = phi_424_;
+                            let _e284 = phi_425_;
+                            phi_426_ = _e282;
+                            phi_427_ = _e284;
                         } else {
-                            phi_517_ = true;
+                            phi_426_ = _e245;
+                            phi_427_ = _e242;
                         }
-                        let _e319 = phi_517_;
-                        phi_518_ = _e319;
-                    } else {
-                        phi_518_ = true;
-                    }
-                    let _e321 = phi_518_;
-                    if _e321 {
-                        if _e315 {
-                            if (_e134.member_3 == 4294967295u) {
-                                phi_530_ = false;
-                            } else {
-                                phi_530_ = true;
-                            }
-                            let _e325 = phi_530_;
-                            phi_531_ = _e325;
-                        } else {
-                            phi_531_ = true;
-                        }
-                        let _e327 = phi_531_;
-                        if _e327 {
-                            if _e266 {
-                                if _e315 {
-                                    let _e330 = a_nodes.member[_e132.member_1];
-                                    let _e335 = a_nodes.member[_e132.member_3];
-                                    let _e340 = b_nodes.member[_e134.member_1];
-                                    let _e345 = b_nodes.member[_e134.member_3];
-                                    if ((((((_e330.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e330.member_2[0])) && (_e330.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e330.member_2[1])) && (_e330.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e330.member_2[2])) {
-                                        phi_626_ = array<u32, 2>(_e132.member_1, _e134.member_1);
-                                    } else {
-                                        phi_626_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e375 = phi_626_;
-                                    if ((((((_e330.member[0] <= _e345.member_2[0]) && (_e345.member[0] <= _e330.member_2[0])) && (_e330.member[1] <= _e345.member_2[1])) && (_e345.member[1] <= _e330.member_2[1])) && (_e330.member[2] <= _e345.member_2[2])) && (_e345.member[2] <= _e330.member_2[2])) {
-                                        phi_656_ = array<u32, 2>(_e132.member_1, _e134.member_3);
-                                    } else {
-                                        phi_656_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e403 = phi_656_;
-                                    if ((((((_e335.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e335.member_2[2])) {
-                                        phi_686_ = array<u32, 2>(_e132.member_3, _e134.member_1);
-                                    } else {
-                                        phi_686_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e431 = phi_686_;
-                                    if ((((((_e335.member[0] <= _e345.member_2[0]) && (_e345.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e345.member_2[1])) && (_e345.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e345.member_2[2])) && (_e345.member[2] <= _e335.member_2[2])) {
-                                        phi_716_ = array<u32, 2>(_e132.member_3, _e134.member_3);
-                                    } else {
-                                        phi_716_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e459 = phi_716_;
-                                    phi_718_ = array<array<u32, 2>, 4>(_e375, _e403, _e431, _e459);
-                                    phi_719_ = false;
+                        let _e286 = phi_426_;
+                        let _e288 = phi_427_;
+                        if _e288 {
+                            if _e286 {
+                                let _e291 = a_nodes.member[_e131.member_1];
+                                let _e296 = a_nodes.member[_e131.member_3];
+                                let _e301 = b_nodes.member[_e133.member_1];
+                                let _e306 = b_nodes.member[_e133.member_3];
+                                let _e311 = array<u32, 2>(_e131.member_1, _e133.member_1);
+                                let _e314 = array<u32, 2>(_e131.member_1, _e133.member_3);
+                                let _e317 = array<u32, 2>(_e131.member_3, _e133.member_1);
+                                let _e320 = array<u32, 2>(_e131.member_3, _e133.member_3);
+                                if ((((((_e291.member[0] <= _e301.member_2[0]) && (_e301.member[0] <= _e291.member_2[0])) && (_e291.member[1] <= _e301.member_2[1])) && (_e301.member[1] <= _e291.member_2[1])) && (_e291.member[2] <= _e301.member_2[2])) && (_e301.member[2] <= _e291.member_2[2])) {
+                                    phi_533_ = _e311;
                                 } else {
-                                    phi_718_ = array<array<u32, 2>, 4>();
-                                    phi_719_ = true;
+                                    phi_533_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e462 = phi_718_;
-                                let _e464 = phi_719_;
-                                phi_720_ = _e462;
-                                phi_721_ = _e464;
-                            } else {
-                                phi_720_ = array<array<u32, 2>, 4>();
-                                phi_721_ = true;
-                            }
-                            let _e466 = phi_720_;
-                            let _e468 = phi_721_;
-                            if _e468 {
-                                if _e266 {
-                                    let _e540 = a_nodes.member[_e132.member_1];
-                                    let _e545 = a_nodes.member[_e132.member_3];
-                                    if ((((((_e540.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e540.member_2[0])) && (_e540.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e540.member_2[1])) && (_e540.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e540.member_2[2])) {
-                                        phi_787_ = array<u32, 2>(_e132.member_1, _e129);
-                                    } else {
-                                        phi_787_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e576 = phi_787_;
-                                    if ((((((_e545.member[0] <= _e134.member_2[0]) && (_e134.member[0] <= _e545.member_2[0])) && (_e545.member[1] <= _e134.member_2[1])) && (_e134.member[1] <= _e545.member_2[1])) && (_e545.member[2] <= _e134.member_2[2])) && (_e134.member[2] <= _e545.member_2[2])) {
-                                        phi_819_ = array<u32, 2>(_e132.member_3, _e129);
-                                    } else {
-                                        phi_819_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e605 = phi_819_;
-                                    phi_914_ = array<array<u32, 2>, 4>(_e576, _e605, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                let _e346 = phi_533_;
+                                if ((((((_e291.member[0] <= _e306.member_2[0]) && (_e306.member[0] <= _e291.member_2[0])) && (_e291.member[1] <= _e306.member_2[1])) && (_e306.member[1] <= _e291.member_2[1])) && (_e291.member[2] <= _e306.member_2[2])) && (_e306.member[2] <= _e291.member_2[2])) {
+                                    phi_562_ = _e314;
                                 } else {
-                                    let _e471 = b_nodes.member[_e134.member_1];
-                                    let _e476 = b_nodes.member[_e134.member_3];
-                                    if ((((((_e132.member[0] <= _e471.member_2[0]) && (_e471.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e471.member_2[1])) && (_e471.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e471.member_2[2])) && (_e471.member[2] <= _e132.member_2[2])) {
-                                        phi_880_ = array<u32, 2>(_e126, _e134.member_1);
-                                    } else {
-                                        phi_880_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e507 = phi_880_;
-                                    if ((((((_e132.member[0] <= _e476.member_2[0]) && (_e476.member[0] <= _e132.member_2[0])) && (_e132.member[1] <= _e476.member_2[1])) && (_e476.member[1] <= _e132.member_2[1])) && (_e132.member[2] <= _e476.member_2[2])) && (_e476.member[2] <= _e132.member_2[2])) {
-                                        phi_912_ = array<u32, 2>(_e126, _e134.member_3);
-                                    } else {
-                                        phi_912_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e536 = phi_912_;
-                                    phi_914_ = array<array<u32, 2>, 4>(_e507, _e536, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
+                                    phi_562_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e608 = phi_914_;
-                                phi_915_ = _e608;
+                                let _e371 = phi_562_;
+                                if ((((((_e296.member[0] <= _e301.member_2[0]) && (_e301.member[0] <= _e296.member_2[0])) && (_e296.member[1] <= _e301.member_2[1])) && (_e301.member[1] <= _e296.member_2[1])) && (_e296.member[2] <= _e301.member_2[2])) && (_e301.member[2] <= _e296.member_2[2])) {
+                                    phi_591_ = _e317;
+                                } else {
+                                    phi_591_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e396 = phi_591_;
+                                if ((((((_e296.member[0] <= _e306.member_2[0]) && (_e306.member[0] <= _e296.member_2[0])) && (_e296.member[1] <= _e306.member_2[1])) && (_e306.member[1] <= _e296.member_2[1])) && (_e296.member[2] <= _e306.member_2[2])) && (_e306.member[2] <= _e296.member_2[2])) {
+                                    phi_620_ = _e320;
+                                } else {
+                                    phi_620_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e421 = phi_620_;
+                                phi_622_ = type_22(array<array<u32, 2>, 4>(_e311, _e314, _e317, _e320), array<array<u32, 2>, 4>(_e346, _e371, _e396, _e421));
+                                phi_623_ = false;
                             } else {
-                                phi_915_ = _e466;
+                                phi_622_ = type_22();
+                                phi_623_ = true;
                             }
-                            let _e610 = phi_915_;
-                            phi_916_ = _e610;
-                            phi_917_ = false;
+                            let _e425 = phi_622_;
+                            let _e427 = phi_623_;
+                            phi_624_ = _e425;
+                            phi_625_ = _e427;
                         } else {
-                            phi_916_ = array<array<u32, 2>, 4>();
-                            phi_917_ = true;
+                            phi_624_ = type_22();
+                            phi_625_ = true;
                         }
-                        let _e612 = phi_916_;
-                        let _e614 = phi_917_;
-                        phi_918_ = _e612;
-                        phi_919_ = _e614;
-                    } else {
-                        phi_918_ = array<array<u32, 2>, 4>();
-                        phi_919_ = true;
-                    }
-                    let _e616 = phi_918_;
-                    let _e618 = phi_919_;
-                    phi_923_ = array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u));
-                    phi_924_ = _e616;
-                    phi_925_ = _e618;
-                } else {
-                    phi_923_ = _e200;
-                    phi_924_ = array<array<u32, 2>, 4>();
-                    phi_925_ = true;
-                }
-                let _e620 = phi_923_;
-                let _e622 = phi_924_;
-                let _e624 = phi_925_;
-                if _e624 {
-                    phi_929_ = _e620;
-                } else {
-                    phi_929_ = _e622;
-                }
-                let _e626 = phi_929_;
-                if (_e126 == 4294967295u) {
-                    phi_952_ = 0u;
-                } else {
-                    if (_e126 >= _e62) {
-                        if (_e129 >= _e67) {
-                            phi_946_ = false;
+                        let _e429 = phi_624_;
+                        let _e431 = phi_625_;
+                        if _e431 {
+                            if _e288 {
+                                let _e530 = a_nodes.member[_e131.member_1];
+                                let _e535 = a_nodes.member[_e131.member_3];
+                                let _e539 = array<u32, 2>(_e131.member_1, _e128);
+                                let _e541 = array<u32, 2>(_e131.member_3, _e128);
+                                let _e548 = type_22(array<array<u32, 2>, 4>(_e539, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e555 = type_22(array<array<u32, 2>, 4>(_e548.member[0], _e541, _e548.member[2], _e548.member[3]), _e548.member_1);
+                                if ((((((_e530.member[0] <= _e133.member_2[0]) && (_e133.member[0] <= _e530.member_2[0])) && (_e530.member[1] <= _e133.member_2[1])) && (_e133.member[1] <= _e530.member_2[1])) && (_e530.member[2] <= _e133.member_2[2])) && (_e133.member[2] <= _e530.member_2[2])) {
+                                    phi_698_ = _e539;
+                                } else {
+                                    phi_698_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e582 = phi_698_;
+                                let _e589 = type_22(_e555.member, array<array<u32, 2>, 4>(_e582, _e555.member_1[1], _e555.member_1[2], _e555.member_1[3]));
+                                if ((((((_e535.member[0] <= _e133.member_2[0]) && (_e133.member[0] <= _e535.member_2[0])) && (_e535.member[1] <= _e133.member_2[1])) && (_e133.member[1] <= _e535.member_2[1])) && (_e535.member[2] <= _e133.member_2[2])) && (_e133.member[2] <= _e535.member_2[2])) {
+                                    phi_730_ = _e541;
+                                } else {
+                                    phi_730_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e616 = phi_730_;
+                                phi_832_ = type_22(_e589.member, array<array<u32, 2>, 4>(_e589.member_1[0], _e616, _e589.member_1[2], _e589.member_1[3]));
+                            } else {
+                                let _e434 = b_nodes.member[_e133.member_1];
+                                let _e439 = b_nodes.member[_e133.member_3];
+                                let _e443 = array<u32, 2>(_e125, _e133.member_1);
+                                let _e445 = array<u32, 2>(_e125, _e133.member_3);
+                                let _e452 = type_22(array<array<u32, 2>, 4>(_e443, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e459 = type_22(array<array<u32, 2>, 4>(_e452.member[0], _e445, _e452.member[2], _e452.member[3]), _e452.member_1);
+                                if ((((((_e131.member[0] <= _e434.member_2[0]) && (_e434.member[0] <= _e131.member_2[0])) && (_e131.member[1] <= _e434.member_2[1])) && (_e434.member[1] <= _e131.member_2[1])) && (_e131.member[2] <= _e434.member_2[2])) && (_e434.member[2] <= _e131.member_2[2])) {
+                                    phi_798_ = _e443;
+                                } else {
+                                    phi_798_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e486 = phi_798_;
+                                let _e493 = type_22(_e459.member, array<array<u32, 2>, 4>(_e486, _e459.member_1[1], _e459.member_1[2], _e459.member_1[3]));
+                                if ((((((_e131.member[0] <= _e439.member_2[0]) && (_e439.member[0] <= _e131.member_2[0])) && (_e131.member[1] <= _e439.member_2[1])) && (_e439.member[1] <= _e131.member_2[1])) && (_e131.member[2] <= _e439.member_2[2])) && (_e439.member[2] <= _e131.member_2[2])) {
+                                    phi_830_ = _e445;
+                                } else {
+                                    phi_830_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e520 = phi_830_;
+                                phi_832_ = type_22(_e493.member, array<array<u32, 2>, 4>(_e493.member_1[0], _e520, _e493.member_1[2], _e493.member_1[3]));
+                            }
+                            let _e625 = phi_832_;
+                            phi_833_ = _e625;
                         } else {
-                            phi_946_ = true;
+                            phi_833_ = _e429;
                         }
-                        let _e635 = phi_946_;
-                        phi_947_ = _e635;
+                        let _e627 = phi_833_;
+                        phi_834_ = _e627;
+                        phi_835_ = false;
                     } else {
-                        phi_947_ = true;
+                        phi_834_ = type_22();
+                        phi_835_ = true;
                     }
-                    let _e637 = phi_947_;
-                    if _e637 {
-                        phi_951_ = 1u;
+                    let _e629 = phi_834_;
+                    let _e631 = phi_835_;
+                    phi_836_ = _e629;
+                    phi_837_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    phi_838_ = _e631;
+                } else {
+                    phi_836_ = type_22();
+                    phi_837_ = _e237;
+                    phi_838_ = true;
+                }
+                let _e633 = phi_836_;
+                let _e635 = phi_837_;
+                let _e637 = phi_838_;
+                if _e637 {
+                    phi_842_ = _e635;
+                } else {
+                    phi_842_ = _e633;
+                }
+                let _e639 = phi_842_;
+                if (_e125 == 4294967295u) {
+                    phi_866_ = 0u;
+                } else {
+                    if (_e125 >= _e61) {
+                        if (_e128 >= _e66) {
+                            phi_860_ = false;
+                        } else {
+                            phi_860_ = true;
+                        }
+                        let _e649 = phi_860_;
+                        phi_861_ = _e649;
                     } else {
-                        phi_951_ = 2u;
+                        phi_861_ = true;
                     }
-                    let _e639 = phi_951_;
-                    phi_952_ = _e639;
-                }
-                let _e641 = phi_952_;
-                if (_e641 == 2u) {
-                    phi_958_ = array<u32, 2>(_e126, _e129);
-                } else {
-                    phi_958_ = _e626[0];
-                }
-                let _e645 = phi_958_;
-                phi_959_ = _e626[3];
-                phi_960_ = _e626[2];
-                phi_961_ = _e626[1];
-                phi_962_ = _e645;
-            } else {
-                phi_959_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_960_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_961_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_962_ = array<u32, 2>(4294967295u, 4294967295u);
-            }
-            let _e647 = phi_959_;
-            let _e649 = phi_960_;
-            let _e651 = phi_961_;
-            let _e653 = phi_962_;
-            if (_e653[0] == 4294967295u) {
-                phi_984_ = 0u;
-            } else {
-                if (_e653[0] >= _e62) {
-                    if (_e653[1] >= _e67) {
-                        phi_978_ = false;
+                    let _e651 = phi_861_;
+                    if _e651 {
+                        phi_865_ = 1u;
                     } else {
-                        phi_978_ = true;
+                        phi_865_ = 2u;
                     }
-                    let _e661 = phi_978_;
-                    phi_979_ = _e661;
-                } else {
-                    phi_979_ = true;
+                    let _e653 = phi_865_;
+                    phi_866_ = _e653;
                 }
-                let _e663 = phi_979_;
-                if _e663 {
-                    phi_983_ = 1u;
+                let _e655 = phi_866_;
+                if (_e655 == 2u) {
+                    phi_872_ = array<u32, 2>(_e125, _e128);
                 } else {
-                    phi_983_ = 2u;
+                    phi_872_ = _e639.member_1[0];
                 }
-                let _e665 = phi_983_;
-                phi_984_ = _e665;
-            }
-            let _e667 = phi_984_;
-            if (_e667 == 0u) {
-                phi_996_ = 0u;
+                let _e659 = phi_872_;
+                phi_873_ = _e639.member_1[3];
+                phi_874_ = _e639.member_1[2];
+                phi_875_ = _e639.member_1[1];
+                phi_876_ = _e659;
             } else {
-                if (_e667 == 1u) {
-                    phi_993_ = 0u;
-                } else {
-                    phi_993_ = 1u;
-                }
-                let _e671 = phi_993_;
-                let _e673 = atomicAdd((&counters[_e671]), 1u);
-                phi_996_ = _e673;
+                phi_873_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_874_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_875_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_876_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e675 = phi_996_;
-            if (_e651[0] == 4294967295u) {
-                phi_1018_ = 0u;
+            let _e661 = phi_873_;
+            let _e663 = phi_874_;
+            let _e665 = phi_875_;
+            let _e667 = phi_876_;
+            if (_e667[0] == 4294967295u) {
+                phi_898_ = 0u;
             } else {
-                if (_e651[0] >= _e62) {
-                    if (_e651[1] >= _e67) {
-                        phi_1012_ = false;
+                if (_e667[0] >= _e61) {
+                    if (_e667[1] >= _e66) {
+                        phi_892_ = false;
                     } else {
-                        phi_1012_ = true;
+                        phi_892_ = true;
                     }
-                    let _e683 = phi_1012_;
-                    phi_1013_ = _e683;
+                    let _e675 = phi_892_;
+                    phi_893_ = _e675;
                 } else {
-                    phi_1013_ = true;
+                    phi_893_ = true;
                 }
-                let _e685 = phi_1013_;
-                if _e685 {
-                    phi_1017_ = 1u;
+                let _e677 = phi_893_;
+                if _e677 {
+                    phi_897_ = 1u;
                 } else {
-                    phi_1017_ = 2u;
+                    phi_897_ = 2u;
                 }
-                let _e687 = phi_1017_;
-                phi_1018_ = _e687;
+                let _e679 = phi_897_;
+                phi_898_ = _e679;
             }
-            let _e689 = phi_1018_;
-            if (_e689 == 0u) {
-                phi_1030_ = 0u;
+            let _e681 = phi_898_;
+            if (_e681 == 0u) {
+                phi_910_ = 0u;
             } else {
-                if (_e689 == 1u) {
-                    phi_1027_ = 0u;
+                if (_e681 == 1u) {
+                    phi_907_ = 0u;
                 } else {
-                    phi_1027_ = 1u;
+                    phi_907_ = 1u;
                 }
-                let _e693 = phi_1027_;
-                let _e695 = atomicAdd((&counters[_e693]), 1u);
-                phi_1030_ = _e695;
+                let _e685 = phi_907_;
+                let _e687 = atomicAdd((&counters[_e685]), 1u);
+                phi_910_ = _e687;
             }
-            let _e697 = phi_1030_;
-            if (_e649[0] == 4294967295u) {
-                phi_1052_ = 0u;
+            let _e689 = phi_910_;
+            if (_e665[0] == 4294967295u) {
+                phi_932_ = 0u;
             } else {
-                if (_e649[0] >= _e62) {
-                    if (_e649[1] >= _e67) {
-                        phi_1046_ = false;
+                if (_e665[0] >= _e61) {
+                    if (_e665[1] >= _e66) {
+                        phi_926_ = false;
                     } else {
-                        phi_1046_ = true;
+                        phi_926_ = true;
                     }
-                    let _e705 = phi_1046_;
-                    phi_1047_ = _e705;
+                    let _e697 = phi_926_;
+                    phi_927_ = _e697;
                 } else {
-                    phi_1047_ = true;
+                    phi_927_ = true;
                 }
-                let _e707 = phi_1047_;
-                if _e707 {
-                    phi_1051_ = 1u;
+                let _e699 = phi_927_;
+                if _e699 {
+                    phi_931_ = 1u;
                 } else {
-                    phi_1051_ = 2u;
+                    phi_931_ = 2u;
                 }
-                let _e709 = phi_1051_;
-                phi_1052_ = _e709;
+                let _e701 = phi_931_;
+                phi_932_ = _e701;
             }
-            let _e711 = phi_1052_;
-            if (_e711 == 0u) {
-                phi_1064_ = 0u;
+            let _e703 = phi_932_;
+            if (_e703 == 0u) {
+                phi_944_ = 0u;
             } else {
-                if (_e711 == 1u) {
-                    phi_1061_ = 0u;
+                if (_e703 == 1u) {
+                    phi_941_ = 0u;
                 } else {
-                    phi_1061_ = 1u;
+                    phi_941_ = 1u;
                 }
-                let _e715 = phi_1061_;
-                let _e717 = atomicAdd((&counters[_e715]), 1u);
-                phi_1064_ = _e717;
+                let _e707 = phi_941_;
+                let _e709 = atomicAdd((&counters[_e707]), 1u);
+                phi_944_ = _e709;
             }
-            let _e719 = phi_1064_;
-            if (_e647[0] == 4294967295u) {
-                phi_1086_ = 0u;
+            let _e711 = phi_944_;
+            if (_e663[0] == 4294967295u) {
+                phi_966_ = 0u;
             } else {
-                if (_e647[0] >= _e62) {
-                    if (_e647[1] >= _e67) {
-                        phi_1080_ = false;
+                if (_e663[0] >= _e61) {
+                    if (_e663[1] >= _e66) {
+                        phi_960_ = false;
                     } else {
-                        phi_1080_ = true;
+                        phi_960_ = true;
                     }
-                    let _e727 = phi_1080_;
-                    phi_1081_ = _e727;
+                    let _e719 = phi_960_;
+                    phi_961_ = _e719;
                 } else {
-                    phi_1081_ = true;
+                    phi_961_ = true;
                 }
-                let _e729 = phi_1081_;
-                if _e729 {
-                    phi_1085_ = 1u;
+                let _e721 = phi_961_;
+                if _e721 {
+                    phi_965_ = 1u;
                 } else {
-                    phi_1085_ = 2u;
+                    phi_965_ = 2u;
                 }
-                let _e731 = phi_1085_;
-                phi_1086_ = _e731;
+                let _e723 = phi_965_;
+                phi_966_ = _e723;
             }
-            let _e733 = phi_1086_;
-            if (_e733 == 0u) {
-                phi_1098_ = 0u;
+            let _e725 = phi_966_;
+            if (_e725 == 0u) {
+                phi_978_ = 0u;
             } else {
-                if (_e733 == 1u) {
-                    phi_1095_ = 0u;
+                if (_e725 == 1u) {
+                    phi_975_ = 0u;
                 } else {
-                    phi_1095_ = 1u;
+                    phi_975_ = 1u;
                 }
-                let _e737 = phi_1095_;
-                let _e739 = atomicAdd((&counters[_e737]), 1u);
-                phi_1098_ = _e739;
+                let _e729 = phi_975_;
+                let _e731 = atomicAdd((&counters[_e729]), 1u);
+                phi_978_ = _e731;
             }
-            let _e741 = phi_1098_;
+            let _e733 = phi_978_;
+            if (_e661[0] == 4294967295u) {
+                phi_1000_ = 0u;
+            } else {
+                if (_e661[0] >= _e61) {
+                    if (_e661[1] >= _e66) {
+                        phi_994_ = false;
+                    } else {
+                        phi_994_ = true;
+                    }
+                    let _e741 = phi_994_;
+                    phi_995_ = _e741;
+                } else {
+                    phi_995_ = true;
+                }
+                let _e743 = phi_995_;
+                if _e743 {
+                    phi_999_ = 1u;
+                } else {
+                    phi_999_ = 2u;
+                }
+                let _e745 = phi_999_;
+                phi_1000_ = _e745;
+            }
+            let _e747 = phi_1000_;
+            if (_e747 == 0u) {
+                phi_1012_ = 0u;
+            } else {
+                if (_e747 == 1u) {
+                    phi_1009_ = 0u;
+                } else {
+                    phi_1009_ = 1u;
+                }
+                let _e751 = phi_1009_;
+                let _e753 = atomicAdd((&counters[_e751]), 1u);
+                phi_1012_ = _e753;
+            }
+            let _e755 = phi_1012_;
             workgroupBarrier();
-            if (_e31 == 0u) {
-                let _e744 = atomicLoad((&counters[0u]));
-                let _e746 = atomicLoad((&counters[1u]));
-                if (_e744 > 0u) {
-                    let _e750 = atomicAdd((&levels.member[(_e52 + 1u)]), _e744);
-                    let _e753 = atomicMax((&output.member[0u]), (_e750 + _e744));
-                    if ((_e750 + _e744) < _e750) {
-                        let _e757 = atomicAdd((&output.member[2u]), 1u);
+            if (_e30 == 0u) {
+                let _e758 = atomicLoad((&counters[0u]));
+                let _e760 = atomicLoad((&counters[1u]));
+                if (_e758 > 0u) {
+                    let _e764 = atomicAdd((&levels.member[(_e51 + 1u)]), _e758);
+                    let _e767 = atomicMax((&output.member[0u]), (_e764 + _e758));
+                    if ((_e764 + _e758) < _e764) {
+                        let _e771 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e750);
+                    atomicStore((&counters[2u]), _e764);
                 }
-                if (_e746 > 0u) {
-                    let _e761 = atomicAdd((&pairs.member[0u]), _e746);
-                    if ((_e761 + _e746) < _e761) {
-                        let _e765 = atomicAdd((&pairs.member[2u]), 1u);
+                if (_e760 > 0u) {
+                    let _e775 = atomicAdd((&pairs.member[0u]), _e760);
+                    if ((_e775 + _e760) < _e775) {
+                        let _e779 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    atomicStore((&counters[3u]), _e761);
+                    atomicStore((&counters[3u]), _e775);
                 }
             }
             workgroupBarrier();
-            let _e768 = atomicLoad((&counters[2u]));
-            let _e770 = atomicLoad((&counters[3u]));
-            if (_e653[0] == 4294967295u) {
-                phi_1170_ = 0u;
+            let _e782 = atomicLoad((&counters[2u]));
+            let _e784 = atomicLoad((&counters[3u]));
+            if (_e667[0] == 4294967295u) {
+                phi_1084_ = 0u;
             } else {
-                if (_e653[0] >= _e62) {
-                    if (_e653[1] >= _e67) {
-                        phi_1164_ = false;
+                if (_e667[0] >= _e61) {
+                    if (_e667[1] >= _e66) {
+                        phi_1078_ = false;
                     } else {
-                        phi_1164_ = true;
+                        phi_1078_ = true;
                     }
-                    let _e778 = phi_1164_;
-                    phi_1165_ = _e778;
+                    let _e792 = phi_1078_;
+                    phi_1079_ = _e792;
                 } else {
-                    phi_1165_ = true;
+                    phi_1079_ = true;
                 }
-                let _e780 = phi_1165_;
-                if _e780 {
-                    phi_1169_ = 1u;
+                let _e794 = phi_1079_;
+                if _e794 {
+                    phi_1083_ = 1u;
                 } else {
-                    phi_1169_ = 2u;
+                    phi_1083_ = 2u;
                 }
-                let _e782 = phi_1169_;
-                phi_1170_ = _e782;
+                let _e796 = phi_1083_;
+                phi_1084_ = _e796;
             }
-            let _e784 = phi_1170_;
-            if (_e784 == 1u) {
-                let _e823 = params.member.member_2.member_3;
-                let _e824 = (_e768 + _e675);
-                if (_e824 < _e823) {
-                    let _e826 = (2u * _e824);
-                    atomicStore((&output.member[(4u + _e826)]), _e653[0]);
-                    atomicStore((&output.member[(_e826 + 5u)]), _e653[1]);
+            let _e798 = phi_1084_;
+            if (_e798 == 1u) {
+                let _e837 = params.member.member_2.member_3;
+                let _e838 = (_e782 + _e689);
+                if (_e838 < _e837) {
+                    let _e840 = (2u * _e838);
+                    atomicStore((&output.member[(4u + _e840)]), _e667[0]);
+                    atomicStore((&output.member[(_e840 + 5u)]), _e667[1]);
                 }
             } else {
-                if (_e784 == 2u) {
-                    let _e789 = a_nodes.member[_e653[0]];
-                    let _e793 = b_nodes.member[_e653[1]];
-                    let _e797 = params.member.member_2.member;
-                    if (_e797 == 1u) {
-                        if (_e789.member_1 < _e793.member_1) {
-                            phi_1233_ = type_12(_e789.member_1, _e793.member_1);
+                if (_e798 == 2u) {
+                    let _e803 = a_nodes.member[_e667[0]];
+                    let _e807 = b_nodes.member[_e667[1]];
+                    let _e811 = params.member.member_2.member;
+                    if (_e811 == 1u) {
+                        if (_e803.member_1 < _e807.member_1) {
+                            phi_1147_ = type_12(_e803.member_1, _e807.member_1);
                         } else {
-                            phi_1233_ = type_12(_e793.member_1, _e789.member_1);
+                            phi_1147_ = type_12(_e807.member_1, _e803.member_1);
                         }
-                        let _e804 = phi_1233_;
-                        phi_1238_ = _e804;
+                        let _e818 = phi_1147_;
+                        phi_1152_ = _e818;
                     } else {
-                        phi_1238_ = type_12(_e789.member_1, _e793.member_1);
+                        phi_1152_ = type_12(_e803.member_1, _e807.member_1);
                     }
-                    let _e806 = phi_1238_;
-                    let _e809 = params.member.member_1.member_3;
-                    let _e810 = (_e770 + _e675);
-                    if (_e810 < _e809) {
-                        let _e814 = (2u * _e810);
-                        atomicStore((&pairs.member[(4u + _e814)]), _e806.member);
-                        atomicStore((&pairs.member[(_e814 + 5u)]), _e806.member_1);
+                    let _e820 = phi_1152_;
+                    let _e823 = params.member.member_1.member_3;
+                    let _e824 = (_e784 + _e689);
+                    if (_e824 < _e823) {
+                        let _e828 = (2u * _e824);
+                        atomicStore((&pairs.member[(4u + _e828)]), _e820.member);
+                        atomicStore((&pairs.member[(_e828 + 5u)]), _e820.member_1);
                     }
                 }
             }
-            if (_e651[0] == 4294967295u) {
-                phi_1277_ = 0u;
+            if (_e665[0] == 4294967295u) {
+                phi_1191_ = 0u;
             } else {
-                if (_e651[0] >= _e62) {
-                    if (_e651[1] >= _e67) {
-                        phi_1271_ = false;
+                if (_e665[0] >= _e61) {
+                    if (_e665[1] >= _e66) {
+                        phi_1185_ = false;
                     } else {
-                        phi_1271_ = true;
+                        phi_1185_ = true;
                     }
-                    let _e838 = phi_1271_;
-                    phi_1272_ = _e838;
+                    let _e852 = phi_1185_;
+                    phi_1186_ = _e852;
                 } else {
-                    phi_1272_ = true;
+                    phi_1186_ = true;
                 }
-                let _e840 = phi_1272_;
-                if _e840 {
-                    phi_1276_ = 1u;
+                let _e854 = phi_1186_;
+                if _e854 {
+                    phi_1190_ = 1u;
                 } else {
-                    phi_1276_ = 2u;
+                    phi_1190_ = 2u;
                 }
-                let _e842 = phi_1276_;
-                phi_1277_ = _e842;
+                let _e856 = phi_1190_;
+                phi_1191_ = _e856;
             }
-            let _e844 = phi_1277_;
-            if (_e844 == 1u) {
-                let _e883 = params.member.member_2.member_3;
-                let _e884 = (_e768 + _e697);
-                if (_e884 < _e883) {
-                    let _e886 = (2u * _e884);
-                    atomicStore((&output.member[(4u + _e886)]), _e651[0]);
-                    atomicStore((&output.member[(_e886 + 5u)]), _e651[1]);
+            let _e858 = phi_1191_;
+            if (_e858 == 1u) {
+                let _e897 = params.member.member_2.member_3;
+                let _e898 = (_e782 + _e711);
+                if (_e898 < _e897) {
+                    let _e900 = (2u * _e898);
+                    atomicStore((&output.member[(4u + _e900)]), _e665[0]);
+                    atomicStore((&output.member[(_e900 + 5u)]), _e665[1]);
                 }
             } else {
-                if (_e844 == 2u) {
-                    let _e849 = a_nodes.member[_e651[0]];
-                    let _e853 = b_nodes.member[_e651[1]];
-                    let _e857 = params.member.member_2.member;
-                    if (_e857 == 1u) {
-                        if (_e849.member_1 < _e853.member_1) {
-                            phi_1340_ = type_12(_e849.member_1, _e853.member_1);
+                if (_e858 == 2u) {
+                    let _e863 = a_nodes.member[_e665[0]];
+                    let _e867 = b_nodes.member[_e665[1]];
+                    let _e871 = params.member.member_2.member;
+                    if (_e871 == 1u) {
+                        if (_e863.member_1 < _e867.member_1) {
+                            phi_1254_ = type_12(_e863.member_1, _e867.member_1);
                         } else {
-                            phi_1340_ = type_12(_e853.member_1, _e849.member_1);
+                            phi_1254_ = type_12(_e867.member_1, _e863.member_1);
                         }
-                        let _e864 = phi_1340_;
-                        phi_1345_ = _e864;
+                        let _e878 = phi_1254_;
+                        phi_1259_ = _e878;
                     } else {
-                        phi_1345_ = type_12(_e849.member_1, _e853.member_1);
+                        phi_1259_ = type_12(_e863.member_1, _e867.member_1);
                     }
-                    let _e866 = phi_1345_;
-                    let _e869 = params.member.member_1.member_3;
-                    let _e870 = (_e770 + _e697);
-                    if (_e870 < _e869) {
-                        let _e874 = (2u * _e870);
-                        atomicStore((&pairs.member[(4u + _e874)]), _e866.member);
-                        atomicStore((&pairs.member[(_e874 + 5u)]), _e866.member_1);
+                    let _e880 = phi_1259_;
+                    let _e883 = params.member.member_1.member_3;
+                    let _e884 = (_e784 + _e711);
+                    if (_e884 < _e883) {
+                        let _e888 = (2u * _e884);
+                        atomicStore((&pairs.member[(4u + _e888)]), _e880.member);
+                        atomicStore((&pairs.member[(_e888 + 5u)]), _e880.member_1);
                     }
                 }
             }
-            if (_e649[0] == 4294967295u) {
-                phi_1384_ = 0u;
+            if (_e663[0] == 4294967295u) {
+                phi_1298_ = 0u;
             } else {
-                if (_e649[0] >= _e62) {
-                    if (_e649[1] >= _e67) {
-                        phi_1378_ = false;
+                if (_e663[0] >= _e61) {
+                    if (_e663[1] >= _e66) {
+                        phi_1292_ = false;
                     } else {
-                        phi_1378_ = true;
+                        phi_1292_ = true;
                     }
-                    let _e898 = phi_1378_;
-                    phi_1379_ = _e898;
+                    let _e912 = phi_1292_;
+                    phi_1293_ = _e912;
                 } else {
-                    phi_1379_ = true;
+                    phi_1293_ = true;
                 }
-                let _e900 = phi_1379_;
-                if _e900 {
-                    phi_1383_ = 1u;
+                let _e914 = phi_1293_;
+                if _e914 {
+                    phi_1297_ = 1u;
                 } else {
-                    phi_1383_ = 2u;
+                    phi_1297_ = 2u;
                 }
-                let _e902 = phi_1383_;
-                phi_1384_ = _e902;
+                let _e916 = phi_1297_;
+                phi_1298_ = _e916;
             }
-            let _e904 = phi_1384_;
-            if (_e904 == 1u) {
-                let _e943 = params.member.member_2.member_3;
-                let _e944 = (_e768 + _e719);
-                if (_e944 < _e943) {
-                    let _e946 = (2u * _e944);
-                    atomicStore((&output.member[(4u + _e946)]), _e649[0]);
-                    atomicStore((&output.member[(_e946 + 5u)]), _e649[1]);
+            let _e918 = phi_1298_;
+            if (_e918 == 1u) {
+                let _e957 = params.member.member_2.member_3;
+                let _e958 = (_e782 + _e733);
+                if (_e958 < _e957) {
+                    let _e960 = (2u * _e958);
+                    atomicStore((&output.member[(4u + _e960)]), _e663[0]);
+                    atomicStore((&output.member[(_e960 + 5u)]), _e663[1]);
                 }
             } else {
-                if (_e904 == 2u) {
-                    let _e909 = a_nodes.member[_e649[0]];
-                    let _e913 = b_nodes.member[_e649[1]];
-                    let _e917 = params.member.member_2.member;
-                    if (_e917 == 1u) {
-                        if (_e909.member_1 < _e913.member_1) {
-                            phi_1447_ = type_12(_e909.member_1, _e913.member_1);
+                if (_e918 == 2u) {
+                    let _e923 = a_nodes.member[_e663[0]];
+                    let _e927 = b_nodes.member[_e663[1]];
+                    let _e931 = params.member.member_2.member;
+                    if (_e931 == 1u) {
+                        if (_e923.member_1 < _e927.member_1) {
+                            phi_1361_ = type_12(_e923.member_1, _e927.member_1);
                         } else {
-                            phi_1447_ = type_12(_e913.member_1, _e909.member_1);
+                            phi_1361_ = type_12(_e927.member_1, _e923.member_1);
                         }
-                        let _e924 = phi_1447_;
-                        phi_1452_ = _e924;
+                        let _e938 = phi_1361_;
+                        phi_1366_ = _e938;
                     } else {
-                        phi_1452_ = type_12(_e909.member_1, _e913.member_1);
+                        phi_1366_ = type_12(_e923.member_1, _e927.member_1);
                     }
-                    let _e926 = phi_1452_;
-                    let _e929 = params.member.member_1.member_3;
-                    let _e930 = (_e770 + _e719);
-                    if (_e930 < _e929) {
-                        let _e934 = (2u * _e930);
-                        atomicStore((&pairs.member[(4u + _e934)]), _e926.member);
-                        atomicStore((&pairs.member[(_e934 + 5u)]), _e926.member_1);
+                    let _e940 = phi_1366_;
+                    let _e943 = params.member.member_1.member_3;
+                    let _e944 = (_e784 + _e733);
+                    if (_e944 < _e943) {
+                        let _e948 = (2u * _e944);
+                        atomicStore((&pairs.member[(4u + _e948)]), _e940.member);
+                        atomicStore((&pairs.member[(_e948 + 5u)]), _e940.member_1);
                     }
                 }
             }
-            if (_e647[0] == 4294967295u) {
-                phi_1491_ = 0u;
+            if (_e661[0] == 4294967295u) {
+                phi_1405_ = 0u;
             } else {
-                if (_e647[0] >= _e62) {
-                    if (_e647[1] >= _e67) {
-                        phi_1485_ = false;
+                if (_e661[0] >= _e61) {
+                    if (_e661[1] >= _e66) {
+                        phi_1399_ = false;
                     } else {
-                        phi_1485_ = true;
+                        phi_1399_ = true;
                     }
-                    let _e958 = phi_1485_;
-                    phi_1486_ = _e958;
+                    let _e972 = phi_1399_;
+                    phi_1400_ = _e972;
                 } else {
-                    phi_1486_ = true;
+                    phi_1400_ = true;
                 }
-                let _e960 = phi_1486_;
-                if _e960 {
-                    phi_1490_ = 1u;
+                let _e974 = phi_1400_;
+                if _e974 {
+                    phi_1404_ = 1u;
                 } else {
-                    phi_1490_ = 2u;
+                    phi_1404_ = 2u;
                 }
-                let _e962 = phi_1490_;
-                phi_1491_ = _e962;
+                let _e976 = phi_1404_;
+                phi_1405_ = _e976;
             }
-            let _e964 = phi_1491_;
-            if (_e964 == 1u) {
-                let _e1003 = params.member.member_2.member_3;
-                let _e1004 = (_e768 + _e741);
-                if (_e1004 < _e1003) {
-                    let _e1006 = (2u * _e1004);
-                    atomicStore((&output.member[(4u + _e1006)]), _e647[0]);
-                    atomicStore((&output.member[(_e1006 + 5u)]), _e647[1]);
+            let _e978 = phi_1405_;
+            if (_e978 == 1u) {
+                let _e1017 = params.member.member_2.member_3;
+                let _e1018 = (_e782 + _e755);
+                if (_e1018 < _e1017) {
+                    let _e1020 = (2u * _e1018);
+                    atomicStore((&output.member[(4u + _e1020)]), _e661[0]);
+                    atomicStore((&output.member[(_e1020 + 5u)]), _e661[1]);
                 }
             } else {
-                if (_e964 == 2u) {
-                    let _e969 = a_nodes.member[_e647[0]];
-                    let _e973 = b_nodes.member[_e647[1]];
-                    let _e977 = params.member.member_2.member;
-                    if (_e977 == 1u) {
-                        if (_e969.member_1 < _e973.member_1) {
-                            phi_1554_ = type_12(_e969.member_1, _e973.member_1);
+                if (_e978 == 2u) {
+                    let _e983 = a_nodes.member[_e661[0]];
+                    let _e987 = b_nodes.member[_e661[1]];
+                    let _e991 = params.member.member_2.member;
+                    if (_e991 == 1u) {
+                        if (_e983.member_1 < _e987.member_1) {
+                            phi_1468_ = type_12(_e983.member_1, _e987.member_1);
                         } else {
-                            phi_1554_ = type_12(_e973.member_1, _e969.member_1);
+                            phi_1468_ = type_12(_e987.member_1, _e983.member_1);
                         }
-                        let _e984 = phi_1554_;
-                        phi_1559_ = _e984;
+                        let _e998 = phi_1468_;
+                        phi_1473_ = _e998;
                     } else {
-                        phi_1559_ = type_12(_e969.member_1, _e973.member_1);
+                        phi_1473_ = type_12(_e983.member_1, _e987.member_1);
                     }
-                    let _e986 = phi_1559_;
-                    let _e989 = params.member.member_1.member_3;
-                    let _e990 = (_e770 + _e741);
-                    if (_e990 < _e989) {
-                        let _e994 = (2u * _e990);
-                        atomicStore((&pairs.member[(4u + _e994)]), _e986.member);
-                        atomicStore((&pairs.member[(_e994 + 5u)]), _e986.member_1);
+                    let _e1000 = phi_1473_;
+                    let _e1003 = params.member.member_1.member_3;
+                    let _e1004 = (_e784 + _e755);
+                    if (_e1004 < _e1003) {
+                        let _e1008 = (2u * _e1004);
+                        atomicStore((&pairs.member[(4u + _e1008)]), _e1000.member);
+                        atomicStore((&pairs.member[(_e1008 + 5u)]), _e1000.member_1);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_171_ = _e108;
-            break if !(_e114);
+            phi_173_ = _e107;
+            break if !(_e113);
         }
     }
     return;

@@ -1,37 +1,37 @@
 // Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
-struct type_8 {
-    member: array<array<u32, 24>>,
-}
-
-struct type_9 {
+struct type_6 {
     member: i32,
     member_1: i32,
 }
 
-struct type_10 {
+struct type_7 {
     member: u32,
     member_1: i32,
 }
 
-struct type_12 {
+struct type_9 {
     member: array<array<u32, 2>>,
 }
 
-@group(0) @binding(1) 
-var<storage, read_write> results: type_8;
+struct type_12 {
+    member: array<array<u32, 24>>,
+}
+
 @group(0) @binding(0) 
-var<storage> inputs: type_12;
+var<storage> inputs: type_9;
+@group(0) @binding(1) 
+var<storage, read_write> results: type_12;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: f32;
     var phi_114_: f32;
     var phi_120_: f32;
-    var phi_148_: type_9;
+    var phi_148_: type_6;
     var phi_151_: f32;
     var phi_172_: bool;
-    var phi_178_: type_10;
-    var phi_149_: type_9;
-    var phi_192_: type_10;
+    var phi_178_: type_7;
+    var phi_149_: type_6;
+    var phi_192_: type_7;
     var phi_152_: f32;
     var local: f32;
     var phi_141_: f32;
@@ -93,7 +93,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e137 = phi_141_;
             phi_205_ = _e137;
         } else {
-            phi_148_ = type_9(0i, 5i);
+            phi_148_ = type_6(0i, 5i);
             phi_151_ = bitcast<f32>(((bitcast<u32>(_e54) >> bitcast<u32>(1i)) + 532369198u));
             loop {
                 let _e92 = phi_148_;
@@ -108,16 +108,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e106 = phi_172_;
                     if _e106 {
-                        phi_178_ = type_10(0u, type_10().member_1);
+                        phi_178_ = type_7(0u, type_7().member_1);
                     } else {
-                        phi_178_ = type_10(1u, _e101);
+                        phi_178_ = type_7(1u, _e101);
                     }
                     let _e111 = phi_178_;
-                    phi_149_ = type_9(_e111.member_1, _e92.member_1);
-                    phi_192_ = type_10(1u, _e92.member);
+                    phi_149_ = type_6(_e111.member_1, _e92.member_1);
+                    phi_192_ = type_7(1u, _e92.member);
                 } else {
                     phi_149_ = _e92;
-                    phi_192_ = type_10(0u, type_10().member_1);
+                    phi_192_ = type_7(0u, type_7().member_1);
                 }
                 let _e117 = phi_149_;
                 let _e119 = phi_192_;
